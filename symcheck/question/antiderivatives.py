@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from symcheck.core.calculus import nodes, substituted
 from symcheck.core.problems import Applied, Problem
@@ -12,6 +13,9 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.question.improper import improper
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
+
+if TYPE_CHECKING:
+    from sympy import Expr, Piecewise
 
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
 # what SymPy raises for what it cannot do
@@ -87,9 +91,19 @@ def _closed(binder: Binder, body: Term) -> Term | None:
             else:
                 found = sympy.summation(to_sympy(body), (x, to_sympy(binder.outside[0]), x))
             if isinstance(found, sympy.Piecewise):
-                found = found.args[0].expr  # where letters have no special values; the proof shows whether it is so
+                found = _generic(found)  # the proof shows whether it is so
             if found.has(sympy.Integral, sympy.Sum, sympy.Piecewise):
                 return None
             return from_sympy(found)
     except (SymcheckError, OutOfTime, *FAULTS):
         return None
+
+
+def _generic(found: Piecewise) -> Expr:
+    """The piece for letters without special values."""
+    import sympy
+
+    primes = map(sympy.prime, range(5, 5 + len(found.free_symbols)))
+    somewhere = dict(zip(sorted(found.free_symbols, key=str), map(sympy.sqrt, primes), strict=True))
+    pieces = (piece.expr for piece in found.args if piece.cond.subs(somewhere) == sympy.true)
+    return next(pieces, found.args[0].expr)

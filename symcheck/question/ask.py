@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import islice, product
 
 from symcheck.checker import check
-from symcheck.core.calculus import letters, nodes, substituted
+from symcheck.core.calculus import functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Term, node
@@ -23,6 +24,8 @@ from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held, spel
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
 from symcheck.question.repairs import repairs
+from symcheck.question.solutions import with_solutions
+from symcheck.question.whole import with_half_turns
 from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 
@@ -166,8 +169,14 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
-        if made is not None and verdict is Verdict.REFUTED and (whole := _not_whole(reading, problem, made)):
-            made, found = _refuted_at_whole_numbers(problem, whole)
+        whole = _not_whole(reading, problem, made) if made is not None and verdict is Verdict.REFUTED else []
+        if made is None or whole:
+            turned = with_half_turns(problem, _whole_letters(reading))
+            again = _decided_one(turned) if turned is not None else (verdict, None, ())
+            if again[0] is Verdict.PROVED and again[1] is not None:
+                verdict, made, found = again
+            elif whole:
+                made, found = _refuted_at_whole_numbers(problem, whole)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
         if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
@@ -237,7 +246,7 @@ def _perhaps_for_all(problem: Problem) -> str:
 
 def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
     """The letters said to be whole numbers, if a point gives one of them another value, or none of its own."""
-    names = [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
+    names = _whole_letters(reading)
     values, defined = made["point"]["values"], dict(problem.definitions)
     wrong = any(not isinstance(values.get(x, 0), int) or (x in defined and x not in values) for x in names)
     trees = [problem.claim, *defined.values(), *(f for _, fs in problem.hypotheses for f in fs)]
@@ -245,9 +254,13 @@ def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[st
     return [x for x in names if (x in values or x in defined) and x not in bound] if wrong else []
 
 
+def _whole_letters(reading: Reading) -> list[str]:
+    return [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
+
+
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:
     """A base of a power that is whole, of which nobody but the reader says that it is positive."""
-    whole = {letter.name for letter in reading.inference.notation.letters if letter.integer}
+    whole = {*_whole_letters(reading)}
     said = [formula for name, formulas in problem.hypotheses if name != DEFINED for formula in formulas]
     trees = [problem.claim, *said, *(t for _, t in problem.definitions)]
     for base, exponent in (part.outside for part in nodes(*trees) if part.tag == "pow"):
@@ -283,6 +296,17 @@ def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certific
 
 
 def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
+    """The verdict with its certificate; if there is none, that with what differential equations say of functions."""
+    found = _decided_as_stated(problem)
+    if found[1] is None and any(map(functions, (problem.claim, *(f for _, fs in problem.hypotheses for f in fs)))):
+        with suppress(OutOfTime), limited(LIMIT):
+            if (solved := with_solutions(problem)) is not None:
+                verdict, made, used = _decided_as_stated(solved)
+                return (verdict, made, used) if made is not None else found
+    return found
+
+
+def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
     reasons = []
     for way in (jets.of, jets.without):

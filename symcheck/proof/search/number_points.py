@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
+from symcheck.checker.algebra import Algebra
 from symcheck.checker.enclosures import between
+from symcheck.checker.residues import PRIME, Reject
 from symcheck.core.calculus import Unknown, domain, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
@@ -71,12 +73,23 @@ def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Point | None:
         sources = [source for source, _ in numbers.sources.values()]
         given = [(ref, f) for ref, f in stated(problem) if ref not in sources]
         conditions = domain(*(unfold(f, dict(problem.definitions)) for f in formulas_of(problem)))
-        if not all(numbers.closed(f) and numbers.truth(f) for f in [*conditions, *(f for _, f in given)]):
+        if not all(numbers.closed(f) and _holds(f, numbers) for f in [*conditions, *(f for _, f in given)]):
             return None
         values = {name: unfold(number, dict(problem.definitions)) for name, number in numbers.letters.items()}
         return Point(values, enclosed=tuple(_shown(problem.claim, numbers)))
     except (Unknown, Unsupported, RecursionError):
         return None
+
+
+def _holds(formula: Formula, numbers: Numbers) -> bool:
+    """Whether digits tell that a formula is true, or algebra that an equation is."""
+    if (true := numbers.truth(formula)) is not None or formula.tag != "=":
+        return bool(true)
+    left, right = map(numbers.number, formula.terms)
+    try:
+        return Algebra({}).value(node("+", left, node("-", right))) % PRIME == 0
+    except Reject:
+        return False
 
 
 def _shown(claim: Formula, numbers: Numbers) -> Iterator[tuple[Term, Term, Term]]:
