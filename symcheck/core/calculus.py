@@ -94,17 +94,20 @@ RATES: dict[str, Callable[[Term], Term]] = {  # the derivative of a known functi
     "arcsin": lambda t: node("/", 1, node("sqrt", node("+", 1, node("-", node("^", t, 2))))),
     "arccos": lambda t: node("/", -1, node("sqrt", node("+", 1, node("-", node("^", t, 2))))),
 }
-ENTIRE = ("+", "*", "-", "pi", "sin", "cos", "exp")  # these have derivatives everywhere
+ENTIRE = ("+", "*", "-", "sin", "cos", "exp")  # these have derivatives everywhere
 
 
-def is_entire(term: Term) -> bool:
-    """Whether a term is smooth wherever its letters are: sums, products, sines, exponentials, unknown functions."""
-    return all(
-        isinstance(part, Call)
-        or part.tag in ENTIRE
-        or (part.tag == "^" and isinstance(n := part.outside[1], int) and n >= 0)
-        for part in nodes(term)
-    )
+def is_entire(term: Term, *of: str) -> bool:
+    """Whether a term is smooth for all values of letters: of sums, products, sines, exponentials, unknown functions."""
+    if not isinstance(term, Node) or letters(term).isdisjoint(of):
+        return True
+    match term:
+        case Value(tag="/", terms=(top, bottom)):
+            return letters(bottom).isdisjoint(of) and is_entire(top, *of)
+        case Value(tag="^", terms=(base, int(n))):
+            return n >= 0 and is_entire(base, *of)
+    known = isinstance(term, Call) or term.tag in ENTIRE
+    return known and all(is_entire(part, *of) for part in term.outside)
 
 
 def _under_integral(term: Binder, x: str) -> Term:
@@ -121,7 +124,11 @@ def derivative(term: Term, x: str) -> Term:
     if not isinstance(term, Node):
         return int(term == x)
     if isinstance(term, Binder):
-        if term.tag == "integral" and is_entire(term.body) and not any(isinstance(end, End) for end in term.outside):
+        if (
+            term.tag == "integral"
+            and is_entire(term.body, term.letter, x)
+            and not any(isinstance(end, End) for end in term.outside)
+        ):
             return _under_integral(term, x)
         if term.tag != "diff" and x in letters(term):
             raise Unknown(f"the derivative of {term!r}")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symcheck.core.calculus import nodes, substituted
+from symcheck.core.calculus import is_entire, nodes, substituted
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Binder, End, Node, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
@@ -63,7 +63,10 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
         return binder, [*_improper(binder), *inner]
     if (closed := _closed(binder, body)) is None:
         return binder, [*_improper(binder), *inner]
-    outer = [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in THEOREMS[binder.tag]]
+    names = THEOREMS[binder.tag]
+    if binder.tag == "integral" and is_entire(body, binder.letter) and is_entire(closed, binder.letter):
+        names = names[1:]  # then the order of the ends does not matter
+    outer = [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in names]
     low, high = binder.outside
     at = [substituted(closed, {binder.letter: end}) for end in (high, low)]
     value = node("+", at[0], node("-", at[1])) if binder.tag == "integral" else at[0]

@@ -12,11 +12,14 @@ from itertools import islice, product
 from symcheck.checker import check
 from symcheck.core.calculus import functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
-from symcheck.core.problems import Problem
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
+from symcheck.proof.algebra.polynomial import Unsupported
+from symcheck.proof.search.number_points import refute_at_some
+from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
@@ -30,6 +33,7 @@ from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
+DIGITS = 2.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 SAID = "it is said to be"  # why a letter that the user declares is what it is
@@ -306,9 +310,20 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
     return found
 
 
+def _refuted_by_digits(numbers: jets.Jets | None) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
+    """A counterexample among a few numbers, where the search for a proof took too long."""
+    with suppress(OutOfTime, Unsupported), limited(DIGITS):
+        about = numbers.refutable() if numbers is not None else None
+        if about is not None and (point := refute_at_some(checked(about))) is not None:
+            used = tuple(name for name, _ in about.hypotheses)
+            made = certificate(about, Outcome(Verdict.REFUTED, point=point, used=used))
+            return (Verdict.REFUTED, made, used) if check(made) is None else None
+    return None
+
+
 def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
-    reasons = []
+    reasons, numbers = [], None
     for way in (jets.of, jets.without):
         try:
             with limited(LIMIT):
@@ -331,4 +346,6 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                 reasons.append(f"the certificate was not accepted ({fault})")
         except OutOfTime:
             reasons.append(f"the search was not over after {LIMIT:g} s")
+            if (found := _refuted_by_digits(numbers)) is not None:
+                return found
     return Verdict.UNDECIDED, None, (reasons[-1],)

@@ -127,7 +127,7 @@ def _with_series(slope: Binder) -> Binder:
     def series(tree: Term) -> Term:
         if not isinstance(tree, Node):
             return tree
-        if not isinstance(tree, Binder) or tree.tag != "integral" or is_entire(tree.body):
+        if not isinstance(tree, Binder) or tree.tag != "integral" or is_entire(tree.body, tree.letter, x):
             return mapped(tree, series, lambda inner: inner)
         if any(isinstance(end, End) or x in letters(end) for end in tree.outside) or not _is_smooth(tree, x, place):
             return tree

@@ -11,7 +11,7 @@ from contextlib import suppress
 
 from symcheck.core.calculus import Lambda, Unknown, derivative, functions, is_entire, letters, nodes, substituted
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, T, Term, mapped, node
+from symcheck.core.terms import Call, Formula, Malformed, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import identity
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
@@ -106,7 +106,7 @@ def _determined(equation: Formula, function: str, x: str, formulas: Sequence[For
     starts = _starts(formulas, function)
     if starts is None or {*starts[1]} != {*range(top)} or not _is_within(x, starts[0], given):
         return None
-    if not all(_is_smooth(part, x) for part in (*slopes.values(), rest)):
+    if not all(is_entire(part, x) for part in (*slopes.values(), rest)):
         return None
     y, place = sympy.Function("solution")(to_sympy(x)), to_sympy(starts[0])
     first = {y.diff(to_sympy(x), n).subs(to_sympy(x), place): to_sympy(value) for n, value in starts[1].items()}
@@ -148,19 +148,6 @@ def _is_within(x: str, place: Term, given: Hypotheses) -> bool:
     others = tuple((name, (f,)) for name, (f,) in given if x not in letters(f))
     ends = (substituted(node(weak.get(f.tag, f.tag), *f.outside), {x: place}) for f in about)
     return all(_is_proved(end, others) for end in ends)
-
-
-def _is_smooth(term: Term, x: str) -> bool:
-    """Whether a term is smooth for all values of a letter."""
-    if not isinstance(term, Node) or x not in letters(term):
-        return True
-    if term.tag == "/" and x not in letters(term.outside[1]):
-        return _is_smooth(term.outside[0], x)
-    if isinstance(term, Binder):
-        return False
-    return is_entire(node(term.tag, *(0 if isinstance(part, Node) else part for part in term.outside))) and all(
-        _is_smooth(part, x) for part in term.outside
-    )
 
 
 def _renamed(tree: Term, names: Mapping[Term, Term]) -> Term:

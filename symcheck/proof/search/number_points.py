@@ -7,16 +7,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import product
 
-from symcheck.checker.algebra import Algebra
 from symcheck.checker.enclosures import between
-from symcheck.checker.residues import PRIME, Reject
 from symcheck.core.calculus import Unknown, domain, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
-from symcheck.proof.algebra.knowledge import formulas_of, stated
+from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
 from symcheck.proof.algebra.polynomial import Unsupported, subterms, unfold
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relations
+from symcheck.proof.rules.identity import prove_identity
 
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
@@ -85,11 +84,8 @@ def _holds(formula: Formula, numbers: Numbers) -> bool:
     """Whether digits tell that a formula is true, or algebra that an equation is."""
     if (true := numbers.truth(formula)) is not None or formula.tag != "=":
         return bool(true)
-    left, right = map(numbers.number, formula.terms)
-    try:
-        return Algebra({}).value(node("+", left, node("-", right))) % PRIME == 0
-    except Reject:
-        return False
+    closed = Problem("", node("=", *map(numbers.number, formula.terms)))
+    return prove_identity(closed, ring_of(closed)) is not None
 
 
 def _shown(claim: Formula, numbers: Numbers) -> Iterator[tuple[Term, Term, Term]]:
