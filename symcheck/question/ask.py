@@ -306,7 +306,8 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
         with suppress(OutOfTime), limited(LIMIT):
             if (solved := with_solutions(problem)) is not None:
                 verdict, made, used = _decided_as_stated(solved)
-                return (verdict, made, used) if made is not None else found
+                equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
+                return (verdict, made, (*used, *equations)) if made is not None else found
     return found
 
 

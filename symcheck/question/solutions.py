@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 
 from symcheck.core.calculus import Lambda, Unknown, derivative, functions, is_entire, letters, nodes, substituted
 from symcheck.core.problems import Problem
@@ -32,16 +33,20 @@ def with_solutions(problem: Problem) -> Problem | None:
     except (Unknown, Unsupported):
         return None
     meant = dict(plain.definitions)
-    claim, hypotheses = unfold(plain.claim, meant), [unfold(f, meant) for _, fs in plain.hypotheses for f in fs]
+    claim = unfold(plain.claim, meant)
+    hypotheses = [(name, unfold(f, meant)) for name, fs in plain.hypotheses for f in fs]
     known: dict[str, Lambda] = {}
-    while (found := next(_solved(hypotheses, known), None)) is not None:
+    while (found := next(_solved([f for _, f in hypotheses], known), None)) is not None:
         known |= found
-        claim, *hypotheses = (_put(formula, found) for formula in (claim, *hypotheses))
-        given = _conditions(hypotheses)
-        hypotheses = [f for f in hypotheses if f.tag != "=" or functions(f) or not _is_proved(f, given)]
-    if not known or any(map(functions, (claim, *hypotheses))):
+        claim, hypotheses = _put(claim, found), [(name, _put(f, found)) for name, f in hypotheses]
+        given = _conditions([f for _, f in hypotheses])
+        hypotheses = [(n, f) for n, f in hypotheses if f.tag != "=" or functions(f) or not _is_proved(f, given)]
+    if not known or any(map(functions, (claim, *(f for _, f in hypotheses)))):
         return None
-    return Problem(problem.id, claim, (), tuple((f"h{n + 1}", (f,)) for n, f in enumerate(hypotheses)), problem.hints)
+    stated: dict[str, tuple[Formula, ...]] = {}
+    for name, formula in hypotheses:
+        stated[name] = (*stated.get(name, ()), formula)
+    return replace(problem, claim=claim, definitions=(), hypotheses=tuple(stated.items()))
 
 
 def _conditions(formulas: Sequence[Formula]) -> Hypotheses:
@@ -95,8 +100,10 @@ def _determined(equation: Formula, function: str, x: str, formulas: Sequence[For
     names: dict[Term, Term] = {call: f"order_{n}" for n, call in calls.items()}
     gap = _renamed(node("+", equation.terms[0], node("-", equation.terms[1])), names)
     slopes = {n: derivative(gap, f"order_{n}") for n in calls}
-    rest = substituted(gap, dict.fromkeys(map(str, names.values()), 0))
+    rest = from_sympy(to_sympy(substituted(gap, dict.fromkeys(map(str, names.values()), 0))))
     top = max(calls)
+    if rest == 0 and len(calls) == 1:
+        return None  # as f'(x) = 0, which may be said of one place
     if any(letters(slope) & {*names.values()} for slope in slopes.values()) or x in letters(slopes[top]):
         return None
     if not isinstance(slopes[top], int) and not _is_proved(node("!=", slopes[top], 0), given):
