@@ -401,6 +401,13 @@ def test_what_is_said_of_one_place_or_determines_no_function_proves_nothing(wher
     assert decide("f(x) = 1", where, (), {"f": "function of x"}).verdict != "proved"
 
 
+def test_a_solution_is_known_where_its_equation_holds() -> None:
+    for given, verdict in (((), "proved"), (("0 < x", "x < 1"), "undecided")):
+        assert (
+            decide("f(5) - f(x) = 5 - x", ("f'(x) = 1", "f(0) = 2"), given, {"f": "function of x"}).verdict == verdict
+        )
+
+
 def test_an_integral_is_expanded_and_differentiated_by_a_letter() -> None:
     series = r"\int_0^{\pi/2} \frac{dt}{\sqrt{1 - k^2 \sin^2 t}} = \frac{\pi}{2} + \frac{\pi}{%d} k^2 + O(k^4)"
     for n, verdict in ((8, "proved"), (4, "refuted")):

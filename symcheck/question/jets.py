@@ -58,7 +58,7 @@ def of(problem: Problem) -> Jets | None:
     except (Unknown, Unsupported):
         return None
     stated = [plain.claim, *(f for _, fs in plain.hypotheses for f in fs), *(t for _, t in plain.definitions)]
-    calls = {part for tree in stated for part in _calls(tree)}
+    calls = {part for tree in stated for part in calls_in(tree)}
     places = {call.terms for call in calls}
     if len(places) != 1 or not all(isinstance(x, str) for x in next(iter(places))):
         return None
@@ -163,12 +163,13 @@ def _worked_out(slope: Node) -> Term:
         return differentiated(slope)
 
 
-def _calls(tree: Term) -> Iterable[Call]:
+def calls_in(tree: Term) -> Iterable[Call]:
+    """The unknown functions with what they are applied to, also under binders."""
     if isinstance(tree, Call):
         yield tree
     if isinstance(tree, Node):
         for part in (*tree.inside, *tree.outside):
-            yield from _calls(part)
+            yield from calls_in(part)
 
 
 def _name(call: Call) -> str:

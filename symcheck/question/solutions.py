@@ -16,14 +16,14 @@ from symcheck.core.terms import Call, Formula, Malformed, Node, T, Term, mapped,
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import identity
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
-from symcheck.question.jets import expanded
+from symcheck.question.jets import calls_in, expanded
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
 
 Hypotheses = tuple[tuple[str, tuple[Formula, ...]], ...]
 # what SymPy raises for what it cannot do
 FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)
-SECONDS = 3.0  # for one equation: those that SymPy solves at all it solves in one
+SECONDS = 5.0  # for one equation: those that SymPy solves at all it solves in one
 
 
 def with_solutions(problem: Problem) -> Problem | None:
@@ -37,6 +37,8 @@ def with_solutions(problem: Problem) -> Problem | None:
     hypotheses = [(name, unfold(f, meant)) for name, fs in plain.hypotheses for f in fs]
     known: dict[str, Lambda] = {}
     while (found := next(_solved([f for _, f in hypotheses], known), None)) is not None:
+        if not all(_reaches(formula, found, hypotheses) for formula in (claim, *(f for _, f in hypotheses))):
+            return None
         known |= found
         claim, hypotheses = _put(claim, found), [(name, _put(f, found)) for name, f in hypotheses]
         given = _conditions([f for _, f in hypotheses])
@@ -47,6 +49,13 @@ def with_solutions(problem: Problem) -> Problem | None:
     for name, formula in hypotheses:
         stated[name] = (*stated.get(name, ()), formula)
     return replace(problem, claim=claim, definitions=(), hypotheses=tuple(stated.items()))
+
+
+def _reaches(formula: Formula, known: Mapping[str, Lambda], hypotheses: Sequence[tuple[str, Formula]]) -> bool:
+    """Whether functions are asked for where their equations hold, under the conditions on their letters."""
+    given = _conditions([f for _, f in hypotheses])
+    places = {(call.terms[0], known[call.function][0][0]) for call in calls_in(formula) if call.function in known}
+    return all(place == x or _is_within(x, place, given) for place, x in places)
 
 
 def _conditions(formulas: Sequence[Formula]) -> Hypotheses:
