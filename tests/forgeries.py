@@ -804,11 +804,11 @@ BINDERS: dict[str, Forgery] = {
         NOT_EQUAL, proved(["=", integral(["diff", sq("x"), "x", 1, "y"], "x"), integral(["*", 2, "x"], "x")], ID)
     ),
     "a derivative of an integral": Forgery(
-        "the derivative of ('integral', ('*', 'x', 'y'), 'x', 0, 1)",
+        NOT_EQUAL,
         proved(["=", ["diff", integral(["*", "x", "y"], "x"), "y", 1, 0], 0], ID),
     ),
     "a derivative of an integral by its own end": Forgery(
-        "the derivative of ('integral', 1, 'x', 0, 'y')",
+        NOT_EQUAL,
         proved(["=", ["diff", integral(1, "x", 0, "y"), "y", 1, 0], 0], ID),
     ),
     "a derivative of an unknown function at its place": Forgery(
@@ -948,8 +948,31 @@ ANALYSIS: dict[str, Forgery] = {
             definitions=[["d0", ["+", "x", "x"]], *[[f"d{k + 1}", ["+", f"d{k}", f"d{k}"]] for k in range(40)]],
         ),
     ),
-    "a place where an arctangent has no rate": Forgery(
-        "the derivative of ('arcsin', 'x')", proved(["=", ["diff", ["arcsin", "x"], "x", 1, 0], 1], ID)
+    "a function without a rate": Forgery(
+        "the derivative of ('gamma', 'x')", proved(["=", ["diff", ["gamma", "x"], "x", 1, 1], 1], ID)
+    ),
+    "the rate of an arcsine at its end": Forgery(
+        "division by zero", proved(["=", ["diff", ["arcsin", "x"], "x", 1, 1], 0], ID)
+    ),
+    "the rate of an arccosine with the other sign": Forgery(
+        NOT_EQUAL, proved(["=", ["diff", ["arccos", "x"], "x", 1, 0], 1], ID)
+    ),
+    "the rate of an integral without its end": Forgery(
+        NOT_EQUAL, proved(["=", ["diff", integral(f("x"), high="y"), "y", 1, "y"], f(0)], ID)
+    ),
+    "the rate of an integral by a letter of its integrand alone": Forgery(
+        NOT_EQUAL,
+        proved(["=", ["diff", integral(["*", "x", "y"], high="y"), "y", 1, "y"], integral("x", high="y")], ID),
+    ),
+    "the rate of an integral of what may not be smooth": Forgery(
+        "the derivative of ('integral'", proved(["=", ["diff", integral(["sqrt", "y"]), "y", 1, 0], 0], ID)
+    ),
+    "the rate of an endless integral": Forgery(
+        "the derivative of ('integral'",
+        proved(["=", ["diff", integral("y", high=["infinity"]), "y", 1, "y"], integral(1, high=["infinity"])], ID),
+    ),
+    "a square under a binder taken for positive": Forgery(
+        MAY_BE_ZERO, proved(["=", integral(["/", sq("x"), sq("x")]), integral(1)], ID)
     ),
     "the derivative of a root where it has none": Forgery(
         "division by zero", proved(["=", ["diff", ["sqrt", "x"], "x", 1, 0], 0], ID)

@@ -56,6 +56,9 @@ PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
     r"\vec a \times \vec b = -\vec b \times \vec a": "",
     r"\det(A B) = \det A \det B": SQUARE,
     r"x^n > 0": (WHOLE, "x > 0"),
+    r"\int_{-\pi}^{\pi} x \sin(n x) dx = \frac{2 \pi (-1)^{n + 1}}{n}": (WHOLE, "n > 0"),
+    r"\int_0^L \sin^2 \frac{n \pi x}{L} dx = \frac{L}{2}": (WHOLE, "n > 0", "L > 0"),
+    r"\int_0^x \frac{dt}{\sqrt{1 - t^2}} = \arcsin x": "0 < x, x < 1",
 }
 REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\frac{d}{dx}\arctan(ax) = \frac{2a}{1+a^2x^2}": "",
@@ -92,6 +95,8 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\det(A + B) = \det A + \det B": SQUARE,
     r"e^{i x} = \cos x - i \sin x": "",
     r"\delta_{11} x = x": "",
+    r"\int_{-\pi}^{\pi} x \sin(n x) dx = \frac{2 \pi (-1)^n}{n}": (WHOLE, "n > 0"),
+    r"\int_0^\infty \frac{1}{1 + x^2} dx = \pi": "",
 }
 WHERE = {  # earlier equations
     r"\frac{d}{dt}(\dot x^2 + x^2) = 0": r"\ddot x + x = 0",
@@ -353,3 +358,60 @@ def test_a_batch_goes_on_where_its_output_ends(tmp_path: Path) -> None:
     again = [json.loads(line) for line in out.read_text().splitlines()]
     assert [each["id"] for each in again] == list(range(4))
     assert {each["verdict"] for each in again} == {"proved"}
+
+
+FUNCTIONS = {"y": "function of x", "x": "function of t", "v": "function of t", "f": "function of x"}
+DETERMINED = {  # by linear equations with initial values: what is so, and what is not
+    ("y'' + 4 y = 0", "y(0) = 1", "y'(0) = 0"): (r"y(x) = \cos(2 x)", r"y(x) = \cos x"),
+    (r"m \dot v = m g - b v", "v(0) = 0"): (
+        r"v(t) = \frac{m g}{b} \left(1 - e^{-b t/m}\right)",
+        r"v(t) = \frac{m g}{b} \left(1 + e^{-b t/m}\right)",
+    ),
+    ("y' = x y", "y(0) = 1"): ("y = e^{x^2/2}", "y = e^{x^2}"),
+    ("y' = 2 x", "y(0) = C"): ("y(x) = x^2 + C", "y(x) = x^2"),
+    (r"\frac{dy}{dx} = f", r"\frac{f}{k} = a + b x", "y(0) = k c"): (
+        r"\frac{y}{k} = a x + \frac{b}{2} x^2 + c",
+        r"\frac{y}{k} = a x + b x^2 + c",
+    ),
+}
+
+
+@pytest.mark.parametrize("where", DETERMINED)
+def test_what_a_linear_equation_with_initial_values_determines_is_decided(where: tuple[str, ...]) -> None:
+    for relation, verdict in zip(DETERMINED[where], ("proved", "refuted"), strict=True):
+        used = {letter: phrase for letter, phrase in FUNCTIONS.items() if letter in "".join((relation, *where))}
+        if "y" in used:
+            used.pop("x", None)
+        answer = decide(relation, where, ("m > 0", "b > 0", "k > 0"), used)
+        assert answer.verdict == verdict, answer.reason
+        assert certified(answer)
+        assert {*where} <= {*answer.used}
+
+
+@pytest.mark.parametrize(
+    "where",
+    [
+        ("f'(x) = 0", "f(0) = 1"),
+        ("f''(x) = f(x)", "f(0) = 1"),
+        ("f'(x) = f(x)^2", "f(0) = 1"),
+        ("x f'(x) = 1", "f(0) = 1"),
+    ],
+)
+def test_what_is_said_of_one_place_or_determines_no_function_proves_nothing(where: tuple[str, ...]) -> None:
+    assert decide("f(x) = 1", where, (), {"f": "function of x"}).verdict != "proved"
+
+
+def test_a_solution_is_known_where_its_equation_holds() -> None:
+    for given, verdict in (((), "proved"), (("0 < x", "x < 1"), "undecided")):
+        assert (
+            decide("f(5) - f(x) = 5 - x", ("f'(x) = 1", "f(0) = 2"), given, {"f": "function of x"}).verdict == verdict
+        )
+
+
+def test_an_integral_is_expanded_and_differentiated_by_a_letter() -> None:
+    series = r"\int_0^{\pi/2} \frac{dt}{\sqrt{1 - k^2 \sin^2 t}} = \frac{\pi}{2} + \frac{\pi}{%d} k^2 + O(k^4)"
+    for n, verdict in ((8, "proved"), (4, "refuted")):
+        assert decide(series % n).verdict == verdict
+    for right, verdict in (("f(x)", "proved"), ("f(x) - f(0)", "refuted")):
+        answer = decide(rf"\frac{{d}}{{dx}} \int_0^x f(t) dt = {right}", letters={"f": "function of x"})
+        assert answer.verdict == verdict

@@ -125,6 +125,8 @@ class Algebra:
             if term.tag == "^" and (exponent := term.terms[1]) > 0:  # type: ignore[operator]
                 return self.raised(term.terms[0], -exponent)  # type: ignore[operator]
         value = self.value(term) % PRIME
+        if self.bound and positive(term) == 2:
+            return inverse(value)
         if self.point is not None and self.bound:
             shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
             require(shown or self.asked, "{} may be zero under a binder", term)
@@ -322,6 +324,23 @@ def has_digits(term: Term) -> bool:
     except Unknown:
         return False
     return True
+
+
+def positive(term: Term) -> int:
+    """2 if positive whatever real numbers its letters are, 1 if not negative, by its form alone; else 0."""
+    match term:
+        case int():
+            return (term >= 0) + (term > 0)
+        case Value(tag="pi" | "exp"):
+            return 2
+        case Value(tag="+", terms=parts) if parts:
+            levels = [*map(positive, parts)]
+            return max(levels) * all(levels)
+        case Value(tag="*" | "/", terms=parts):
+            return min(map(positive, parts), default=2)
+        case Value(tag="^", terms=(base, int(n))) if n > 0:
+            return max(positive(base), n % 2 == 0)
+    return 0
 
 
 def exact(term: Term, roots: bool = True) -> bool:

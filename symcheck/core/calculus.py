@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
-from symcheck.core.terms import Binder, Call, Formula, Malformed, Node, Quantified, T, Term, Value, node
+from symcheck.core.terms import Binder, Call, End, Formula, Malformed, Node, Quantified, T, Term, Value, node
 
 
 def nodes(*trees: Term) -> Iterable[Node]:
@@ -92,7 +92,32 @@ RATES: dict[str, Callable[[Term], Term]] = {  # the derivative of a known functi
     "log": lambda t: node("/", 1, t),
     "sqrt": lambda t: node("/", 1, node("*", 2, node("sqrt", t))),
     "arctan": lambda t: node("/", 1, node("+", 1, node("^", t, 2))),
+    "arcsin": lambda t: node("/", 1, node("sqrt", node("+", 1, node("-", node("^", t, 2))))),
+    "arccos": lambda t: node("/", -1, node("sqrt", node("+", 1, node("-", node("^", t, 2))))),
 }
+ENTIRE = ("+", "*", "-", "sin", "cos", "exp")  # these have derivatives everywhere
+
+
+def is_entire(term: Term, *of: str) -> bool:
+    """Whether a term is smooth for all values of letters: of sums, products, sines, exponentials, unknown functions."""
+    if not isinstance(term, Node) or letters(term).isdisjoint(of):
+        return True
+    match term:
+        case Value(tag="/", terms=(top, bottom)):
+            return letters(bottom).isdisjoint(of) and is_entire(top, *of)
+        case Value(tag="^", terms=(base, int(n))):
+            return n >= 0 and is_entire(base, *of)
+    known = isinstance(term, Call) or term.tag in ENTIRE
+    return known and all(is_entire(part, *of) for part in term.outside)
+
+
+def _under_integral(term: Binder, x: str) -> Term:
+    """The derivative of an integral between finite ends of what is smooth everywhere, by Leibniz's rule."""
+    low, high = ((substituted(term.body, {term.letter: end}), derivative(end, x)) for end in term.outside)
+    inside = derivative(term.body, x) if x != term.letter else 0
+    parts = [_times(*high)] * (high[1] != 0) + [node("-", _times(*low))] * (low[1] != 0)
+    parts += [node("integral", inside, term.letter, *term.outside)] * (inside != 0)
+    return node("+", *parts) if len(parts) > 1 else parts[0] if parts else 0
 
 
 def derivative(term: Term, x: str) -> Term:
@@ -100,6 +125,12 @@ def derivative(term: Term, x: str) -> Term:
     if not isinstance(term, Node):
         return int(term == x)
     if isinstance(term, Binder):
+        if (
+            term.tag == "integral"
+            and is_entire(term.body, term.letter, x)
+            and not any(isinstance(end, End) for end in term.outside)
+        ):
+            return _under_integral(term, x)
         if term.tag != "diff" and x in letters(term):
             raise Unknown(f"the derivative of {term!r}")
         return derivative(differentiated(term), x) if term.tag == "diff" else 0

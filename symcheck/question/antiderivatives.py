@@ -4,14 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from symcheck.core.calculus import nodes, substituted
+from symcheck.core.calculus import is_entire, nodes, substituted
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Binder, End, Node, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.improper import improper
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
+
+if TYPE_CHECKING:
+    from sympy import Expr, Piecewise
 
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
 # what SymPy raises for what it cannot do
@@ -59,7 +63,10 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
         return binder, [*_improper(binder), *inner]
     if (closed := _closed(binder, body)) is None:
         return binder, [*_improper(binder), *inner]
-    outer = [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in THEOREMS[binder.tag]]
+    names = THEOREMS[binder.tag]
+    if binder.tag == "integral" and is_entire(body, binder.letter) and is_entire(closed, binder.letter):
+        names = names[1:]  # then the order of the ends does not matter
+    outer = [Applied(name, tuple(binder.outside), ((own, binder.body), (own, closed))) for name in names]
     low, high = binder.outside
     at = [substituted(closed, {binder.letter: end}) for end in (high, low)]
     value = node("+", at[0], node("-", at[1])) if binder.tag == "integral" else at[0]
@@ -87,9 +94,19 @@ def _closed(binder: Binder, body: Term) -> Term | None:
             else:
                 found = sympy.summation(to_sympy(body), (x, to_sympy(binder.outside[0]), x))
             if isinstance(found, sympy.Piecewise):
-                found = found.args[0].expr  # where letters have no special values; the proof shows whether it is so
+                found = _generic(found)  # the proof shows whether it is so
             if found.has(sympy.Integral, sympy.Sum, sympy.Piecewise):
                 return None
             return from_sympy(found)
     except (SymcheckError, OutOfTime, *FAULTS):
         return None
+
+
+def _generic(found: Piecewise) -> Expr:
+    """The piece for letters without special values."""
+    import sympy
+
+    primes = map(sympy.prime, range(5, 5 + len(found.free_symbols)))
+    somewhere = dict(zip(sorted(found.free_symbols, key=str), map(sympy.sqrt, primes), strict=True))
+    pieces = (piece.expr for piece in found.args if piece.cond.subs(somewhere) == sympy.true)
+    return next(pieces, found.args[0].expr)

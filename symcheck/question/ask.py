@@ -5,17 +5,21 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import islice, product
 
 from symcheck.checker import check
-from symcheck.core.calculus import letters, nodes, substituted
+from symcheck.core.calculus import functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
-from symcheck.core.problems import Problem
+from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
+from symcheck.proof.algebra.polynomial import Unsupported
+from symcheck.proof.search.number_points import refute_at_some
+from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
@@ -23,10 +27,13 @@ from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held, spel
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
 from symcheck.question.repairs import repairs
+from symcheck.question.solutions import with_solutions
+from symcheck.question.whole import with_half_turns
 from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
+DIGITS = 2.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 SAID = "it is said to be"  # why a letter that the user declares is what it is
@@ -166,8 +173,14 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
-        if made is not None and verdict is Verdict.REFUTED and (whole := _not_whole(reading, problem, made)):
-            made, found = _refuted_at_whole_numbers(problem, whole)
+        whole = _not_whole(reading, problem, made) if made is not None and verdict is Verdict.REFUTED else []
+        if made is None or whole:
+            turned = with_half_turns(problem, _whole_letters(reading))
+            again = _decided_one(turned) if turned is not None else (verdict, None, ())
+            if again[0] is Verdict.PROVED and again[1] is not None:
+                verdict, made, found = again
+            elif whole:
+                made, found = _refuted_at_whole_numbers(problem, whole)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
         if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
@@ -237,7 +250,7 @@ def _perhaps_for_all(problem: Problem) -> str:
 
 def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
     """The letters said to be whole numbers, if a point gives one of them another value, or none of its own."""
-    names = [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
+    names = _whole_letters(reading)
     values, defined = made["point"]["values"], dict(problem.definitions)
     wrong = any(not isinstance(values.get(x, 0), int) or (x in defined and x not in values) for x in names)
     trees = [problem.claim, *defined.values(), *(f for _, fs in problem.hypotheses for f in fs)]
@@ -245,9 +258,13 @@ def _not_whole(reading: Reading, problem: Problem, made: Certificate) -> list[st
     return [x for x in names if (x in values or x in defined) and x not in bound] if wrong else []
 
 
+def _whole_letters(reading: Reading) -> list[str]:
+    return [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
+
+
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:
     """A base of a power that is whole, of which nobody but the reader says that it is positive."""
-    whole = {letter.name for letter in reading.inference.notation.letters if letter.integer}
+    whole = {*_whole_letters(reading)}
     said = [formula for name, formulas in problem.hypotheses if name != DEFINED for formula in formulas]
     trees = [problem.claim, *said, *(t for _, t in problem.definitions)]
     for base, exponent in (part.outside for part in nodes(*trees) if part.tag == "pow"):
@@ -283,8 +300,31 @@ def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certific
 
 
 def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
+    """The verdict with its certificate; if there is none, that with what differential equations say of functions."""
+    found = _decided_as_stated(problem)
+    if found[1] is None and any(map(functions, (problem.claim, *(f for _, fs in problem.hypotheses for f in fs)))):
+        with suppress(OutOfTime), limited(LIMIT):
+            if (solved := with_solutions(problem)) is not None:
+                verdict, made, used = _decided_as_stated(solved)
+                equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
+                return (verdict, made, (*used, *equations)) if made is not None else found
+    return found
+
+
+def _refuted_by_digits(numbers: jets.Jets | None) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
+    """A counterexample among a few numbers, where the search for a proof took too long."""
+    with suppress(OutOfTime, Unsupported), limited(DIGITS):
+        about = numbers.refutable() if numbers is not None else None
+        if about is not None and (point := refute_at_some(checked(about))) is not None:
+            used = tuple(name for name, _ in about.hypotheses)
+            made = certificate(about, Outcome(Verdict.REFUTED, point=point, used=used))
+            return (Verdict.REFUTED, made, used) if check(made) is None else None
+    return None
+
+
+def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
-    reasons = []
+    reasons, numbers = [], None
     for way in (jets.of, jets.without):
         try:
             with limited(LIMIT):
@@ -307,4 +347,6 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
                 reasons.append(f"the certificate was not accepted ({fault})")
         except OutOfTime:
             reasons.append(f"the search was not over after {LIMIT:g} s")
+            if (found := _refuted_by_digits(numbers)) is not None:
+                return found
     return Verdict.UNDECIDED, None, (reasons[-1],)

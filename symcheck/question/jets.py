@@ -11,13 +11,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from math import factorial
 
-from symcheck.core.calculus import Unknown, derivative, differentiated, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, derivative, differentiated, is_entire, letters, nodes, regular, substituted
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Call, Formula, Node, Relation, T, Term, mapped, node
-from symcheck.core.verdicts import Verdict
+from symcheck.core.terms import Binder, Call, End, Formula, Malformed, Node, Relation, T, Term, mapped, node
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import identity
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
+from symcheck.reading import from_sympy, to_sympy
 
 _AT_ZERO = {"sin": 0, "tan": 0, "cos": 1, "exp": 1}  # where series are developed
 STRICT = {
@@ -52,11 +54,11 @@ class Jets:
 def of(problem: Problem) -> Jets | None:
     """The problem about numbers, if all unknown functions stand at one place, and the place nowhere else."""
     try:
-        plain = _expanded(problem)
+        plain = expanded(problem)
     except (Unknown, Unsupported):
         return None
     stated = [plain.claim, *(f for _, fs in plain.hypotheses for f in fs), *(t for _, t in plain.definitions)]
-    calls = {part for tree in stated for part in _calls(tree)}
+    calls = {part for tree in stated for part in calls_in(tree)}
     places = {call.terms for call in calls}
     if len(places) != 1 or not all(isinstance(x, str) for x in next(iter(places))):
         return None
@@ -88,11 +90,11 @@ def without(problem: Problem) -> Jets:
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
     if any(part.tag == "diff" and part.outside[-1] != part.bound[0] for part in nodes(*trees)):
         with suppress(Unknown, Unsupported):
-            problem = _expanded(problem)
+            problem = expanded(problem)
     return Jets(problem)
 
 
-def _expanded(problem: Problem) -> Problem:
+def expanded(problem: Problem) -> Problem:
     """The same without derivatives of anything but unknown functions, definitions unfolded where they stand in them."""
     meant = dict(problem.definitions)
 
@@ -102,7 +104,8 @@ def _expanded(problem: Problem) -> Problem:
         if isinstance(tree, Binder):
             tree = unfold(tree, meant)
         if isinstance(tree, Binder) and tree.tag == "diff":
-            slope = node("diff", rate(tree.body), tree.letter, *tree.outside)
+            known = _with_series(tree)
+            slope = node("diff", rate(known.body), known.letter, *known.outside)
             return rate(differentiated(slope))  # type: ignore[return-value, arg-type]
         new = mapped(tree, rate)
         return _AT_ZERO[new.tag] if new.tag in _AT_ZERO and new.outside == (0,) else new  # type: ignore[return-value]
@@ -112,12 +115,61 @@ def _expanded(problem: Problem) -> Problem:
     return replace(problem, claim=rate(problem.claim), definitions=definitions, hypotheses=hypotheses)
 
 
-def _calls(tree: Term) -> Iterable[Call]:
+def _with_series(slope: Binder) -> Binder:
+    """The same with the series of an integral between fixed ends, whose integrand is smooth at the place, to the order.
+
+    Their derivatives at the place are the same, by Leibniz's rule.
+    """
+    x, (order, place) = slope.letter, slope.outside
+    if place == x or not isinstance(order, int):
+        return slope
+
+    def series(tree: Term) -> Term:
+        if not isinstance(tree, Node):
+            return tree
+        if not isinstance(tree, Binder) or tree.tag != "integral" or is_entire(tree.body, tree.letter, x):
+            return mapped(tree, series, lambda inner: inner)
+        if any(isinstance(end, End) or x in letters(end) for end in tree.outside) or not _is_smooth(tree, x, place):
+            return tree
+        addends: list[Term] = []
+        for n in range(order + 1):
+            rate = _worked_out(node("diff", tree.body, x, n, place))
+            power = node("^", node("+", x, node("-", place)), n)
+            coefficient = node("integral", rate, tree.letter, *tree.outside)
+            addends.append(node("*", node("/", 1, factorial(n)), coefficient, power) if n else coefficient)
+        return node("+", *addends)
+
+    return node("diff", series(slope.body), x, *slope.outside)  # type: ignore[return-value]
+
+
+def _is_smooth(integral: Binder, x: str, place: Term) -> bool:
+    """Whether an integrand is smooth near a place of x, all the way between the ends."""
+    low, high = integral.outside
+    between = (node("<=", low, integral.letter), node("<=", integral.letter, high))
+    try:
+        conditions = [substituted(each, {x: place}) for each in regular(integral.body)]
+    except Malformed:
+        return False
+    problems = (Problem("smooth", each, (), (("between", between),)) for each in conditions)
+    return all(identity.decide(problem).verdict is Verdict.PROVED for problem in problems)
+
+
+def _worked_out(slope: Node) -> Term:
+    """A derivative without what vanishes in it."""
+    assert isinstance(slope, Binder)
+    try:
+        return from_sympy(to_sympy(slope))
+    except SymcheckError:
+        return differentiated(slope)
+
+
+def calls_in(tree: Term) -> Iterable[Call]:
+    """The unknown functions with what they are applied to, also under binders."""
     if isinstance(tree, Call):
         yield tree
     if isinstance(tree, Node):
         for part in (*tree.inside, *tree.outside):
-            yield from _calls(part)
+            yield from calls_in(part)
 
 
 def _name(call: Call) -> str:

@@ -11,10 +11,13 @@ from symcheck.core.terms import Formula
 from symcheck.proof.algebra.facts import Fact, merged
 from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.knowledge import Knowledge, proportional, starting
+from symcheck.proof.algebra.linear import combined
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
 from symcheck.proof.rules.each import all_of
 from symcheck.proof.rules.step import Cofactor, Factor, Step, cleared, combination
+
+MANY = 9  # equations, such as those of a matrix: a basis of all of them takes longer than a combination with numbers
 
 
 @dataclass(frozen=True)
@@ -36,6 +39,8 @@ def prove_identity(problem: Problem, ring: Ring) -> Identity | None:
 
 def fewest(poly: Poly, known: Knowledge, problem: Problem) -> list[Fact] | None:
     """Cofactors of a polynomial over as few hypotheses of a problem as will do, or None."""
+    if len(known.facts) >= MANY and (few := combined(poly, known.facts, known.ring)) is not None:
+        return few
     if known.ideal().reduce(poly) != 0:
         return None
     stating = [name for name, formulas in problem.hypotheses if any(map(_states_equation, formulas))]

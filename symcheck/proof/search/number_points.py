@@ -11,10 +11,11 @@ from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Unknown, domain, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
-from symcheck.proof.algebra.knowledge import formulas_of, stated
+from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
 from symcheck.proof.algebra.polynomial import Unsupported, subterms, unfold
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relations
+from symcheck.proof.rules.identity import prove_identity
 
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
@@ -71,12 +72,20 @@ def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Point | None:
         sources = [source for source, _ in numbers.sources.values()]
         given = [(ref, f) for ref, f in stated(problem) if ref not in sources]
         conditions = domain(*(unfold(f, dict(problem.definitions)) for f in formulas_of(problem)))
-        if not all(numbers.closed(f) and numbers.truth(f) for f in [*conditions, *(f for _, f in given)]):
+        if not all(numbers.closed(f) and _holds(f, numbers) for f in [*conditions, *(f for _, f in given)]):
             return None
         values = {name: unfold(number, dict(problem.definitions)) for name, number in numbers.letters.items()}
         return Point(values, enclosed=tuple(_shown(problem.claim, numbers)))
     except (Unknown, Unsupported, RecursionError):
         return None
+
+
+def _holds(formula: Formula, numbers: Numbers) -> bool:
+    """Whether digits tell that a formula is true, or algebra that an equation is."""
+    if (true := numbers.truth(formula)) is not None or formula.tag != "=":
+        return bool(true)
+    closed = Problem("", node("=", *map(numbers.number, formula.terms)))
+    return prove_identity(closed, ring_of(closed)) is not None
 
 
 def _shown(claim: Formula, numbers: Numbers) -> Iterator[tuple[Term, Term, Term]]:

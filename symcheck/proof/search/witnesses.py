@@ -157,17 +157,18 @@ def _search(definitions: Definitions, said: tuple[Formula, ...], prove: Prover) 
     if key not in _FOUND:
         problem = Problem("witness", ZERO_IS_ONE, definitions, (("said", said),))
         with alone(problem):
-            point = _by_digits(problem) or refute(problem, prove) or _drawn(problem, prove)
+            point = _by_digits(problem, (*_ARCS, "pi")) or refute(problem, prove) or _drawn(problem, prove)
+            point = point or _by_digits(problem, ("sin", "cos", "exp", "log"))
         _FOUND[key] = point and point.where()
     return _FOUND[key]
 
 
-def _by_digits(problem: Problem) -> Point | None:
-    """Where angles are compared: letters that are numbers, and trials for the others, by their digits."""
+def _by_digits(problem: Problem, about: tuple[str, ...]) -> Point | None:
+    """Where these functions occur: letters that are numbers, and trials for the others, by their digits."""
     said = problem.hypotheses[0][1]
     definitions = dict(problem.definitions)
     parts = [*subterms(*with_definitions(definitions, *said))]
-    if not any(part == PI or (isinstance(part, Node) and part.tag in _ARCS) for part in parts):
+    if not any(isinstance(part, Node) and part.tag in about for part in parts):
         return None
     absurd = replace(problem, claim=node("=", PI, 0))
     fixed = {side for f in said if f[0] == "=" for side in f[1:] if isinstance(side, str)}

@@ -1,0 +1,53 @@
+"""What is known of whole numbers in sines and cosines: the sine of so many half turns is zero."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from symcheck.core.calculus import letters, nodes
+from symcheck.core.problems import Problem
+from symcheck.core.terms import PI, Node, T, Term, mapped, node
+
+WHOLE = "whole"  # the name of the condition that letters are whole numbers
+_TURNING = ("sin", "cos")
+
+
+def with_half_turns(problem: Problem, names: Iterable[str]) -> Problem | None:
+    """The problem with sin(pi n) = 0 for its whole numbers n and sums in angles written out; None if it has neither."""
+    trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
+    free = set().union(*map(letters, trees)).difference(name for name, _ in problem.definitions)
+    whole = sorted(free & {*names})
+    if not whole or not any(_turns(tree) for tree in trees):
+        return None
+    said = tuple(node("=", node("sin", node("*", PI, x)), 0) for x in whole)
+    hypotheses = tuple((name, tuple(map(_parted, formulas))) for name, formulas in problem.hypotheses)
+    definitions = tuple((name, _parted(term)) for name, term in problem.definitions)
+    return replace(
+        problem, claim=_parted(problem.claim), hypotheses=(*hypotheses, (WHOLE, said)), definitions=definitions
+    )
+
+
+def _turns(tree: Term) -> bool:
+    return any(part.tag in _TURNING or any(map(_turns, part.inside)) for part in nodes(tree))
+
+
+def _parted(tree: T) -> T:
+    """The same with the angle pi (n + 1) as pi n + pi."""
+    if not isinstance(tree, Node):
+        return tree
+    new = mapped(tree, _parted)
+    if new.tag in _TURNING:
+        return node(new.tag, _spread(new.outside[0]))  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
+
+
+def _spread(angle: Term) -> Term:
+    """A product with one sum among its factors as a sum of products."""
+    if isinstance(angle, Node) and angle.tag == "*":
+        sums = [k for k, factor in enumerate(angle.outside) if isinstance(factor, Node) and factor.tag == "+"]
+        if len(sums) == 1:
+            (k,) = sums
+            before, after = angle.outside[:k], angle.outside[k + 1 :]
+            return node("+", *(node("*", *before, addend, *after) for addend in angle.outside[k].outside))  # type: ignore[union-attr]
+    return angle
