@@ -91,20 +91,20 @@ Ltac is_polynomial :=
 Theorem theorem_dichotomy :
   forall (t : R),
   t > 0 \/ t <= 0.
-Proof. exact dichotomy. Qed.
+Proof. intros t. destruct (Rlt_or_le 0 t); [left | right]; assumption. Qed.
 
 Theorem theorem_root :
   forall (t : R),
   t >= 0 ->
   sqrt t >= 0 /\ sqrt t ^ 2 = t.
-Proof. intros. apply root; assumption. Qed.
+Proof. intros t H. split; [apply Rle_ge, sqrt_pos | apply root_of_number, Rge_le, H]. Qed.
 
 Theorem theorem_root_of_product :
   forall (s t : R),
   s >= 0 ->
   t >= 0 ->
   sqrt (s * t) = sqrt s * sqrt t.
-Proof. intros. apply root_of_product; assumption. Qed.
+Proof. intros s t Hs Ht. apply sqrt_mult; apply Rge_le; assumption. Qed.
 
 Theorem theorem_equal_squares :
   forall (s t : R),
@@ -112,26 +112,28 @@ Theorem theorem_equal_squares :
   t >= 0 ->
   s ^ 2 = t ^ 2 ->
   s = t.
-Proof. intros. apply equal_squares; assumption. Qed.
+Proof.
+  intros s t Hs Ht E. apply Rsqr_inj; [lra | lra |]. unfold Rsqr. simpl in E. rewrite !Rmult_1_r in E. exact E.
+Qed.
 
 Theorem theorem_power :
   forall (b u : R),
   b > 0 ->
   Rpower b u > 0.
-Proof. intros. apply power; assumption. Qed.
+Proof. intros. apply exp_pos. Qed.
 
 Theorem theorem_power_of_sum :
   forall (b s t : R),
   b > 0 ->
   Rpower b (s + t) = Rpower b s * Rpower b t.
-Proof. intros. apply power_of_sum; assumption. Qed.
+Proof. intros. apply Rpower_plus. Qed.
 
 Theorem theorem_power_of_product :
   forall (s t u : R),
   s > 0 ->
   t > 0 ->
   Rpower (s * t) u = Rpower s u * Rpower t u.
-Proof. intros. apply power_of_product; assumption. Qed.
+Proof. intros. symmetry. apply Rpower_mult_distr; assumption. Qed.
 
 Theorem theorem_power_of_power :
   forall (b : R) (n : Z) (u : R),
@@ -149,18 +151,21 @@ Theorem theorem_power_inverse :
   u <> 0 ->
   Rpower b u = t ->
   b = Rpower t (1 / u).
-Proof. intros. apply power_inverse; assumption. Qed.
+Proof.
+  intros b u t Hb Hu E. rewrite <- E, Rpower_mult. replace (u * (1 / u)) with 1 by (field; exact Hu).
+  symmetry. apply Rpower_1, Hb.
+Qed.
 
 Theorem theorem_circle_number :
   PI > 0.
-Proof. exact circle_number. Qed.
+Proof. exact PI_RGT_0. Qed.
 
 Theorem theorem_right_half :
   forall (a : R),
   - (PI / 2) <= a ->
   a <= PI / 2 ->
   cos a >= 0.
-Proof. intros a. exact cos_acute. Qed.
+Proof. intros a L H. apply Rle_ge, cos_ge_0; lra. Qed.
 
 Theorem theorem_mean :
   forall (f : R -> R) (c : R) (g : R -> R),
@@ -202,7 +207,7 @@ Qed.
 Theorem theorem_constant :
   forall (c s t : R),
   RInt (fun x => c) s t = c * (t - s).
-Proof. intros. apply integral_of_constant. Qed.
+Proof. intros. rewrite RInt_const. unfold scal. simpl. unfold mult. simpl. ring. Qed.
 
 Theorem theorem_power_rule :
   forall (f : R -> R) (s t c : R) (g : R -> R) (u : R),
