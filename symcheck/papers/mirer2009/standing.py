@@ -6,7 +6,7 @@ A relation whose proof needs one of these conditions is marked by it.
 from __future__ import annotations
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours, premise
+from symcheck.papers.declare import by_cases, ours, premise
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.hypotheses import (
     mass_distribution,
@@ -94,7 +94,7 @@ moments_of_a_body_are_not_negative = tuple(
     for i, j, k in ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 )
 
-mass_on_a_line = ours(
+mass_on_a_line = by_cases.ours(
     "S.8",
     149,
     words="At the end I_1 = 0 all mass is on a line, so that I_2 = I_3 (a): pairwise distinct moments of a body are positive. And (2.10) is "
@@ -105,7 +105,6 @@ mass_on_a_line = ours(
     ),
     given=[mass_distribution],
     where=derivation.moments_of_a_mass_distribution,
-    by=cases("P_2 + P_3"),
     uses=["2.10", "2.17"],
 )
 
