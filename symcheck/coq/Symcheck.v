@@ -189,39 +189,7 @@ Proof. intros Ht Hv E. exact (sqrt_lem_1 t v Ht Hv E). Qed.
 
 Ltac turn := rewrite ?cos_plus, ?sin_plus, ?cos_plus, ?sin_plus, ?cos_neg, ?sin_neg, ?cos_0, ?sin_0; ring.
 
-(* What is taken for granted by the certificates, proved here *)
-
-Lemma root {t : R} : t >= 0 -> sqrt t >= 0 /\ sqrt t ^ 2 = t.
-Proof. intros H. split; [apply Rle_ge, sqrt_pos | apply root_of_number, Rge_le, H]. Qed.
-
-Lemma root_of_product {s t : R} : s >= 0 -> t >= 0 -> sqrt (s * t) = sqrt s * sqrt t.
-Proof. intros Hs Ht. apply sqrt_mult; apply Rge_le; assumption. Qed.
-
-Lemma equal_squares {s t : R} : s >= 0 -> t >= 0 -> s ^ 2 = t ^ 2 -> s = t.
-Proof.
-  intros Hs Ht E. apply Rsqr_inj; [lra | lra |]. unfold Rsqr. simpl in E. rewrite !Rmult_1_r in E. exact E.
-Qed.
-
-Lemma dichotomy (t : R) : t > 0 \/ t <= 0.
-Proof. destruct (Rlt_or_le 0 t); [left | right]; assumption. Qed.
-
-Lemma power {b u : R} : b > 0 -> Rpower b u > 0.
-Proof. intros _. apply exp_pos. Qed.
-
-Lemma power_of_sum {b s t : R} : b > 0 -> Rpower b (s + t) = Rpower b s * Rpower b t.
-Proof. intros _. apply Rpower_plus. Qed.
-
-Lemma power_of_product {s t u : R} : s > 0 -> t > 0 -> Rpower (s * t) u = Rpower s u * Rpower t u.
-Proof. intros Hs Ht. symmetry. apply Rpower_mult_distr; assumption. Qed.
-
-Lemma power_inverse {b u y : R} : b > 0 -> u <> 0 -> Rpower b u = y -> b = Rpower y (1 / u).
-Proof.
-  intros Hb Hu E. rewrite <- E, Rpower_mult. replace (u * (1 / u)) with 1 by (field; exact Hu).
-  symmetry. apply Rpower_1, Hb.
-Qed.
-
-Lemma circle_number : PI > 0.
-Proof. exact PI_RGT_0. Qed.
+(* What is taken for granted of angles by the certificates *)
 
 Lemma asin_known_0 : asin 0 = 0. Proof. exact asin_0. Qed.
 Lemma asin_known_1 : asin (1 / 2) = PI / 6.
@@ -271,9 +239,6 @@ Proof.
   destruct (Rge_le _ _ H) as [L | E]; [rewrite <- atan_0; apply Rlt_le, atan_increasing, L |].
   rewrite <- E, atan_0. apply Rle_refl.
 Qed.
-
-Lemma cos_acute {a : R} : - (PI / 2) <= a -> a <= PI / 2 -> cos a >= 0.
-Proof. intros L H. apply Rle_ge, cos_ge_0; lra. Qed.
 
 Lemma asin_acute (t : R) : t ^ 2 <= 1 -> t >= 0 -> 0 <= asin t /\ asin t <= PI / 2.
 Proof.
@@ -415,9 +380,6 @@ Proof.
     - apply (is_RInt_plus (fun x => f x - m) (fun _ => m)); [exact I | apply @is_RInt_const]. }
   rewrite (is_RInt_unique _ _ _ _ J). field. exact PI_neq0.
 Qed.
-
-Lemma integral_of_constant (c a b : R) : RInt (fun _ => c) a b = c * (b - a).
-Proof. rewrite RInt_const. unfold scal. simpl. unfold mult. simpl. ring. Qed.
 
 (* The second derivative, where what makes the first one exist holds on both sides of the point *)
 

@@ -1,6 +1,7 @@
 (* The theorems that the checker takes for granted (symcheck/checker/theorems.py), each under exactly its premises.
 
-   A test compares the statements with that table, name by name. *)
+   A test compares the statements with that table, name by name. Those about angles, which lemmas of Symcheck.v give
+   alike, and at the end all of them together, are added when the file is exported. *)
 
 Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -90,20 +91,20 @@ Ltac is_polynomial :=
 Theorem theorem_dichotomy :
   forall (t : R),
   t > 0 \/ t <= 0.
-Proof. exact dichotomy. Qed.
+Proof. intros t. destruct (Rlt_or_le 0 t); [left | right]; assumption. Qed.
 
 Theorem theorem_root :
   forall (t : R),
   t >= 0 ->
   sqrt t >= 0 /\ sqrt t ^ 2 = t.
-Proof. intros. apply root; assumption. Qed.
+Proof. intros t H. split; [apply Rle_ge, sqrt_pos | apply root_of_number, Rge_le, H]. Qed.
 
 Theorem theorem_root_of_product :
   forall (s t : R),
   s >= 0 ->
   t >= 0 ->
   sqrt (s * t) = sqrt s * sqrt t.
-Proof. intros. apply root_of_product; assumption. Qed.
+Proof. intros s t Hs Ht. apply sqrt_mult; apply Rge_le; assumption. Qed.
 
 Theorem theorem_equal_squares :
   forall (s t : R),
@@ -111,26 +112,28 @@ Theorem theorem_equal_squares :
   t >= 0 ->
   s ^ 2 = t ^ 2 ->
   s = t.
-Proof. intros. apply equal_squares; assumption. Qed.
+Proof.
+  intros s t Hs Ht E. apply Rsqr_inj; [lra | lra |]. unfold Rsqr. simpl in E. rewrite !Rmult_1_r in E. exact E.
+Qed.
 
 Theorem theorem_power :
   forall (b u : R),
   b > 0 ->
   Rpower b u > 0.
-Proof. intros. apply power; assumption. Qed.
+Proof. intros. apply exp_pos. Qed.
 
 Theorem theorem_power_of_sum :
   forall (b s t : R),
   b > 0 ->
   Rpower b (s + t) = Rpower b s * Rpower b t.
-Proof. intros. apply power_of_sum; assumption. Qed.
+Proof. intros. apply Rpower_plus. Qed.
 
 Theorem theorem_power_of_product :
   forall (s t u : R),
   s > 0 ->
   t > 0 ->
   Rpower (s * t) u = Rpower s u * Rpower t u.
-Proof. intros. apply power_of_product; assumption. Qed.
+Proof. intros. symmetry. apply Rpower_mult_distr; assumption. Qed.
 
 Theorem theorem_power_of_power :
   forall (b : R) (n : Z) (u : R),
@@ -148,55 +151,21 @@ Theorem theorem_power_inverse :
   u <> 0 ->
   Rpower b u = t ->
   b = Rpower t (1 / u).
-Proof. intros. apply power_inverse; assumption. Qed.
+Proof.
+  intros b u t Hb Hu E. rewrite <- E, Rpower_mult. replace (u * (1 / u)) with 1 by (field; exact Hu).
+  symmetry. apply Rpower_1, Hb.
+Qed.
 
 Theorem theorem_circle_number :
   PI > 0.
-Proof. exact circle_number. Qed.
+Proof. exact PI_RGT_0. Qed.
 
 Theorem theorem_right_half :
   forall (a : R),
   - (PI / 2) <= a ->
   a <= PI / 2 ->
   cos a >= 0.
-Proof. intros a. exact cos_acute. Qed.
-
-Theorem theorem_principal_value_arctan :
-  forall (t : R),
-  - (PI / 2) < atan t /\ atan t < PI / 2.
-Proof. exact atan_below. Qed.
-
-Theorem theorem_principal_value_arcsin :
-  forall (t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= asin t /\ asin t <= PI / 2.
-Proof. exact asin_below. Qed.
-
-Theorem theorem_principal_value_arccos :
-  forall (t : R),
-  t ^ 2 <= 1 ->
-  0 <= acos t /\ acos t <= PI.
-Proof. exact acos_below. Qed.
-
-Theorem theorem_first_quadrant_arctan :
-  forall (t : R),
-  t >= 0 ->
-  0 <= atan t /\ atan t <= PI / 2.
-Proof. exact atan_acute. Qed.
-
-Theorem theorem_first_quadrant_arcsin :
-  forall (t : R),
-  t ^ 2 <= 1 ->
-  t >= 0 ->
-  0 <= asin t /\ asin t <= PI / 2.
-Proof. exact asin_acute. Qed.
-
-Theorem theorem_first_quadrant_arccos :
-  forall (t : R),
-  t ^ 2 <= 1 ->
-  t >= 0 ->
-  0 <= acos t /\ acos t <= PI / 2.
-Proof. exact acos_acute. Qed.
+Proof. intros a L H. apply Rle_ge, cos_ge_0; lra. Qed.
 
 Theorem theorem_mean :
   forall (f : R -> R) (c : R) (g : R -> R),
@@ -238,7 +207,7 @@ Qed.
 Theorem theorem_constant :
   forall (c s t : R),
   RInt (fun x => c) s t = c * (t - s).
-Proof. intros. apply integral_of_constant. Qed.
+Proof. intros. rewrite RInt_const. unfold scal. simpl. unfold mult. simpl. ring. Qed.
 
 Theorem theorem_power_rule :
   forall (f : R -> R) (s t c : R) (g : R -> R) (u : R),
@@ -336,374 +305,6 @@ Theorem theorem_power_as_exp :
   Rpower b u = exp (u * ln b).
 Proof. intros. reflexivity. Qed.
 
-Theorem theorem_known_angle_arctan_0 :
-  atan 0 = 0.
-Proof. exact atan_known_0. Qed.
-
-Theorem theorem_known_angle_arctan_1 :
-  atan (1 / sqrt 3) = PI / 6.
-Proof. exact atan_known_1. Qed.
-
-Theorem theorem_known_angle_arctan_2 :
-  atan 1 = PI / 4.
-Proof. exact atan_known_2. Qed.
-
-Theorem theorem_known_angle_arctan_3 :
-  atan (sqrt 3) = PI / 3.
-Proof. exact atan_known_3. Qed.
-
-Theorem theorem_known_angle_arcsin_0 :
-  asin 0 = 0.
-Proof. exact asin_known_0. Qed.
-
-Theorem theorem_known_angle_arcsin_1 :
-  asin (1 / 2) = PI / 6.
-Proof. exact asin_known_1. Qed.
-
-Theorem theorem_known_angle_arcsin_2 :
-  asin (sqrt 2 / 2) = PI / 4.
-Proof. exact asin_known_2. Qed.
-
-Theorem theorem_known_angle_arcsin_3 :
-  asin (sqrt 3 / 2) = PI / 3.
-Proof. exact asin_known_3. Qed.
-
-Theorem theorem_known_angle_arcsin_4 :
-  asin 1 = PI / 2.
-Proof. exact asin_known_4. Qed.
-
-Theorem theorem_known_angle_arccos_0 :
-  acos 1 = 0.
-Proof. exact acos_known_0. Qed.
-
-Theorem theorem_known_angle_arccos_1 :
-  acos (sqrt 3 / 2) = PI / 6.
-Proof. exact acos_known_1. Qed.
-
-Theorem theorem_known_angle_arccos_2 :
-  acos (sqrt 2 / 2) = PI / 4.
-Proof. exact acos_known_2. Qed.
-
-Theorem theorem_known_angle_arccos_3 :
-  acos (1 / 2) = PI / 3.
-Proof. exact acos_known_3. Qed.
-
-Theorem theorem_known_angle_arccos_4 :
-  acos 0 = PI / 2.
-Proof. exact acos_known_4. Qed.
-
-Theorem theorem_arctangent_eq :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a = atan t ->
-  sin a = t * cos a.
-Proof. intros a t L H I. exact (proj1 (alike_eq (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arctangent_eq_back :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a = t * cos a ->
-  a = atan t.
-Proof. intros a t L H I. exact (proj2 (alike_eq (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arcsine_eq :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a = asin t ->
-  sin a = t.
-Proof. intros a t R1 L H I. exact (proj1 (alike_eq (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arcsine_eq_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a = t ->
-  a = asin t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_eq (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_eq :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  a = acos t ->
-  t = cos a.
-Proof. intros a t R1 L H I. exact (proj1 (alike_eq (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_eq_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  t = cos a ->
-  a = acos t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_eq (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arctangent_ne :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a <> atan t ->
-  sin a <> t * cos a.
-Proof. intros a t L H I. exact (proj1 (alike_ne (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arctangent_ne_back :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a <> t * cos a ->
-  a <> atan t.
-Proof. intros a t L H I. exact (proj2 (alike_ne (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arcsine_ne :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a <> asin t ->
-  sin a <> t.
-Proof. intros a t R1 L H I. exact (proj1 (alike_ne (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arcsine_ne_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a <> t ->
-  a <> asin t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_ne (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_ne :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  a <> acos t ->
-  t <> cos a.
-Proof. intros a t R1 L H I. exact (proj1 (alike_ne (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_ne_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  t <> cos a ->
-  a <> acos t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_ne (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arctangent_lt :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a < atan t ->
-  sin a < t * cos a.
-Proof. intros a t L H I. exact (proj1 (alike_lt (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arctangent_lt_back :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a < t * cos a ->
-  a < atan t.
-Proof. intros a t L H I. exact (proj2 (alike_lt (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arcsine_lt :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a < asin t ->
-  sin a < t.
-Proof. intros a t R1 L H I. exact (proj1 (alike_lt (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arcsine_lt_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a < t ->
-  a < asin t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_lt (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_lt :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  a < acos t ->
-  t < cos a.
-Proof. intros a t R1 L H I. exact (proj1 (alike_lt (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_lt_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  t < cos a ->
-  a < acos t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_lt (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arctangent_le :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a <= atan t ->
-  sin a <= t * cos a.
-Proof. intros a t L H I. exact (proj1 (alike_le (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arctangent_le_back :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a <= t * cos a ->
-  a <= atan t.
-Proof. intros a t L H I. exact (proj2 (alike_le (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arcsine_le :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a <= asin t ->
-  sin a <= t.
-Proof. intros a t R1 L H I. exact (proj1 (alike_le (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arcsine_le_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a <= t ->
-  a <= asin t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_le (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_le :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  a <= acos t ->
-  t <= cos a.
-Proof. intros a t R1 L H I. exact (proj1 (alike_le (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_le_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  t <= cos a ->
-  a <= acos t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_le (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arctangent_gt :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a > atan t ->
-  sin a > t * cos a.
-Proof. intros a t L H I. exact (proj1 (alike_gt (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arctangent_gt_back :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a > t * cos a ->
-  a > atan t.
-Proof. intros a t L H I. exact (proj2 (alike_gt (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arcsine_gt :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a > asin t ->
-  sin a > t.
-Proof. intros a t R1 L H I. exact (proj1 (alike_gt (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arcsine_gt_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a > t ->
-  a > asin t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_gt (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_gt :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  a > acos t ->
-  t > cos a.
-Proof. intros a t R1 L H I. exact (proj1 (alike_gt (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_gt_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  t > cos a ->
-  a > acos t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_gt (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arctangent_ge :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a >= atan t ->
-  sin a >= t * cos a.
-Proof. intros a t L H I. exact (proj1 (alike_ge (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arctangent_ge_back :
-  forall (a t : R),
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a >= t * cos a ->
-  a >= atan t.
-Proof. intros a t L H I. exact (proj2 (alike_ge (alike_tangent L H)) I). Qed.
-
-Theorem theorem_arcsine_ge :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  a >= asin t ->
-  sin a >= t.
-Proof. intros a t R1 L H I. exact (proj1 (alike_ge (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arcsine_ge_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  - (PI / 2) <= a ->
-  a <= PI / 2 ->
-  sin a >= t ->
-  a >= asin t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_ge (alike_sine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_ge :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  a >= acos t ->
-  t >= cos a.
-Proof. intros a t R1 L H I. exact (proj1 (alike_ge (alike_cosine R1 L H)) I). Qed.
-
-Theorem theorem_arccosine_ge_back :
-  forall (a t : R),
-  t ^ 2 <= 1 ->
-  0 <= a ->
-  a <= PI ->
-  t >= cos a ->
-  a >= acos t.
-Proof. intros a t R1 L H I. exact (proj2 (alike_ge (alike_cosine R1 L H)) I). Qed.
-
 Theorem theorem_congruence :
   forall (f : R -> R) (s t : R),
   s = t ->
@@ -716,94 +317,3 @@ Theorem theorem_congruence_of_two :
   u = v ->
   f s u = f t v.
 Proof. intros f s t u v D E. rewrite D, E. reflexivity. Qed.
-
-Lemma everything : True.
-Proof.
-pose proof theorem_dichotomy.
-pose proof theorem_root.
-pose proof theorem_root_of_product.
-pose proof theorem_equal_squares.
-pose proof theorem_power.
-pose proof theorem_power_of_sum.
-pose proof theorem_power_of_product.
-pose proof theorem_power_of_power.
-pose proof theorem_power_inverse.
-pose proof theorem_circle_number.
-pose proof theorem_right_half.
-pose proof theorem_principal_value_arctan.
-pose proof theorem_principal_value_arcsin.
-pose proof theorem_principal_value_arccos.
-pose proof theorem_first_quadrant_arctan.
-pose proof theorem_first_quadrant_arcsin.
-pose proof theorem_first_quadrant_arccos.
-pose proof theorem_mean.
-pose proof theorem_quarter_turn.
-pose proof theorem_intermediate_value.
-pose proof theorem_constant.
-pose proof theorem_power_rule.
-pose proof theorem_exp_of_log.
-pose proof theorem_log_of_one.
-pose proof theorem_log_of_exp.
-pose proof theorem_log_of_product.
-pose proof theorem_log_of_power.
-pose proof theorem_log_of_root.
-pose proof theorem_circular_of_arctan.
-pose proof theorem_circular_of_arcsin.
-pose proof theorem_circular_of_arccos.
-pose proof theorem_power_as_exp.
-pose proof theorem_known_angle_arctan_0.
-pose proof theorem_known_angle_arctan_1.
-pose proof theorem_known_angle_arctan_2.
-pose proof theorem_known_angle_arctan_3.
-pose proof theorem_known_angle_arcsin_0.
-pose proof theorem_known_angle_arcsin_1.
-pose proof theorem_known_angle_arcsin_2.
-pose proof theorem_known_angle_arcsin_3.
-pose proof theorem_known_angle_arcsin_4.
-pose proof theorem_known_angle_arccos_0.
-pose proof theorem_known_angle_arccos_1.
-pose proof theorem_known_angle_arccos_2.
-pose proof theorem_known_angle_arccos_3.
-pose proof theorem_known_angle_arccos_4.
-pose proof theorem_arctangent_eq.
-pose proof theorem_arctangent_eq_back.
-pose proof theorem_arcsine_eq.
-pose proof theorem_arcsine_eq_back.
-pose proof theorem_arccosine_eq.
-pose proof theorem_arccosine_eq_back.
-pose proof theorem_arctangent_ne.
-pose proof theorem_arctangent_ne_back.
-pose proof theorem_arcsine_ne.
-pose proof theorem_arcsine_ne_back.
-pose proof theorem_arccosine_ne.
-pose proof theorem_arccosine_ne_back.
-pose proof theorem_arctangent_lt.
-pose proof theorem_arctangent_lt_back.
-pose proof theorem_arcsine_lt.
-pose proof theorem_arcsine_lt_back.
-pose proof theorem_arccosine_lt.
-pose proof theorem_arccosine_lt_back.
-pose proof theorem_arctangent_le.
-pose proof theorem_arctangent_le_back.
-pose proof theorem_arcsine_le.
-pose proof theorem_arcsine_le_back.
-pose proof theorem_arccosine_le.
-pose proof theorem_arccosine_le_back.
-pose proof theorem_arctangent_gt.
-pose proof theorem_arctangent_gt_back.
-pose proof theorem_arcsine_gt.
-pose proof theorem_arcsine_gt_back.
-pose proof theorem_arccosine_gt.
-pose proof theorem_arccosine_gt_back.
-pose proof theorem_arctangent_ge.
-pose proof theorem_arctangent_ge_back.
-pose proof theorem_arcsine_ge.
-pose proof theorem_arcsine_ge_back.
-pose proof theorem_arccosine_ge.
-pose proof theorem_arccosine_ge_back.
-pose proof theorem_congruence.
-pose proof theorem_congruence_of_two.
-exact I.
-Qed.
-
-Print Assumptions everything.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from importlib.resources import files as resources
 from pathlib import Path
@@ -12,6 +13,7 @@ from typing import TypedDict
 from symcheck.coq import confirmed
 from symcheck.coq.claims import Claim, claims_of
 from symcheck.coq.statements import WIDTH
+from symcheck.coq.theorems import about_angles, everything
 from symcheck.coq.witnesses import witnesses
 from symcheck.ledger.record import Record
 
@@ -46,6 +48,8 @@ def files(records: Sequence[Record]) -> Mapping[str, str]:
         papers.setdefault(record.paper, []).append(record)
     folder = resources(__package__)
     out = {name: folder.joinpath(name).read_text(encoding="utf-8") for name in OURS}
+    out["Theorems.v"] += about_angles()
+    out["Theorems.v"] += "\n" + everything(re.findall(r"^Theorem (\w+)", out["Theorems.v"], re.MULTILINE))
     entries: dict[str, Entry] = {}
     for paper, rows in papers.items():
         claims = claims_of(rows)
@@ -153,6 +157,5 @@ def proofs_file(paper: str, part: Sequence[Claim], places: Mapping[str, str]) ->
         if same == claim.name:
             script, step = f"unfold claim_{same}.\n{claim.script}", f"{claim.step}\n\n" if claim.step else ""
         lines.append(f"{step}Theorem proof_{claim.name} : claim_{claim.name}.\nProof.\n{script}\nQed.\n")
-    used = "\n".join(f"pose proof proof_{claim.name}." for claim in part)
-    lines.append(f"Lemma everything : True.\nProof.\n{used}\nexact I.\nQed.\n\nPrint Assumptions everything.\n")
+    lines.append(everything(f"proof_{claim.name}" for claim in part))
     return "\n".join(lines)

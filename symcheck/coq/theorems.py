@@ -1,10 +1,13 @@
 """The theorems that certificates take for granted (`symcheck/checker/theorems.py`), each proved in Coq.
 
-Theorems.v proves them as they stand in the checker's table; here they are applied, one by one.
+Theorems.v proves them as they stand in the checker's table, those about angles as they are added here to what it says;
+then they are applied, one by one.
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from itertools import groupby
 
 from symcheck.checker import theorems as table
@@ -45,6 +48,12 @@ UNSTATED = {  # theorems without a proof in Theorems.v
     "gamma": "Euler's gamma function is not in Coq's libraries",
     "gamma_values": "Euler's gamma function is not in Coq's libraries",
 }
+LEMMAS = {"principal_value": "below", "first_quadrant": "acute", "known_angle": "known"}  # of a function: atan_below
+LIKE = {
+    "arctangent": ("tangent", "L H"),
+    "arcsine": ("sine", "R1 L H"),
+    "arccosine": ("cosine", "R1 L H"),
+}  # of an order
 MISSING = {name: reason for name, reason in UNSTATED.items() if name != "enclosure"}  # those that no proof may apply
 
 
@@ -110,6 +119,35 @@ def _congruence(name: str) -> table.Theorem:
 def identifier(name: str) -> str:
     """The name of a theorem in Theorems.v."""
     return "theorem_" + "_".join(RELATION_NAMES.get(word, word) for word in name.split())
+
+
+def about_angles() -> str:
+    """The theorems that lemmas of Symcheck.v give alike, for each function of an angle and each order, with proofs."""
+    proofs = {name: _from_lemma(name) for name in table.NAMES}
+    return "".join(
+        f"\nTheorem {identifier(name)} :\n{statement(name)}.\nProof. {proof}. Qed.\n"
+        for name, proof in proofs.items()
+        if proof
+    )
+
+
+def _from_lemma(name: str) -> str:
+    """The proof from such a lemma; empty if there is none."""
+    if of_function := re.fullmatch(rf"({'|'.join(LEMMAS)})_arc(tan|sin|cos)(_\d)?", name):
+        kind, function, which = of_function.groups("")
+        return f"exact a{function}_{LEMMAS[kind]}{which}"
+    kind, *order = name.split()
+    if kind not in LIKE:
+        return ""
+    lemma, premises = LIKE[kind]
+    alike = f"alike_{RELATION_NAMES[order[0]]} (alike_{lemma} {premises})"
+    return f"intros a t {premises} I. exact (proj{len(order)} ({alike}) I)"
+
+
+def everything(names: Iterable[str]) -> str:
+    """What all of these together assume."""
+    used = "\n".join(f"pose proof {own}." for own in names)
+    return f"Lemma everything : True.\nProof.\n{used}\nexact I.\nQed.\n\nPrint Assumptions everything.\n"
 
 
 def missing(proof: JSON) -> str | None:

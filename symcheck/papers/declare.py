@@ -282,6 +282,36 @@ definition, premise, exclusion = _paper.definition, _paper.premise, _paper.exclu
 by_cases = _paper.by_cases
 
 
+def standing(
+    number: str,
+    line: int,
+    hypothesis: Hypothesis,
+    words: str,
+    *,
+    without: str = "",
+    reason: str = "",
+    notation: Notation | None = None,
+) -> Premise:
+    """Declare that a condition which the paper does not print is in force.
+
+    Parameters
+    ----------
+    number, line, notation
+        As for `claim`.
+    hypothesis
+        The condition.
+    words
+        Where it is in force, with {} for its own words.
+    without
+        Where it is shown what happens without it.
+    reason
+        Why it is assumed, if it follows from something else.
+    """
+    shown = reason or f"a standing condition of ours, not printed; what happens without it: {without}"
+    said = words.format(hypothesis.words)
+    return premise(number, line, words=said, states=hypothesis.states, reason=shown, notation=notation)
+
+
 def _pieces(text: Text) -> tuple[str, ...]:
     return tuple(piece for piece in ((text,) if isinstance(text, str) else text) if piece)
 

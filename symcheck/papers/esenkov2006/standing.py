@@ -5,7 +5,7 @@ A relation whose proof needs one of these conditions is marked by it.
 
 from __future__ import annotations
 
-from symcheck.papers.declare import premise
+from symcheck.papers.declare import standing
 from symcheck.papers.esenkov2006.hypotheses import (
     body_has_mass,
     liquid_is_part,
@@ -16,42 +16,24 @@ from symcheck.papers.esenkov2006.hypotheses import (
 from symcheck.papers.esenkov2006.scopes import in_b_and_delta, in_delta
 from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
 
-NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
+mass = standing("S.1", 7, body_has_mass, "{}", reason="not printed; it is a moment of inertia")
 
-mass = premise(
-    "S.1", 7, words=body_has_mass.words, states=body_has_mass.states, reason="not printed; it is a moment of inertia"
+spin = standing("S.2", 7, spinning, "Where it is divided by omega_0: {}.", without="S.6")
+
+mode_moves = standing(
+    "S.3", 34, liquid_moves, "In the roots of the boundary: {}.", without="S.7, S.8; it is positive by B.1"
 )
 
-spin = premise(
-    "S.2",
-    7,
-    words=f"Where it is divided by omega_0: {spinning.words}.",
-    states=spinning.states,
-    reason=f"{NOT_PRINTED}S.6",
+mode_is_part = standing(
+    "S.4", 34, liquid_is_part, "There, and where D is needed: {}.", without="B.24 (A = E_n), B.25 (E_n > A)"
 )
 
-mode_moves = premise(
-    "S.3",
-    34,
-    words=f"In the roots of the boundary: {liquid_moves.words}.",
-    states=liquid_moves.states,
-    reason=f"{NOT_PRINTED}S.7, S.8; it is positive by B.1",
-)
-
-mode_is_part = premise(
-    "S.4",
-    34,
-    words=f"There, and where D is needed: {liquid_is_part.words}.",
-    states=liquid_is_part.states,
-    reason=f"{NOT_PRINTED}B.24 (A = E_n), B.25 (E_n > A)",
-)
-
-real_square_roots = premise(
+real_square_roots = standing(
     "S.5",
     34,
-    words=f"There too: {roots_are_real_numbers.words}.",
-    states=roots_are_real_numbers.states,
-    reason=f"{NOT_PRINTED}B.9, B.10 (outside there is no boundary), B.22, B.23 (at the ends both roots are one)",
+    roots_are_real_numbers,
+    "There too: {}.",
+    without="B.9, B.10 (outside there is no boundary), B.22, B.23 (at the ends both roots are one)",
 )
 
 body_at_rest = in_delta.by_cases.ours(

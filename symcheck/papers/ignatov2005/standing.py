@@ -6,35 +6,27 @@ degrees, with both ends. A relation whose proof needs one of these conditions is
 
 from __future__ import annotations
 
-from symcheck.papers.declare import premise
+from symcheck.papers.declare import standing
 from symcheck.papers.ignatov2005.hypotheses import MASS, acute_a, real_pyramid
 from symcheck.papers.ignatov2005.notation import four_wheels_in_spacecraft
 from symcheck.papers.ignatov2005.wheels import AND, four, six
 
-NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
+angle = standing("S.1", 71, real_pyramid, "Where a relation needs it: {}.", without="S.4 to S.9, B.2, B.24")
 
-angle = premise(
-    "S.1",
-    71,
-    words=f"Where a relation needs it: {real_pyramid.words}.",
-    states=real_pyramid.states,
-    reason=f"{NOT_PRINTED}S.4 to S.9, B.2, B.24",
-)
-
-acute_angle = premise(
+acute_angle = standing(
     "S.2",
     71,
-    words="The same of the angle itself, where its value matters: a is acute.",
-    states=acute_a.states,
-    reason=f"{NOT_PRINTED}S.4 to S.9",
+    acute_a,
+    "The same of the angle itself, where its value matters: a is acute.",
+    without="S.4 to S.9",
 )
 
-mass = premise(
+mass = standing(
     "S.3",
     254,
-    words=f"In (2.3), and where it is used: {MASS.words}.",
-    states=MASS.states,
-    reason=f"{NOT_PRINTED}(2.3) has a zero below a fraction",
+    MASS,
+    "In (2.3), and where it is used: {}.",
+    without="(2.3) has a zero below a fraction",
     notation=four_wheels_in_spacecraft,
 )
 

@@ -426,7 +426,7 @@ order_of_axes_does_not_matter = from_lemmas_in_moments.claim(
     words="Which damping axis is parallel to which principal axis does not matter: (1.6), (1.7) hold for each order.",
     states=rf"{ALIGNED} \Rightarrow ({body(product_at_triple_root, sum_at_triple_root)})",
     given=[orthogonal],
-    by=cases(excess_of_product, excess_of_sum),
+    by=cases(excess_of_product),
     uses=["1.6", "1.7"],
     lemmas=["2.13.4", "2.19.4"],
 )

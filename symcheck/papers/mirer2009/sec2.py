@@ -113,7 +113,7 @@ equality_on_the_right = from_lemmas_in_moments.claim(
             needs=(distinct_moments,),
         )
     },
-    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    lemmas=["2.13.4", "2.0.6"],
 )
 
 equality_on_the_left = from_lemmas_in_moments.claim(
@@ -712,7 +712,7 @@ equality_conditions_are_necessary = from_lemmas_in_moments.ours(
     given=[orthogonal, positive_moments, distinct_moments],
     by=cases(excess_of_product),
     uses=["2.13.1", "2.14", "2.15"],
-    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    lemmas=["2.13.4", "2.0.6"],
 )
 
 rows_one_and_three_are_orthogonal = claim(
@@ -758,7 +758,7 @@ six_cases = from_lemmas_in_moments.claim(
             needs=(Hypothesis("I_1, I_3 distinct", "I_3 differs from I_1", r"I_3 \neq I_1"),),
         )
     },
-    lemmas=["2.13.4", "2.0.5", "2.0.6"],
+    lemmas=["2.13.4", "2.0.6"],
 )
 
 six_cases_are_collinear_axes = by_cases.claim(

@@ -6,7 +6,7 @@ A relation whose proof needs one of these conditions is marked by it.
 from __future__ import annotations
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import ours, premise
+from symcheck.papers.declare import by_cases, ours, premise, standing
 from symcheck.papers.mirer2009 import derivation
 from symcheck.papers.mirer2009.hypotheses import (
     mass_distribution,
@@ -23,47 +23,25 @@ from symcheck.papers.mirer2009.sec1 import triple_root
 from symcheck.papers.mirer2009.sec2 import on_the_interval
 from symcheck.proof import cases, nonnegative
 
-NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
-
-non_negative = premise(
+non_negative = standing(
     "S.1",
     149,
-    words=f"In the inequalities (2.1), (2.2), (2.10), (2.18): {non_negative_moments.words}.",
-    states=non_negative_moments.states,
-    reason=f"{NOT_PRINTED}it follows from the triangle inequalities 2.2.4 (S.7), which every body satisfies",
+    non_negative_moments,
+    "In the inequalities (2.1), (2.2), (2.10), (2.18): {}.",
+    without="it follows from the triangle inequalities 2.2.4 (S.7), which every body satisfies",
 )
 
-positive = premise(
-    "S.2",
-    149,
-    words=f"Where it is said when equality holds, and in (1.6) to (1.8): {positive_moments.words}.",
-    states=positive_moments.states,
-    reason=f"{NOT_PRINTED}S.8, S.9",
+positive = standing(
+    "S.2", 149, positive_moments, "Where it is said when equality holds, and in (1.6) to (1.8): {}.", without="S.8, S.9"
 )
 
-damping = premise(
-    "S.3",
-    119,
-    words=f"In (1.6) to (1.8): {positive_ratio.words}.",
-    states=positive_ratio.states,
-    reason=f"{NOT_PRINTED}S.10, S.11",
+damping = standing("S.3", 119, positive_ratio, "In (1.6) to (1.8): {}.", without="S.10, S.11")
+
+axial = standing(
+    "S.4", 113, positive_axial_moments, "There too: {}.", reason="not printed, but it follows from S.2 (2.0.6)"
 )
 
-axial = premise(
-    "S.4",
-    113,
-    words=f"There too: {positive_axial_moments.words}.",
-    states=positive_axial_moments.states,
-    reason="not printed, but it follows from S.2 (2.0.6)",
-)
-
-mean = premise(
-    "S.5",
-    189,
-    words=f"Where f_1 is maximised: {positive_mean.words}.",
-    states=positive_mean.states,
-    reason=f"{NOT_PRINTED}S.12",
-)
+mean = standing("S.5", 189, positive_mean, "Where f_1 is maximised: {}.", without="S.12")
 
 ellipsoid = premise(
     "S.6",
@@ -94,7 +72,7 @@ moments_of_a_body_are_not_negative = tuple(
     for i, j, k in ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 )
 
-mass_on_a_line = ours(
+mass_on_a_line = by_cases.ours(
     "S.8",
     149,
     words="At the end I_1 = 0 all mass is on a line, so that I_2 = I_3 (a): pairwise distinct moments of a body are positive. And (2.10) is "
@@ -105,7 +83,6 @@ mass_on_a_line = ours(
     ),
     given=[mass_distribution],
     where=derivation.moments_of_a_mass_distribution,
-    by=cases("P_2 + P_3"),
     uses=["2.10", "2.17"],
 )
 

@@ -6,7 +6,7 @@ A relation whose proof needs one of these conditions is marked by it.
 from __future__ import annotations
 
 from symcheck.core.claims import Hypothesis
-from symcheck.papers.declare import by_cases, ours, premise
+from symcheck.papers.declare import by_cases, ours, standing
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import (
     amplitude,
@@ -18,45 +18,33 @@ from symcheck.papers.poloskov2004.hypotheses import (
 )
 from symcheck.papers.poloskov2004.notation import constant_letters
 
-NOT_PRINTED = "a standing condition of ours, not printed; what happens without it: "
+mass = standing("S.1", 15, body_has_mass, "In (1.1): {}.", reason="not printed; k has a zero below it")
 
-mass = premise(
-    "S.1",
-    15,
-    words=f"In (1.1): {body_has_mass.words}.",
-    states=body_has_mass.states,
-    reason="not printed; k has a zero below it",
+amplitude_is_positive = standing(
+    "S.2", 31, amplitude, "Where a relation needs it: {}. Line 85 prints a >= 0.", without="S.6, S.7, S.8"
 )
 
-amplitude_is_positive = premise(
-    "S.2",
-    31,
-    words=f"Where a relation needs it: {amplitude.words}. Line 85 prints a >= 0.",
-    states=amplitude.states,
-    reason=f"{NOT_PRINTED}S.6, S.7, S.8",
-)
-
-noise_about_the_equatorial_axes = premise(
+noise_about_the_equatorial_axes = standing(
     "S.3",
     69,
-    words=f"In section 3 from (3.3) on, and in section 4: {equatorial_noise.words}.",
-    states=equatorial_noise.states,
-    reason=f"{NOT_PRINTED}S.9, S.10, B.10, B.11; their signs do not matter, as only squares are used",
+    equatorial_noise,
+    "In section 3 from (3.3) on, and in section 4: {}.",
+    without="S.9, S.10, B.10, B.11; their signs do not matter, as only squares are used",
 )
 
-noise_about_the_polar_axis = premise(
+noise_about_the_polar_axis = standing(
     "S.4",
     69,
-    words=f"There too: {axial_noise.words}.",
-    states=axial_noise.states,
-    reason=f"{NOT_PRINTED}S.11 to S.13; their signs do not matter, as only squares are used",
+    axial_noise,
+    "There too: {}.",
+    without="S.11 to S.13; their signs do not matter, as only squares are used",
 )
 
-positive_constants = premise(
+positive_constants = standing(
     "S.5",
     93,
-    words=f"Where a density rises and falls: {constants.words}.",
-    states=constants.states,
+    constants,
+    "Where a density rises and falls: {}.",
     reason="not printed; the constants make the integrals 1 (3.5.2), of functions that are not negative",
 )
 
