@@ -92,6 +92,8 @@ class Letter:
         Whether differentials of it are printed, as in dx; other letters are constant in differentials.
     doubt
         Why nothing is said of it though it can be read: what its scripts may mean.
+    open
+        Whether it stands before brackets, and nothing tells whether they hold its arguments or a factor.
 
     Raises
     ------
@@ -131,6 +133,7 @@ class Letter:
     order: int | None = None
     varies: bool = False
     doubt: str = ""
+    open: bool = False
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
