@@ -15,7 +15,7 @@ from symcheck.core.problems import Method, Problem
 from symcheck.core.terms import Formula, Node, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.proof import combined
-from symcheck.reading import Notation, algebraic, from_sympy, read
+from symcheck.reading import Notation, from_sympy, lower, read
 
 
 def _names(value: object) -> Iterator[str]:
@@ -35,7 +35,7 @@ def _definitions(paper: Paper) -> dict[str, Term]:
         if not isinstance(item, Definition) or item.opaque:
             continue
         tree = read(item.text, item.notation or paper.notation)
-        for formula in algebraic(tree, item.notation or paper.notation):
+        for formula in lower(tree, item.notation or paper.notation):
             sign, left, right = formula
             if sign != "=" or not isinstance(left, str):
                 raise SymcheckError(
@@ -48,7 +48,7 @@ def _definitions(paper: Paper) -> dict[str, Term]:
 
 @cache
 def _lowered(latex: str, notation: Notation) -> tuple[Formula, ...]:
-    return algebraic(read(latex, notation), notation)
+    return lower(read(latex, notation), notation)
 
 
 def context_of(obligation: Obligation) -> Context:

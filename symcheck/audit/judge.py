@@ -16,7 +16,7 @@ from symcheck.core.problems import Method, Outcome, Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
-from symcheck.reading import Relation, System, Tree, algebraic, from_sympy, read, relations, to_latex
+from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 
 Definitions = tuple[tuple[str, Term], ...]
 
@@ -46,7 +46,7 @@ def units(context: Context) -> list[Unit]:
     derived = [from_sympy(value) for value in equation()] if (equation := item.statement.equation) else []
     found = []
     for letter, link in zip(letters, links, strict=True):
-        count = len(algebraic(link, context.notation)) if derived else 0
+        count = len(lower(link, context.notation)) if derived else 0
         found.append(Unit(letter, link, tuple(derived[:count]), _formulas(context, link, tuple(derived[:count]))))
         derived = derived[count:]
     if derived:
@@ -61,7 +61,7 @@ def _statement(link: Relation) -> Tree:
 
 def _formulas(context: Context, tree: Tree, derived: tuple[Term, ...]) -> tuple[Formula, ...]:
     """The lowered statement. With a derived equation E = 0, a printed l = r claims that l - r is E."""
-    formulas = algebraic(tree, context.notation)
+    formulas = lower(tree, context.notation)
     if not derived:
         return formulas
     if len(formulas) != len(derived) or any(formula[0] != "=" for formula in formulas):

@@ -22,7 +22,7 @@ from symcheck.kernels.codegen.target import CompiledKernel
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate, identity
-from symcheck.reading import algebraic, from_sympy, read
+from symcheck.reading import from_sympy, lower, read
 
 
 def declared(key: str) -> dict[str, Kernel]:
@@ -58,10 +58,7 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
     """The certificates that the accurate forms equal the derived ones."""
     derived, forms = kernel.derived(), kernel.accurate() if kernel.accurate else {}
     given = tuple(
-        (
-            each.name,
-            tuple(p for f in algebraic(read(each.states, paper.notation), paper.notation) for p in conjuncts(f)),
-        )
+        (each.name, tuple(p for f in lower(read(each.states, paper.notation), paper.notation) for p in conjuncts(f)))
         for each in kernel.given
     )
     for output, form in forms.items():

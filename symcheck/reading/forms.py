@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections import Counter
 from dataclasses import fields
 
 from symcheck.core.terms import Node, node
@@ -34,6 +35,7 @@ from symcheck.reading.tree import (
     Pair,
     Pow,
     System,
+    Transpose,
     Tree,
     Tuple,
     Words,
@@ -41,7 +43,7 @@ from symcheck.reading.tree import (
 )
 
 _LEFT_OPEN = (INDEX_IN_NAME, KINDS_OPEN)  # doubts without a second way to read what is printed
-_CHANGES = (r"\Delta", r"\delta", r"\nabla", "d", r"\text{d}", "D")  # signs of changes and of derivatives
+_CHANGES = (r"\Delta", r"\delta", r"\nabla", "d", r"\text{d}")  # signs of changes and of derivatives
 _WORDS = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among words
 _OPERATORS = (r"\mathbb", r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of expectations, transforms and sets
 
@@ -87,6 +89,9 @@ def _form(part: object) -> Node:
 def _refuse(tree: Tree, notation: Notation) -> None:
     """SymcheckError for what may be meant in two ways."""
     beside = {part.name for part in nodes(tree) if isinstance(part, Words)}
+    calls = [part for part in nodes(tree) if isinstance(part, Call) and part.arguments]
+    clear = Counter(part.function for part in calls if not isinstance(part.arguments[0], Add))
+    names = Counter(part for part in nodes(tree) if isinstance(part, Name))
     for part in nodes(tree):
         if isinstance(part, Name) and part not in beside:
             if _WORDS.match(part.letter):
@@ -94,8 +99,9 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             letter = notation.find(part.letter, len(part.subscripts))
             if letter is not None and letter.doubt and not letter.doubt.startswith(_LEFT_OPEN):
                 refuse_doubt(part, letter)
-            if letter is not None and letter.open:
+            if letter is not None and letter.open and names[part] > clear[part]:
                 raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? say what it is")
+        refuse_bare(part, notation)
         if isinstance(part, Mul) and (factor := _applied(part)) is not None:
             raise SymcheckError(f"{to_latex(part)}: is {to_latex(factor)} a factor, or applied to what follows?")
         if isinstance(part, Pow) and isinstance(part.base, Call) and part.base.arguments:
@@ -110,9 +116,12 @@ def _refuse(tree: Tree, notation: Notation) -> None:
 
 def _applied(tree: Mul) -> Tree | None:
     """What may be applied to, or be one name with, what stands behind it: no factor for certain."""
-    if any(isinstance(factor, Dots | Tuple | Pair | Interval | Given) for factor in tree.factors):
+    lists = [each for each in tree.factors if isinstance(each, Dots | Tuple | Pair | Interval | Given)]
+    if not all(isinstance(each, Tuple) and each.kind == "{}" and len(each.items) == 1 for each in lists):
         return tree.factors[0]
     for factor, after in itertools.pairwise(tree.factors):
+        if isinstance(after, Tuple) and isinstance(factor.base if isinstance(factor, Pow) else factor, Name):
+            return factor
         if isinstance(factor, Name) and (factor.letter.startswith(_OPERATORS) or factor.letter in _CHANGES):
             return factor
         if isinstance(after, Call) and isinstance(after.function, Name) and after.arguments:
@@ -137,6 +146,25 @@ def refuse_doubt(tree: Tree, letter: Letter) -> None:
     if letter.doubt:
         error = Unsaid if letter.doubt.startswith(_LEFT_OPEN) else SymcheckError
         raise error(f"{to_latex(tree)}: {letter.doubt}")
+
+
+def refuse_bare(tree: Tree, notation: Notation) -> None:
+    """An error for a function that is transposed, and behind which brackets were taken for a factor.
+
+    Parameters
+    ----------
+    tree
+        Any part of a relation.
+    notation
+        What the letters mean; one that was inferred has functions only where brackets always stand behind them.
+    """
+    if notation.inferred and isinstance(tree, Transpose) and isinstance(tree.value, Call) and not tree.value.arguments:
+        name = tree.value.function
+        letter = notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
+        if letter is not None and letter.kind == "function":
+            raise SymcheckError(
+                f"{to_latex(tree)} before brackets: do they hold its arguments? write them before the T"
+            )
 
 
 def is_sequence(tree: Indexed) -> bool:

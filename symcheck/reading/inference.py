@@ -410,8 +410,8 @@ def _opened(of: Evidence, options: list[Guess]) -> list[Guess]:
     """The same, each letter marked if it may be a function of what stands in brackets behind it, or a factor."""
     letters = [guess.letter for guess in options if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
-    unclear = [place for place in of.places if place.arguments is not None and not (applied and not place.transposed)]
-    if of.said or not unclear:
+    unclear = [place for place in of.places if place.arguments is not None]
+    if of.said or applied or not unclear:
         return options
     sums = all(map(_is_sum, (place.arguments or () for place in unclear)))
     if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and not is_letter(letters[0].latex))):
@@ -820,7 +820,7 @@ _ENTRIES = re.compile(
 
 def _shape(latex: str) -> tuple[int, ...]:
     """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
-    if not (found := _ENTRIES.fullmatch(latex)):
+    if not (found := _ENTRIES.fullmatch(tex.compact(latex))):
         return ()
     rows = [row for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
     columns = {row.count("&") + 1 for row in rows}
@@ -953,4 +953,4 @@ def _notation(guesses: Iterable[Guess], **habits: str) -> Notation:
             )
             taken |= {x for x, _ in instances(letter)}
         found.append(letter)
-    return Notation(found, **habits)
+    return Notation(found, inferred=True, **habits)

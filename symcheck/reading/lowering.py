@@ -52,7 +52,7 @@ from symcheck.reading.components import (
     zipped,
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
-from symcheck.reading.forms import form, is_sequence, refuse_doubt
+from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt
 from symcheck.reading.functions import SPELLED, applied
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.limits import equated, tends
@@ -141,13 +141,14 @@ def lower(item: Relation | Tree, notation: Notation, defined: Defined = MappingP
     Returns
     -------
     tuple of Formula
-        As `algebraic` gives them; for a relation that has no algebraic form, or of whose letters too little is known,
-        its form (see `symcheck.reading.forms`), which keeps all that is printed and which no proof can use.
+        As `algebraic` gives them. Where nobody has declared the letters, a relation that has no algebraic form, or of
+        whose letters too little is known, gives its form (see `symcheck.reading.forms`), which keeps all that is
+        printed and which no proof can use.
 
     Raises
     ------
     SymcheckError
-        If the relation can be meant in several ways, or an index is misused.
+        If the relation can be meant in several ways, or does not fit what is declared.
     """
     lowering = Lowering(notation, defined)
     return tuple(formula for relation in _relations(item) for formula in lowering.stated(relation))
@@ -302,6 +303,8 @@ class Lowering:
         try:
             return self.whole(relation)
         except (NoForm, Unsaid):
+            if not self.notation.inferred:
+                raise
             self.inside, self.standing = (), {}
             return [form(relation, self.notation)]
 
@@ -1109,6 +1112,8 @@ class Lowering:
         return [minus(times(u[p], v[q]), times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
 
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
+        if not self.defined:
+            refuse_bare(tree, self.notation)
         value = self.value(tree.value, env)
         if len(shape(value)) == 1 and not isinstance(tree.value, Tuple):
             return list(value) if isinstance(value, Row) else Row(value)

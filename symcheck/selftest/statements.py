@@ -23,7 +23,7 @@ from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without
-from symcheck.reading import Edit, Tree, algebraic, edits, read, to_latex
+from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk
 from symcheck.selftest.evidence import holds, ledger_verdict, states
 from symcheck.selftest.oracle import fails
@@ -129,7 +129,7 @@ def with_slip(original: Proved, edit: Edit) -> Proved:
     tree = read(latex, context.notation)
     if edit.kind != EQUALITY:
         return Proved(context, unit.reworded(context, tree), given)
-    algebraic(tree, context.notation)
+    lower(tree, context.notation)
     statement = replace(context.item.statement, equality={unit.letter: latex})
     return Proved(context.having(item=replace(context.item, statement=statement)), unit, given)
 
@@ -142,7 +142,7 @@ def _is_lost_in_reading(original: Proved, edit: Edit) -> bool:
 
     def stated(tree: Tree) -> tuple[Formula, ...]:
         if edit.kind == EQUALITY:
-            return algebraic(tree, original.context.notation)
+            return lower(tree, original.context.notation)
         return original.unit.reworded(original.context, tree).formulas
 
     before = read(original.equality, original.context.notation) if edit.kind == EQUALITY else original.unit.tree
