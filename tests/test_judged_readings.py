@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 from bracketed import bracketed
 from judged_readings import JUDGED, REFUSED
 
+from symcheck.core.terms import Malformed, Reader
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading import Tree, lower, read, to_latex
+from symcheck.question.answer import Status
+from symcheck.question.ask import decide
+from symcheck.reading import Tree, algebraic, lower, read, to_latex
 from symcheck.reading.inference import inferred
 from symcheck.reading.notation import Notation
 from symcheck.reading.surface import plain, with_plain_differentials
@@ -54,8 +59,65 @@ OPAQUE = (
 
 
 @pytest.mark.parametrize("latex", OPAQUE)
-def test_what_has_no_algebraic_form_is_read_but_states_nothing(latex: str) -> None:
+def test_what_has_no_algebraic_form_is_stated_as_it_is_printed(latex: str) -> None:
     tree, notation = first_reading(latex)
     assert read(to_latex(tree), notation) == tree
     with pytest.raises(SymcheckError, match="algebraic form"):
-        lower(tree, notation)
+        algebraic(tree, notation)
+    assert any(formula.tag == "form" for formula in lower(tree, notation))
+
+
+OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
+    (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
+    (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
+    (r"\mathbf{A} = (\mathbf{v}, \mathbf{w}, 0)", r"\mathbf{A} = (\mathbf{w}, \mathbf{v}, 0)"),
+    (r"\mathbf{p} = \mathbf{q} \mathbf{r}", r"\mathbf{p} = \mathbf{r} \mathbf{q}"),
+    (r"x[n+1] = a x[n]", r"x[n] = a x[n+1]"),
+    (r"x \in \mathbb{R}^n", r"x \in \mathbb{R}^m"),
+    (r"y \approx \sum_{i=1}^n w_i f_i", r"y \approx \sum_{i=0}^n w_i f_i"),
+    (r"L = \frac{1}{2} \sum_{i=1}^n m_i \mathbf{v}_i^2", r"L = \frac{1}{2} \sum_{i=1}^n m_i \mathbf{v}_i^3"),
+    (r"Q = Q^T \succeq 0", r"Q = Q^T \preceq 0"),
+    (r"a_1 + \dots + a_n = b", r"a_1 - \dots + a_n = b"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("latex", "other"), OPEN)
+def test_letters_of_unknown_kinds_leave_a_form_in_which_every_token_counts(latex: str, other: str) -> None:
+    forms = [repr(lower(*first_reading(each))) for each in (latex, other)]
+    assert all("form" in each for each in forms)
+    assert forms[0] != forms[1]
+
+
+@pytest.mark.parametrize("latex", [*OPAQUE, *(each for pair in OPEN for each in pair)])
+def test_forms_are_never_decided(latex: str) -> None:
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)
+
+
+TWO_WAYS = (
+    r"u = \pi(\theta, \dot{\theta})",
+    r"\mathbb{E}[X] = \sum_{i=1}^n p_i \mathbf{x}_i",
+    r"\mathcal{L} \{t\} = \mathbf{s}",
+    r"J = \mathbf{x}^T(t) \mathbf{Q} \mathbf{x}(t)",
+    r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
+    r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
+    r"\mathbf{y} = P_n(z)^m",
+    r"VAR(X) = \mathbf{x}",
+)
+
+
+@pytest.mark.parametrize("latex", TWO_WAYS)
+def test_what_may_be_applied_or_multiplied_has_no_form(latex: str) -> None:
+    with pytest.raises(SymcheckError):
+        lower(*first_reading(latex))
+
+
+def test_no_certificate_holds_a_form() -> None:
+    (formula,) = lower(*first_reading(OPAQUE[0]))
+    with pytest.raises(Malformed):
+        Reader().formula(json.loads(json.dumps(formula)))
+
+
+def test_a_row_that_is_transposed_is_a_vector() -> None:
+    assert lower(*first_reading(r"\mathbf{q} = \begin{bmatrix} a & b & c & d \end{bmatrix}^T")) == lower(
+        *first_reading(r"\mathbf{q} = \begin{bmatrix} a \\ b \\ c \\ d \end{bmatrix}")
+    )

@@ -91,6 +91,12 @@ class Binder(Node):
     outside: tuple[Term, ...] = field(slice(3, None))
 
 
+class Form(Node):
+    """A printed form without an algebraic meaning, by a word and its parts: a claim that no certificate can hold."""
+
+    outside: tuple[Term, ...] = field(slice(2, None))
+
+
 class Relation(Node):
     terms: tuple[Term, ...] = field(slice(1, None))
 
@@ -112,11 +118,11 @@ SHAPES: dict[str, tuple[type[Node], int | None]] = {  # the class of a tag, and 
     **dict.fromkeys(("integral", "diverges", "sum", "product", "diff"), (Binder, 4)),
     **dict.fromkeys(("infinity", "-infinity"), (End, 0)), **dict.fromkeys(RELATIONS, (Relation, 2)),
     **dict.fromkeys(("and", "or"), (Connective, None)), **dict.fromkeys(("=>", "<=>"), (Connective, 2)),
-    **dict.fromkeys(("exists", "forall"), (Quantified, 2)),
+    **dict.fromkeys(("exists", "forall"), (Quantified, 2)), "form": (Form, None),
 }  # fmt: skip
 TERMS = {tag for tag, (kind, _) in SHAPES.items() if kind in (Value, Call, Binder)}
 ENDS = TERMS | {"infinity", "-infinity"}
-FORMULAS = SHAPES.keys() - ENDS
+FORMULAS = SHAPES.keys() - ENDS - {"form"}
 
 
 def node(tag: str, *fields: Field) -> Node:

@@ -13,6 +13,10 @@ class NoForm(SymcheckError):
     """What is understood, but cannot be expressed in terms: a limit, a set, a matrix exponential."""
 
 
+class Unsaid(SymcheckError):
+    """What is read, but has no value before more is said: of what kind letters are, or on what they depend."""
+
+
 class Loss(StrEnum):
     """What is lost with a hypothesis."""
 

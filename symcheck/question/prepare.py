@@ -16,7 +16,7 @@ from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, V
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
-from symcheck.reading import Notation, Tree, lower, read, tex
+from symcheck.reading import Notation, Tree, algebraic, read, tex
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.inference import (
     SIZES,
@@ -258,28 +258,28 @@ def _reading(
     functions_ = functions_of(defined, notation)
     meant = meanings(defined, notation) | functions_
     tree = tree or read(asked.relation, notation)
-    claims = lower(tree, notation, meant)
+    claims = algebraic(tree, notation, meant)
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
     terms: dict[str, Term] = {}
     for name, (left, _, right) in defined.items():
         if name in functions_:
             continue
-        for formula in lower(read(f"{left} = {right}", notation), notation, meant):
+        for formula in algebraic(read(f"{left} = {right}", notation), notation, meant):
             head, value = formula[1], formula[2]
             if isinstance(head, str) and head not in terms:
                 terms[head] = value
             elif head != value:  # as it is where the definition is written out
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for fact in inference.facts:
-        for formula in lower(read(fact, notation), notation, meant):
+        for formula in algebraic(read(fact, notation), notation, meant):
             head, value = formula[1], formula[2]
             if isinstance(head, str) and head not in terms:
                 terms[head] = value
             else:
                 hypotheses.append((_named(stated, fact), (formula,)))
     for text in equations:
-        for formula in lower(read(text, notation), notation, meant):
+        for formula in algebraic(read(text, notation), notation, meant):
             if (letter := _solved(formula, terms)) is not None:
                 terms[letter] = formula[2]
             else:
@@ -288,7 +288,7 @@ def _reading(
                 if rate is not None:  # an earlier equation holds at all times
                     hypotheses.append((_named(stated, f"the derivative of {text}"), (rate,)))
     for text in conditions:
-        hypotheses.append((_named(stated, text), lower(read(text, notation), notation, meant)))
+        hypotheses.append((_named(stated, text), algebraic(read(text, notation), notation, meant)))
     if isinstance(tree, System):
         equations_ = [f for _, fs in hypotheses for f in fs if f.tag == "="]
         free = letters(node("and", *claims)).difference(terms, *map(letters, equations_))

@@ -11,7 +11,7 @@ and each ambiguity is refused by name (`1/2x`, `\\sin x^2`, `\\sin x/2`). Not fo
 
 from symcheck.reading.edits import Edit, edits
 from symcheck.reading.lexer import LAYOUT, layout
-from symcheck.reading.lowering import free_indices, lower, term
+from symcheck.reading.lowering import algebraic, free_indices, lower, term
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.parser import read
 from symcheck.reading.printing import to_latex, with_brackets
@@ -29,6 +29,7 @@ __all__ = [
     "Relation",
     "System",
     "Tree",
+    "algebraic",
     "edits",
     "free_indices",
     "from_sympy",

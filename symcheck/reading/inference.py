@@ -14,7 +14,7 @@ from functools import cached_property
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.complex_letters import complexes, equated
-from symcheck.reading.names import is_letter, names_of_several_tokens
+from symcheck.reading.names import KINDS_OPEN, is_letter, names_of_several_tokens
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 from symcheck.reading.relatives import Relatives, relatives
@@ -23,6 +23,7 @@ SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds o
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 _STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 _MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
+_ARGUMENTS = frozenset({"t", r"\tau", "s", "n", "k", "x", "z"})  # what functions of one letter are mostly applied to
 _TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
@@ -376,7 +377,7 @@ def _inferred(
     formulas: Sequence[str], evidence: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]
 ) -> list[Inference]:
     """All readings by the options of each letter."""
-    options = [[*_options(each, evidence, defined)] for each in evidence.values()]
+    options = [_opened(each, [*_options(each, evidence, defined)]) for each in evidence.values()]
     habits = [
         [(name, value) for value in values]
         for name, (pattern, values) in HABITS.items()
@@ -387,7 +388,11 @@ def _inferred(
         count *= size
     if count > MAX_READINGS:
         several = ", ".join([o[0].letter.latex for o in options if len(o) > 1] + [h[0][0] for h in habits])
-        doubt = f"{count} readings are possible; say what these are: {several}"
+        kinds = not habits and all(
+            g.letter.kind in ("vector", "matrix") for o in options for g in o[1:] + o[: len(o) > 1]
+        )
+        why = KINDS_OPEN if kinds else f"{count} readings are possible"
+        doubt = f"{why}; say what these are: {several}"
         chosen = tuple(_in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in options)
         return [Inference(chosen, tuple(h[0] for h in habits), (doubt,))]
     found = []
@@ -399,6 +404,25 @@ def _inferred(
             told = (*choices, *(f"{name}={value}" for name, value in meaning))
             found.append(Inference(chosen, meaning, told, remote=any(guess.remote for guess in chosen)))
     return found
+
+
+def _opened(of: Evidence, options: list[Guess]) -> list[Guess]:
+    """The same, each letter marked if it may be a function of what stands in brackets behind it, or a factor."""
+    letters = [guess.letter for guess in options if not guess.remote]
+    applied = all(each.kind == "function" or each.depends for each in letters)
+    unclear = [place for place in of.places if place.arguments is not None]
+    if of.said or applied or not unclear:
+        return options
+    sums = all(map(_is_sum, (place.arguments or () for place in unclear)))
+    if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and not is_letter(letters[0].latex))):
+        return options
+    return [replace(guess, letter=replace(guess.letter, open=True)) for guess in options]
+
+
+def _is_sum(args: Sequence[str]) -> bool:
+    """Is this one sum that does not begin with a usual argument: hardly what a function is applied to?"""
+    toks = args[0].split() if len(args) == 1 else []
+    return bool({"+", "-"} & {*toks[1:]}) and toks[0] not in _ARGUMENTS
 
 
 def _in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -787,19 +811,23 @@ def _time(every: Mapping[str, Evidence]) -> str:
 
 CONSTANT = "constant"
 PRINTED = "it is equal to one that is printed"
-# a matrix that contains no other environment
-_ENTRIES = re.compile(r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}\s*", re.DOTALL)
+# a matrix that contains no other environment, perhaps transposed
+_ENTRIES = re.compile(
+    r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}(\s*\^\s*\{?\s*T\s*\}?)?\s*[.,;]?\s*",
+    re.DOTALL,
+)
 
 
 def _shape(latex: str) -> tuple[int, ...]:
     """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
-    if not (found := _ENTRIES.fullmatch(latex)):
+    if not (found := _ENTRIES.fullmatch(tex.compact(latex))):
         return ()
     rows = [row for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
     columns = {row.count("&") + 1 for row in rows}
     if len(columns) != 1:
         return ()
-    return (len(rows), *columns) if columns != {1} else (len(rows),)
+    (size, *_) = sizes = (*columns, len(rows)) if found[3] else (len(rows), *columns)
+    return sizes if sizes[1] != 1 else (size,)
 
 
 MOVING = "it is differentiated"
@@ -925,4 +953,4 @@ def _notation(guesses: Iterable[Guess], **habits: str) -> Notation:
             )
             taken |= {x for x, _ in instances(letter)}
         found.append(letter)
-    return Notation(found, **habits)
+    return Notation(found, inferred=True, **habits)

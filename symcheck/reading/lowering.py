@@ -16,7 +16,7 @@ from symcheck.core.calculus import letters, substituted
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
-from symcheck.core.verdicts import NoForm, SymcheckError
+from symcheck.core.verdicts import NoForm, SymcheckError, Unsaid
 from symcheck.reading import tree as tree_of
 from symcheck.reading.complexes import (
     UNIT,
@@ -52,6 +52,7 @@ from symcheck.reading.components import (
     zipped,
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
+from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt
 from symcheck.reading.functions import SPELLED, applied
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.limits import equated, tends
@@ -126,6 +127,36 @@ Defined = Mapping[str, tuple[tuple[Tree, ...], Tree]]  # the letters of function
 
 
 def lower(item: Relation | Tree, notation: Notation, defined: Defined = MappingProxyType({})) -> tuple[Formula, ...]:
+    r"""Turn a printed relation, or all relations of a statement, into formulas, or into forms.
+
+    Parameters
+    ----------
+    item
+        The relation or the statement.
+    notation
+        What the letters mean.
+    defined
+        Functions that stand for expressions in their arguments: (arguments, expression) by their letter.
+
+    Returns
+    -------
+    tuple of Formula
+        As `algebraic` gives them. Where nobody has declared the letters, a relation that has no algebraic form, or of
+        whose letters too little is known, gives its form (see `symcheck.reading.forms`), which keeps all that is
+        printed and which no proof can use.
+
+    Raises
+    ------
+    SymcheckError
+        If the relation can be meant in several ways, or does not fit what is declared.
+    """
+    lowering = Lowering(notation, defined)
+    return tuple(formula for relation in _relations(item) for formula in lowering.stated(relation))
+
+
+def algebraic(
+    item: Relation | Tree, notation: Notation, defined: Defined = MappingProxyType({})
+) -> tuple[Formula, ...]:
     r"""Turn a printed relation, or all relations of a statement, into formulas.
 
     Parameters
@@ -154,11 +185,15 @@ def lower(item: Relation | Tree, notation: Notation, defined: Defined = MappingP
     or the lower signs throughout. In a list of cases or a logical formula a free index of one relation means all its
     values.
     """
+    lowering = Lowering(notation, defined)
+    return tuple(formula for relation in _relations(item) for formula in lowering.whole(relation))
+
+
+def _relations(item: Relation | Tree) -> tuple[Relation, ...]:
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
         raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
-    lowering = Lowering(notation, defined)
-    return tuple(formula for relation in found for formula in lowering.whole(relation))
+    return found
 
 
 def term(latex: str, notation: Notation) -> Term:
@@ -263,6 +298,16 @@ class Lowering:
 
     # -- formulas ------------------------------------------------------------------------------------------------
 
+    def stated(self, relation: Relation) -> list[Formula]:
+        """The formulas of a relation, or its form if it has none."""
+        try:
+            return self.whole(relation)
+        except (NoForm, Unsaid):
+            if not self.notation.inferred:
+                raise
+            self.inside, self.standing = (), {}
+            return [form(relation, self.notation)]
+
     def whole(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, in which every letter that is printed occurs."""
         self.met.clear()
@@ -347,9 +392,7 @@ class Lowering:
             assert isinstance(integral, tuple)
             return [node("=", node("diverges", *integral[1:]), 0)]
         if sign not in SIGNS and not (sign == r"\approx" and is_number(right)):
-            raise SymcheckError(
-                f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally"
-            )
+            raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally")
         a, b = self._alike(self.value(left, env), self.value(right, env), left, right)
         if sign == r"\approx" or (sign == "=" and self.notation.decimals == "rounded"):
             parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
@@ -361,7 +404,7 @@ class Lowering:
             return pairs
         if sign == r"\ne":
             return [node("or", *pairs)]
-        raise SymcheckError(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+        raise Unsaid(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
 
     def limit(self, tree: Tree, value: Tree, env: Env) -> list[Formula]:
         """An equation that says what a limit is."""
@@ -441,7 +484,7 @@ class Lowering:
                 return zero(b), b
             if right == tree_of.Number("0"):
                 return a, zero(a)
-            raise SymcheckError(
+            raise Unsaid(
                 f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) do not compare; check the notation"
             )
         return a, b
@@ -477,8 +520,8 @@ class Lowering:
         if isinstance(tree, Exists):
             return node("exists", tuple(self.variables(tree.names, env)), self.formula(tree.body, env))
         if isinstance(tree, Forall | Words):
-            raise SymcheckError(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
-        raise SymcheckError(f"{to_latex(tree)} is neither true nor false; a relation is expected")
+            raise Unsaid(f"{to_latex(tree)} has no algebraic form; state for what it holds as a condition")
+        raise Unsaid(f"{to_latex(tree)} is neither true nor false; a relation is expected")
 
     def variables(self, names: Iterable[Tree], env: Env) -> Iterator[str]:
         """The variables of a quantifier; a free index means all of its values."""
@@ -503,7 +546,7 @@ class Lowering:
         """The number, real or complex, of a scalar expression."""
         value: Value = self.value(tree, env)
         if isinstance(value, list):
-            raise SymcheckError(f"{to_latex(tree)} is a {says(value)}; a scalar is expected here")
+            raise Unsaid(f"{to_latex(tree)} is a {says(value)}; a scalar is expected here")
         result: Number = value
         return result
 
@@ -511,7 +554,7 @@ class Lowering:
         """The term, vector or matrix of an expression."""
         method: Callable[[Any, Env], Value] | None = getattr(self, f"of_{type(tree).__name__.lower()}", None)
         if method is None:
-            error = NoForm if isinstance(tree, Limiting | Dots) else SymcheckError
+            error = NoForm if isinstance(tree, Limiting | Dots) else Unsaid
             raise error(f"{to_latex(tree)} has no algebraic form; state it formally")
         return method(tree, env)
 
@@ -529,8 +572,7 @@ class Lowering:
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
             raise SymcheckError(f"{tree.letter} is an index here, and a letter; give one of them another name")
         letter = self.notation.letter(tree.letter, len(tree.subscripts))
-        if letter.doubt:
-            raise SymcheckError(f"{to_latex(tree)}: {letter.doubt}")
+        refuse_doubt(tree, letter)
         if letter.partial and letter.partial[0] in self.defined:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(x, env) for x in self.defined[function][0]], tree, env, by)
@@ -558,9 +600,7 @@ class Lowering:
         if letter.components is not None or letter.kind in ("vector", "matrix") or (letter.size and letter.depends):
             return self.components(letter, stem, indices)
         if letter.kind == "function" and letter.depends is None and not letter.named:
-            raise SymcheckError(
-                f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'"
-            )
+            raise Unsaid(f"{to_latex(tree)} stands without its arguments; say what it depends on, as depends='x'")
         return self.instance(letter, stem, indices, tree)
 
     def places(self, tree: Name, letter: Letter, env: Env) -> tuple[int, ...]:
@@ -569,9 +609,9 @@ class Lowering:
         for subscript in tree.subscripts:
             value = self.index(subscript, env)
             if not isinstance(value, int):
-                raise SymcheckError(f"{to_latex(tree)}: the sum over its index cannot be written out")
+                raise Unsaid(f"{to_latex(tree)}: the sum over its index cannot be written out")
             if value not in letter.range:
-                raise SymcheckError(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
+                raise Unsaid(f"index {value} in {to_latex(tree)} is outside the range of {letter.latex}")
             indices.append(value)
         return tuple(indices)
 
@@ -603,27 +643,34 @@ class Lowering:
     def arguments(self, letter: Letter, indices: tuple[int, ...]) -> tuple[Term, ...]:
         """The letters that a letter depends on."""
         if letter.latex in self.inside:
-            raise SymcheckError(f"letter {letter.latex} depends on itself; change depends")
+            raise Unsaid(f"letter {letter.latex} depends on itself; change depends")
         self.inside = (*self.inside, letter.latex)
         env = dict(zip("ij", indices, strict=False))
-        found = tuple(t for tree in dependence(letter, self.notation) for t in flat(self.value(tree, env)))
+        found = tuple(t for tree in self.dependence(letter) for t in flat(self.value(tree, env)))
         self.inside = self.inside[:-1]
         return found
 
+    def dependence(self, letter: Letter) -> tuple[Tree, ...]:
+        """The letters that a letter depends on, as they are read."""
+        try:
+            return dependence(letter, self.notation)
+        except SymcheckError as error:
+            raise Unsaid(str(error)) from None
+
     def only(self, letter: Letter, env: Env) -> str:
         """The one letter that primes differentiate by."""
-        names = dependence(letter, self.notation)
+        names = self.dependence(letter)
         if len(names) != 1:
-            raise SymcheckError(f"a prime of {letter.latex}, which depends on {letter.depends}; write a fraction")
+            raise Unsaid(f"a prime of {letter.latex}, which depends on {letter.depends}; write a fraction")
         return self.variable(names[0], env)
 
     def time(self, letter: Letter, env: Env) -> str:
         """The letter that dots differentiate by."""
         if letter.components is not None and not letter.depends:
             return next((time.stem for name in TIMES if (time := self.notation.find(name, 0))), "t")
-        names = [tree for tree in dependence(letter, self.notation) if isinstance(tree, Name) and tree.letter in TIMES]
+        names = [tree for tree in self.dependence(letter) if isinstance(tree, Name) and tree.letter in TIMES]
         if len(names) != 1:
-            raise SymcheckError(
+            raise Unsaid(
                 f"dots over {letter.latex}, which depends on {letter.depends or 'nothing'}, no time; write a fraction"
             )
         return self.variable(names[0], env)
@@ -632,20 +679,20 @@ class Lowering:
         """The variable that a derivative, an integral or a mean is taken by."""
         found = self.scalar(tree, env)
         if not isinstance(found, str):
-            raise SymcheckError(f"{to_latex(tree)} is no variable; a derivative, an integral or a mean is taken by one")
+            raise Unsaid(f"{to_latex(tree)} is no variable; a derivative, an integral or a mean is taken by one")
         return found
 
     def index(self, index: int | str, env: Env) -> Term:
         if isinstance(index, int):
             return index
         if index not in env:
-            raise SymcheckError(f"the index {index} has no value here; sum over it or let it be free")
+            raise Unsaid(f"the index {index} has no value here; sum over it or let it be free")
         return env[index]
 
     def components(self, letter: Letter, stem: str, indices: tuple[int, ...]) -> Value:
         if letter.components is not None:
             if stem != letter.stem:
-                raise SymcheckError(f"the primed {letter.latex} has no components; declare it as a letter of its own")
+                raise Unsaid(f"the primed {letter.latex} has no components; declare it as a letter of its own")
             env = dict(zip("ij", indices, strict=False))
             self.inside = (*self.inside, letter.latex)
             value = self.value(_components(letter, self.notation), env)
@@ -668,7 +715,7 @@ class Lowering:
         values = [self.value(term, env) for term in tree.terms]
         shapes = {shape(value) for value in values}
         if len(shapes) > 1:
-            raise SymcheckError(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
+            raise Unsaid(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
         return zipped(added, values)
 
     def of_neg(self, tree: Neg, env: Env) -> Value:
@@ -700,12 +747,10 @@ class Lowering:
             fits = shape(a)[:1] == shape(b)[:1] and not (isinstance(a, Row) and isinstance(b, Row))
             outer = isinstance(b, Row) and len(shape(a)) == 1
             if not (fits or outer) or (isinstance(b, Row) and not outer):
-                raise SymcheckError(
-                    f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation"
-                )
+                raise Unsaid(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
             return dot(a, b) if dotted and len(shape(a)) == len(shape(b)) == 1 else matmul(a, b)
         if len(shape(a)) != 2 or shape(a)[1] != shape(b)[0]:
-            raise SymcheckError(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
+            raise Unsaid(f"{to_latex(tree)}: a {says(a)} before a {says(b)} is no product; check the notation")
         return matmul(a, b)
 
     def of_div(self, tree: Div, env: Env) -> Value:
@@ -719,7 +764,7 @@ class Lowering:
             if letter is not None and letter.number == "e":
                 return self.exponential(tree, exponent)
         if isinstance(exponent, list):
-            raise SymcheckError(f"{to_latex(tree)}: the exponent is a {says(exponent)}")
+            raise Unsaid(f"{to_latex(tree)}: the exponent is a {says(exponent)}")
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
             exponent = -exponent[1]
         base = self.value(tree.base, env)
@@ -749,7 +794,7 @@ class Lowering:
         if len(size) != 2 or size[0] != size[1] or not isinstance(exponent, int):
             if len(size) == 1 and exponent == 2:
                 return dot(base, base)
-            raise SymcheckError(f"{to_latex(tree)}: only a whole power of a square matrix is read")
+            raise Unsaid(f"{to_latex(tree)}: only a whole power of a square matrix is read")
         return power(base, exponent)
 
     def is_whole(self, tree: Tree) -> bool:
@@ -774,7 +819,7 @@ class Lowering:
     def of_binomial(self, tree: Binomial, env: Env) -> Value:
         top, bottom = self.scalar(tree.top, env), self.scalar(tree.bottom, env)
         if not isinstance(bottom, int) or bottom < 0:
-            raise SymcheckError(f"{to_latex(tree)}: the lower number of a binomial coefficient must be a whole number")
+            raise Unsaid(f"{to_latex(tree)}: the lower number of a binomial coefficient must be a whole number")
         if isinstance(top, int) and top >= 0:
             return comb(top, bottom)
         factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
@@ -791,7 +836,7 @@ class Lowering:
     def of_norm(self, tree: Norm, env: Env) -> Value:
         value = self.value(tree.value, env)
         if len(shape(value)) > 1:
-            raise SymcheckError(f"{to_latex(tree)}: which norm of a matrix? write it out")
+            raise Unsaid(f"{to_latex(tree)}: which norm of a matrix? write it out")
         return modulus(value) if isinstance(value, Complex) else length(value)
 
     def of_evaluated(self, tree: Evaluated, env: Env) -> Value:
@@ -819,9 +864,7 @@ class Lowering:
         found = [node for side in (left, right) for node in nodes(side) if isinstance(node, Antiderivative)]
         variables = {self.variable(node.variable, env) for node in found}
         if sign != "=" or len(variables) != 1:
-            raise SymcheckError(
-                f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations"
-            )
+            raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
         (by,) = variables
         return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
 
@@ -837,10 +880,10 @@ class Lowering:
             case Mul(factors=(*factors, Antiderivative() as last)):
                 constant = [self.scalar(factor, env) for factor in factors]
                 if any(by in _names(each) for each in constant):
-                    raise SymcheckError(f"{to_latex(tree)}: a factor before this integral depends on its letter")
+                    raise Unsaid(f"{to_latex(tree)}: a factor before this integral depends on its letter")
                 return node("*", *constant, self.scalar(last.body, env))
         if any(isinstance(part, Antiderivative) for part in nodes(tree)):
-            raise SymcheckError(f"{to_latex(tree)}: an integral without bounds is an addend of an equation")
+            raise Unsaid(f"{to_latex(tree)}: an integral without bounds is an addend of an equation")
         return self.slope(self.scalar(tree, env), by, 1, tree, partial=False)
 
     def of_degrees(self, tree: Degrees, env: Env) -> Value:
@@ -867,7 +910,7 @@ class Lowering:
 
     def of_indexed(self, tree: Indexed, env: Env) -> Value:
         name = to_latex(tree.name)
-        raise SymcheckError(
+        raise (Unsaid if is_sequence(tree) else SymcheckError)(
             f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
         )
 
@@ -909,8 +952,7 @@ class Lowering:
     def applied(self, tree: Call, name: Name, env: Env) -> Value:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
-        if letter.doubt:
-            raise SymcheckError(f"{to_latex(tree)}: {letter.doubt}")
+        refuse_doubt(tree, letter)
         if letter.partial:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
@@ -921,7 +963,7 @@ class Lowering:
         declared = self.arguments(letter, indices) if letter.depends else None
         if letter.named or letter.components is not None:
             if arguments != declared:
-                raise SymcheckError(
+                raise Unsaid(
                     f"{to_latex(tree)}: {letter.latex} is known by its name, as a function of "
                     f"{letter.depends or 'letters that are not said'}; declare depends, or the function without named"
                 )
@@ -936,7 +978,7 @@ class Lowering:
                 self.time(letter, env)
             name = Name(name.letter, name.subscripts, name.primes + name.dots)
         if name.dots or (name.primes and len(arguments) != 1):
-            raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
+            raise Unsaid(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
         orders = (name.primes,) if name.primes else (0,) * len(arguments)
         if letter.kind != "function" and letter.kind != "scalar":
             return self.value(name, env)
@@ -946,7 +988,7 @@ class Lowering:
             )
         stem = variable(letter.stem, indices)
         if self.arities.setdefault(stem, len(arguments)) != len(arguments):
-            raise SymcheckError(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")
+            raise Unsaid(f"{to_latex(tree)}: {letter.latex} has another number of arguments elsewhere")
         if not self.inside:
             self.met.setdefault(stem, name)
         return node("call", stem, orders, *arguments)
@@ -960,7 +1002,7 @@ class Lowering:
         if by:
             return self.partial(name.letter, values, tree, env, by)
         if order and (len(own) != 1 or isinstance(values[0], list | Complex)):
-            raise SymcheckError(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
+            raise Unsaid(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
         kept, inside = self.standing, self.inside
         if name.letter in inside:
             raise SymcheckError(f"{to_latex(tree)}: {name.letter} is defined by itself")
@@ -1010,7 +1052,7 @@ class Lowering:
             for at in itertools.product(*ranges)
         ]
         if len(values) < 2:
-            raise SymcheckError(f"{to_latex(tree)} is a product of fewer than two factors; check its bounds")
+            raise Unsaid(f"{to_latex(tree)} is a product of fewer than two factors; check its bounds")
         return multiplied(*values)
 
     def ends(self, tree: BigSum, env: Env) -> tuple[Term, Term] | None:
@@ -1036,13 +1078,13 @@ class Lowering:
             raise NoForm(f"{to_latex(tree)}: a sum without end has no algebraic form; state a finite one")
         low, high = self.scalar(tree.low, env), self.scalar(tree.high, env)
         if not isinstance(low, int) or not isinstance(high, int):
-            raise SymcheckError(f"{to_latex(tree)}: the bounds of a sum must be whole numbers")
+            raise Unsaid(f"{to_latex(tree)}: the bounds of a sum must be whole numbers")
         return tuple(range(low, high + 1))
 
     def of_pair(self, tree: Pair, env: Env) -> Value:
         u, v = self.value(tree.left, env), self.value(tree.right, env)
         if len(shape(u)) != 1 or shape(u) != shape(v):
-            raise SymcheckError(f"{to_latex(tree)} is a scalar product of two vectors only; check the notation")
+            raise Unsaid(f"{to_latex(tree)} is a scalar product of two vectors only; check the notation")
         return dot(u, v)
 
     def of_tuple(self, tree: Tuple, env: Env) -> Value:
@@ -1066,16 +1108,21 @@ class Lowering:
         if not isinstance(u, list) and not isinstance(v, list):
             return multiplied(u, v)
         if shape(u) != (3,) or shape(v) != (3,):
-            raise SymcheckError(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
+            raise Unsaid(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
         return [minus(times(u[p], v[q]), times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
 
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
+        if not self.defined:
+            refuse_bare(tree, self.notation)
         value = self.value(tree.value, env)
         if len(shape(value)) == 1 and not isinstance(tree.value, Tuple):
             return list(value) if isinstance(value, Row) else Row(value)
         if not isinstance(value, list):
-            raise SymcheckError(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
-        return [list(row) for row in zip(*value, strict=True)] if len(shape(value)) == 2 else value
+            raise Unsaid(f"{to_latex(tree)} transposes a scalar; declare T as a letter if it is an exponent")
+        if len(shape(value)) != 2:
+            return value
+        columns = [list(column) for column in zip(*value, strict=True)]
+        return [entry for (entry,) in columns] if len(value) == 1 else columns  # a column is a vector
 
     def of_matrixof(self, tree: MatrixOf, env: Env) -> Value:
         rows = [[self.scalar(entry, env) for entry in row] for row in tree.rows]
@@ -1144,7 +1191,7 @@ class Lowering:
             return mapped(part, put) if isinstance(part, Node) else part
 
         if isinstance(term, Applied) and term != by and by.function != term.function:
-            raise SymcheckError(f"{to_latex(tree)}: how does {term.function} depend on {by.function}? write it out")
+            raise Unsaid(f"{to_latex(tree)}: how does {term.function} depend on {by.function}? write it out")
         return node("diff", put(term), letter, order, by)
 
     def written_out(self, term: Term, tree: Tree, env: Env) -> Term:
@@ -1196,7 +1243,7 @@ class Lowering:
                 continue
             shown = letter.latex if letter else name
             by_letter = self.notation.owner(by)
-            raise SymcheckError(
+            raise Unsaid(
                 f"{to_latex(tree)}: does {shown} depend on {by}? declare {shown} with "
                 f"depends={(by_letter.latex if by_letter else by)!r} if it does, depends='' if it is constant"
             )
@@ -1216,14 +1263,14 @@ def determinant(tree: Tree, value: Value) -> Value:
     """The determinant of a square matrix."""
     size = shape(value)
     if len(size) != 2 or size[0] != size[1]:
-        raise SymcheckError(f"{to_latex(tree)}: only a square matrix has a determinant")
+        raise Unsaid(f"{to_latex(tree)}: only a square matrix has a determinant")
     return det(value)
 
 
 def _trace(tree: Tree, value: Value) -> Value:
     size = shape(value)
     if len(size) != 2 or size[0] != size[1]:
-        raise SymcheckError(f"{to_latex(tree)}: only a square matrix has a trace")
+        raise Unsaid(f"{to_latex(tree)}: only a square matrix has a trace")
     return plus(value[k][k] for k in range(size[0]))
 
 
@@ -1329,12 +1376,12 @@ def _written_out(tree: Tuple) -> Iterator[Tree]:
             continue
         before, after = (tree.items[m] if 0 <= m < len(tree.items) else None for m in (k - 1, k + 1))
         if not isinstance(before, Name) or not isinstance(after, Name) or before.letter != after.letter:
-            raise SymcheckError(f"{to_latex(tree)}: dots must stand between two indices of one letter")
+            raise Unsaid(f"{to_latex(tree)}: dots must stand between two indices of one letter")
         match before.subscripts, after.subscripts:
             case (int(low),), (int(high),) if low < high:
                 yield from (Name(before.letter, (n,), before.primes) for n in range(low + 1, high))
             case _:
-                raise SymcheckError(f"{to_latex(tree)}: dots must stand between two indices of one letter")
+                raise Unsaid(f"{to_latex(tree)}: dots must stand between two indices of one letter")
 
 
 def _and(formulas: Iterable[Formula]) -> Formula:

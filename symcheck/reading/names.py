@@ -26,6 +26,8 @@ _NO_BASE = frozenset(
     {"d", r"\partial", r"\Delta", r"\delta", r"\nabla", "e", r"\text{e}", r"\text{d}", r"\pi", "i", r"\text{i}"}
 )
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
+KINDS_OPEN = "too many of these may be vectors or matrices"
+INDEX_IN_NAME = "an index of a name is not summed over"
 POWER_OR_LABEL = "a power, or a label? say what {} is, or write brackets around the base of the power"
 
 
@@ -66,7 +68,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
-            found[latex] = f"an index of a name is not summed over: {min(inside)}"
+            found[latex] = found[latex] or f"{INDEX_IN_NAME}: {min(inside)}"
     return found
 
 

@@ -7,6 +7,7 @@ import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -92,6 +93,8 @@ class Letter:
         Whether differentials of it are printed, as in dx; other letters are constant in differentials.
     doubt
         Why nothing is said of it though it can be read: what its scripts may mean.
+    open
+        Whether it stands before brackets, and nothing tells whether they hold its arguments or a factor.
 
     Raises
     ------
@@ -131,6 +134,7 @@ class Letter:
     order: int | None = None
     varies: bool = False
     doubt: str = ""
+    open: bool = False
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
@@ -279,6 +283,9 @@ class Notation:
         What `\sin^{-1} x` is: with "function" the arcsine of x, with "power" 1/sin x. "" refuses it as ambiguous.
     log
         The base of `\log`: "e" or "10". "" refuses it as ambiguous.
+    inferred
+        Whether nobody has declared the letters: then a relation that does not fit what they were taken for is lowered
+        to its form, and is no error.
 
     Raises
     ------
@@ -306,6 +313,7 @@ class Notation:
         argument: str = "",
         inverse: str = "",
         log: str = "",
+        inferred: bool = False,
     ) -> None:
         if slash not in SLASHES:
             raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
@@ -320,7 +328,7 @@ class Notation:
         if argument not in ARGUMENTS:
             raise SymcheckError(f"unknown end {argument!r} of an argument; choose '', 'short' or 'long'")
         self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
-        self.argument, self.inverse, self.log = argument, inverse, log
+        self.argument, self.inverse, self.log, self.inferred = argument, inverse, log, inferred
         self.content = (
             self.letters,
             slash,
@@ -329,6 +337,7 @@ class Notation:
             argument,
             inverse,
             log,
+            inferred,
         )  # all that distinguishes two notations
         self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
@@ -406,9 +415,15 @@ class Notation:
         return Notation(letters, **self.habits)
 
     @property
-    def habits(self) -> dict[str, str]:
+    def habits(self) -> dict[str, Any]:
         """All that a notation says beside its letters."""
-        return dict(zip(("slash", "bracket", "decimals", "argument", "inverse", "log"), self.content[1:], strict=True))
+        return dict(
+            zip(
+                ("slash", "bracket", "decimals", "argument", "inverse", "log", "inferred"),
+                self.content[1:],
+                strict=True,
+            )
+        )
 
     def find(self, latex: str, indices: int) -> Letter | None:
         """The letter of this canonical spelling with so many indices."""
