@@ -1452,6 +1452,156 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Add(Mul(Add(M, m), y''), Neg(Mul(m, l, \\phi'', Call(sin; \\phi))), Neg(Mul(m, l, Pow(\\phi'; 2), Call(cos; \\phi))), Mul(k_1, y), Mul(k_2, Pow(y; 3)), Mul(c_1, y')), Mul(F_0, Call(cos; Mul(\\nu, t))); =)",
         "sympy/sympy/doc/src/tutorials/physics/mechanics/duffing-example.rst",
     ),
+    (
+        "U(\\mathbf{\\bar r}) = G \\frac{ m_\\text{Q}}{\\rho_\\text{Q}}",
+        "Chain(Call(U; \\mathbf{\\bar{r}}), Mul(G, Div(m_Q; \\rho_Q)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/gravityEffector/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\boldsymbol\\sigma_\\boldsymbol\\omega^2 &=& 0.3^2 \\\\ \\boldsymbol\\sigma_\\mathbf{a}^2 &=& 0.5^2 \\\\ \\boldsymbol\\sigma_\\mathbf{m}^2 &=& 0.8^2 \\end{array}",
+        "System(Chain(Pow(\\boldsymbol{\\sigma}_{\\boldsymbol\\omega}; 2), Pow(0.3; 2); =), Chain(Pow(\\boldsymbol{\\sigma}_{\\mathbf a}; 2), Pow(0.5; 2); =), Chain(Pow(\\boldsymbol{\\sigma}_{\\mathbf m}; 2), Pow(0.8; 2); =))",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\mathbf{H}_x\\mathbf{P}_1 + \\mathbf{H}_y\\mathbf{P}_2 + \\mathbf{H}_z\\mathbf{P}_3 - \\mathbf{q}^\\dagger = \\mathbf{0}_{1\\times 4}",
+        "Chain(Add(Mul(\\mathbf{H}_x, \\mathbf{P}_1), Mul(\\mathbf{H}_y, \\mathbf{P}_2), Mul(\\mathbf{H}_z, \\mathbf{P}_3), Neg(\\mathbf { q } ^ { \\dagger })), Marked(0; _{ 1 \\times 4 }); =)",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "\\boldsymbol{v}_{\\ell mn} = v_{\\ell}\\boldsymbol{\\hat{\\lambda}} + v_m\\boldsymbol{\\hat{\\rho}} + v_n\\boldsymbol{\\hat{\\sigma}}",
+        "Chain(\\boldsymbol{v}_{\\ell mn}, Add(Mul(v_\\ell, \\boldsymbol{\\hat{\\lambda}}), Mul(v_m, \\boldsymbol{\\hat{\\rho}}), Mul(v_n, \\boldsymbol{\\hat{\\sigma}})); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\left[\\mathbf{R_1(\\phi)}\\right] = \\begin{bmatrix}1 & 0 & 0\\\\0 & \\cos\\phi & \\sin\\phi\\\\0 & -\\sin\\phi & \\cos\\phi\\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}_1; \\phi), MatrixOf(1, 0, 0, 0, Call(cos; \\phi), Call(sin; \\phi), 0, Neg(Call(sin; \\phi)), Call(cos; \\phi)); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\left[\\mathbf{R_1(\\gamma)}\\right]\\left[\\mathbf{R_2(\\beta)}\\right]\\left[\\mathbf{R_3(\\alpha)}\\right]",
+        "Chain([ \\mathbf { Q } ], Mul(Call(\\mathbf{R}_1; \\gamma), Call(\\mathbf{R}_2; \\beta), Call(\\mathbf{R}_3; \\alpha)); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\frac{d\\boldsymbol{B}}{dt} = \\left.\\frac{d\\boldsymbol{B}}{dt}\\right)_{\\text{rel}} + \\boldsymbol{\\Omega}\\times\\boldsymbol{B}",
+        "Chain(Derivative(Call(\\boldsymbol{B}); t, 1), Add(Marked(Derivative(Call(\\boldsymbol{B}); t, 1); _{ \\text { r e l } }), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{B}))); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "\\dot\\theta^{+}_{n+1} = \\cos(2\\alpha) \\sqrt{ ({\\dot\\theta_n}^{+})^{2} + 4\\frac{g}{l}\\sin\\alpha \\sin\\gamma}.",
+        "Chain(Call(\\dot { \\theta } _ { n + 1 } ^ { + }), Mul(Call(cos; Mul(2, \\alpha)), Sqrt(Add(Pow(Call(\\dot { \\theta } _ { n } ^ { + }); 2), Mul(4, Div(g; l), Call(sin; \\alpha), Call(sin; \\gamma))))); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "\\frac{{}^Ad\\hat{b}_x}{dt} = {}^A\\bar{\\omega}^B \\times \\hat{b}_x",
+        "Chain(Marked(Derivative(Call(\\hat{b}_x); t, 1); _{ A }), Cross(\\prescript { A } { } { \\bar { \\omega } } ^ { B }; Call(\\hat{b}_x)); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\frac{{}^A d \\bar{v}}{dt} := \\sum_{i=1}^3 \\frac{d v_i}{dt} \\hat{a}_i",
+        "Chain(Marked(Derivative(Call(\\bar{v}); t, 1); _{ A }), BigSum(i; 1; 3; Mul(Derivative(Call(v_i); t, 1), \\hat{a}_i)); =)",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "v_x \\frac{{}^N\\partial \\hat{a}_x}{\\partial q_r}, v_y \\frac{{}^N\\partial \\hat{a}_y}{\\partial q_r}, v_z \\frac{{}^N\\partial \\hat{a}_z}{\\partial q_r}",
+        "System(Mul(v_x, Marked(Derivative(Call(\\hat{a}_x); q_r, 1; True); _{ N })), Mul(v_y, Marked(Derivative(Call(\\hat{a}_y); q_r, 1; True); _{ N })), Mul(v_z, Marked(Derivative(Call(\\hat{a}_z); q_r, 1; True); _{ N })))",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "\\bar{M}^{S/P} = \\sum_{i=1}^{\\nu} \\bar{r}^{L_i/P} \\times \\bar{v}_i",
+        "Chain(\\bar { M } ^ { S / P }, BigSum(i; 1; \\nu; Cross(\\bar { r } ^ { L _ { i } / P }; \\bar{v}_i)); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "m := \\int_{\\textrm{solid}} \\rho dV",
+        "Chain(m, Over(\\int; _ { \\text { s o l i d } }; \\rho; V); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\bar{r}^{S_o/O} = \\frac{ \\int_{\\textrm{solid}} \\rho \\bar{r} dV }{ \\int_{\\textrm{solid}} \\rho dV }",
+        "Chain(\\bar { r } ^ { S _ { o } / O }, Div(Over(\\int; _ { \\text { s o l i d } }; Mul(\\rho, \\bar{r}); V); Over(\\int; _ { \\text { s o l i d } }; \\rho; V)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\sum\\bar{F}^{P_1} = m_1 {}^N\\bar{a}^{P_1} \\\\ \\sum\\bar{F}^{P_2} = m_2 {}^N\\bar{a}^{P_2}",
+        "System(Chain(Limiting(sum; ; \\bar { F } ^ { P _ { 1 } }), Mul(m_1, \\prescript { N } { } { \\bar { a } } ^ { P _ { 1 } }); =), Chain(Limiting(sum; ; \\bar { F } ^ { P _ { 2 } }), Mul(m_2, \\prescript { N } { } { \\bar { a } } ^ { P _ { 2 } }); =))",
+        "moorepants/learn-multibody-dynamics/noncontributing.rst",
+    ),
+    (
+        "u = u_\\text{d} - K (x - x_\\text{d})",
+        "Chain(u, Add(u_d, Neg(Mul(K, Add(x, Neg(x_d))))); =)",
+        "python-control/python-control/doc/iosys.rst",
+    ),
+    (
+        "K = \\begin{bmatrix} K_\\text{p} \\\\ K_\\text{i} \\end{bmatrix}",
+        "Chain(K, MatrixOf(K_p, K_i); =)",
+        "python-control/python-control/doc/iosys.rst",
+    ),
+    (
+        "I_1+I_2=\\int_V \\rho(x^2+y^2+2z^2)\\mathrm{d} V = I_3+2\\int_V \\rho z^2\\mathrm{d} V \\geqslant I_3",
+        "Chain(Add(I_1, I_2), Over(\\int; _ { V }; Mul(\\rho, Add(Pow(x; 2), Pow(y; 2), Mul(2, Pow(z; 2)))); V), Add(I_3, Mul(2, Over(\\int; _ { V }; Mul(\\rho, Pow(z; 2)); V))), I_3; =, =, \\ge)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\left.\\frac{\\mathrm{d} V}{\\mathrm{d} r}\\right|_{r=r_0} = -\\frac{L^2}{mr^3_0} + \\frac{2mg}{a}r_0 = 0",
+        "Chain(Evaluated(Derivative(Call(V); r, 1); r; r_0), Add(Neg(Div(Pow(L; 2); Mul(m, Pow(r_0; 3)))), Mul(Div(Mul(2, m, g); a), r_0)), 0; =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\alpha = 1 - \\exp\\{-1 - 0.3\\ln(Ft) - 0.0328[\\ln(Ft)]^2\\}",
+        "Chain(\\alpha, Add(1, Neg(Call(exp; Add(Neg(1), Neg(Mul(0.3, Call(ln; Mul(F, t)))), Neg(Mul(0.0328, Pow(Call(ln; Mul(F, t)); 2))))))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\begin{bmatrix} x \\\\ y \\end{bmatrix} ' = P \\begin{bmatrix} x \\\\ y \\end{bmatrix} = P ( \\alpha \\vec{v} ) = \\alpha ( P \\vec{v} ) = \\alpha \\lambda \\vec{v} .",
+        "Chain(Marked(MatrixOf(x, y); '), Mul(P, MatrixOf(x, y)), Mul(P, Mul(\\alpha, \\vec{v})), Mul(\\alpha, Mul(P, \\vec{v})), Mul(\\alpha, \\lambda, \\vec{v}); =, =, =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\log G(z+1) = \\log \\Gamma(z) + \\log G(z).",
+        "Chain(Call(log; Call(G; Add(z, 1))), Add(Call(log; Call(Gamma; z)), Call(log; Call(G; z))); =)",
+        "fredrik-johansson/arb/doc/source/acb.rst",
+    ),
+    (
+        "\\Phi(z,s,a) = -\\frac{\\Gamma(1-s)}{2 \\pi i} \\int_C \\frac{(-t)^{s-1} e^{-a t}}{1 - z e^{-t}} dt",
+        "Chain(Call(\\Phi; z, s, a), Neg(Mul(Div(Call(Gamma; Add(1, Neg(s))); Mul(2, \\pi, i)), Over(\\int; _ { C }; Div(Mul(Pow(Neg(t); Add(s, Neg(1))), Pow(e; Neg(Mul(a, t)))); Add(1, Neg(Mul(z, Pow(e; Neg(t)))))); t))); =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "\\operatorname{Ei}(z) = -e^z U(1,1,-z) - \\log(-z) + \\frac{1}{2} \\left(\\log(z) - \\log\\left(\\frac{1}{z}\\right) \\right)",
+        "Chain(Call(\\text{Ei}; z), Add(Neg(Mul(Pow(e; z), Call(U; 1, 1, Neg(z)))), Neg(Call(log; Neg(z))), Mul(Div(1; 2), Add(Call(log; z), Neg(Call(log; Div(1; z)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\operatorname{Li}_s(z) = \\sum_{k=1}^{\\infty} \\frac{z^k}{k^s}",
+        "Chain(Call(\\text{Li}_s; z), BigSum(k; 1; Infinity(); Div(Pow(z; k); Pow(k; s))); =)",
+        "fredrik-johansson/arb/doc/source/polylogarithms.rst",
+    ),
+    (
+        "\\operatorname{Ai}^\\prime(z) := \\frac{\\mathrm{d} \\operatorname{Ai}(z)}{\\mathrm{d} z}.",
+        "Chain(Call(\\text{Ai}'; z), Derivative(Call(\\text{Ai}; z); z, 1); =)",
+        "sympy/sympy/sympy/functions/special/bessel.py",
+    ),
+    (
+        "G(z) = \\frac{1}{2\\pi i} \\int_L \\Delta(s) z^s \\mathrm{d}s.",
+        "Chain(Call(G; z), Mul(Div(1; Mul(2, \\pi, i)), Over(\\int; _ { L }; Mul(Call(\\Delta; s), Pow(z; s)); s)); =)",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "C_D = \\frac{29.1667}{Re}-\\frac{3.8889}{Re^2} + 1.2220",
+        "Chain(C_D, Add(Div(29.1667; R e), Neg(Div(3.8889; Pow(R e; 2))), 1.2220); =)",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
+    (
+        "Fr = \\frac{V}{\\sqrt{gL}}",
+        "Chain(F r, Div(V; Sqrt(Mul(g, L))); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "D \\ge 50 \\text{ mm}",
+        "Chain(D, Mul(50, \\text{mm}); \\ge)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
 )
 REFUSED = (  # LaTeX with two readings, repository and path
     ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),

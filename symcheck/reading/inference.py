@@ -948,7 +948,7 @@ def _notation(guesses: Iterable[Guess], **habits: str) -> Notation:
             letter = next(
                 new
                 for name in names
-                for new in [replace(letter, name=name)]
+                for new in [letter if letter.name == name else replace(letter, name=name)]
                 if not any(x in taken or VALUE.fullmatch(x) for x, _ in instances(new))
             )
             taken |= {x for x, _ in instances(letter)}

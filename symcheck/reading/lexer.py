@@ -64,6 +64,7 @@ OPERATORS = frozenset(  # between two terms, of which no notation says what they
         r"\star", r"\cup", r"\cap", r"\bullet", r"\diamond", r"\ltimes", r"\rtimes",
     }
 )  # fmt: skip
+CLOSED = frozenset({r"\oint", r"\iint", r"\iiint"})  # integrals over curves, surfaces and bodies
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
 SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", r"\subset"})
@@ -108,6 +109,7 @@ class Lexer(tex.Reader):
         self.open: list[Lexeme] = []
         self.environments: list[tuple[str, int]] = []
         self.lefts: list[tuple[str, int]] = []
+        self.closes: dict[int, str] = {}  # the brackets that stand for those on one side only, by their places
         self.spaced: set[int] = set()  # places of tokens behind an explicit space
         self.bounds = -1  # where the sign of a sum or an integral with its bounds ends
 
@@ -200,6 +202,8 @@ class Lexer(tex.Reader):
                 self.emit(kind, text, at)
             for _ in range(count):
                 self.argument()
+        elif text in CLOSED:
+            self.over_domain()
         elif text in (r"\sum", r"\prod", r"\int"):
             self.bounded({r"\sum": "SUM", r"\prod": "PROD"}.get(text, "INT"))
         elif self.limiting():
@@ -350,12 +354,32 @@ class Lexer(tex.Reader):
             if not self.lefts:
                 self.fail(r"\right without \left", at)
             self.lefts.pop()
-        if bracket == ".":
+        if text == r"\left" and bracket == ".":
+            self.one_sided()
+        if self.i in self.closes:
+            kind = self.closes[self.i]
+            self.i += 1
+            self.emit(kind, "[" if kind == "LBRA" else "(" if kind == "LPAR" else "]" if kind == "RBRA" else ")", at)
+        elif bracket == ".":
             self.i += 1
         elif bracket in ("|", r"\|", r"\Vert"):
             self.bar(opening={r"\left": True, r"\right": False}.get(text))
         elif bracket not in OPEN and bracket not in CLOSE:
             self.fail(f"a bracket must follow {text}")
+
+    def one_sided(self) -> None:
+        r"""`\left. f \right|_{x = a}`: what is taken at a place, as in brackets on both sides."""
+        depth = 1
+        for k in range(self.i + 1, len(self.toks) - 2):
+            depth += (self.toks[k].text == r"\left") - (self.toks[k].text == r"\right")
+            if depth:
+                continue
+            if self.toks[k + 1].text in ("|", ")", "]") and self.toks[k + 2].text == "_":
+                start, self.i = self.i, k + 3
+                place = "=" in [tok.text for tok in self.group()]
+                self.i = start
+                self.closes[start], self.closes[k + 1] = ("LBRA", "RBRA") if place else ("LPAR", "RPAR")
+            return
 
     def bar(self, opening: bool | None = None) -> None:
         """Bars: one that can close an open one closes it."""
@@ -544,6 +568,7 @@ class Lexer(tex.Reader):
         bounds: dict[str, list[Lexeme]] = {}
         while self.peek() in SPACES:
             self.i += 1
+        start = self.i
         while self.peek() in ("_", "^") and self.peek() not in bounds:
             which = self.peek()
             self.i += 1
@@ -551,16 +576,35 @@ class Lexer(tex.Reader):
             self.argument()
             bounds[which] = self.out[mark:]
             del self.out[mark:]
+        if not bounds and kind == "SUM":
+            self.emit("UNDER", ("sum", ""), at)
+            return
         if "_" not in bounds and kind != "INT":
             self.fail("a sum without an index", at)
         if len(bounds) < 2 and kind == "INT":
-            if bounds:
+            if "^" in bounds or any(lexeme.type in ("NUMBER", "INFINITY") for lexeme in bounds.get("_", [])[1:2]):
                 self.fail("an integral with one bound", at)
+            if bounds:
+                below = " ".join(tok.text for tok in self.toks[start : self.i])
+                self.emit("OVER", (r"\int", below), at)
+                return
             self.emit("ANTI", r"\int", at)
             return
         self.emit(kind, {"SUM": r"\sum", "PROD": r"\prod"}.get(kind, r"\int"), at)
         self.out += bounds["_"] + bounds.get("^", [])
         self.bounds = len(self.out)
+
+    def over_domain(self) -> None:
+        r"""`\oint f \, ds`, `\iint_D f \, dA`: the sign of such an integral, with what is printed below it."""
+        sign, at = self.peek(), self.at()
+        self.i += 1
+        start = self.i
+        if self.peek() == "_":
+            self.i += 1
+            self.group()
+        if self.peek() == "^":
+            self.fail(f"{sign} with two bounds", at)
+        self.emit("OVER", (sign, " ".join(tok.text for tok in self.toks[start : self.i])), at)
 
     def over_set(self) -> str:
         r"""The scripts of a sum that are no bounds, as printed: `_{i \in S}`, `_{i < j}`, `_i^N`; else nothing."""
@@ -585,7 +629,7 @@ class Lexer(tex.Reader):
         inside = [tok.text for tok in self.toks[self.i : self.i + self.length()]]
         if "=" not in inside or self.last() != "RBRA":
             self.group()
-            if self.peek() in ("^", "_", "'") or not inside:
+            if self.peek() in ("_", "'") or not inside:
                 self.fail("a subscript and another script behind a bracket", at)
             self.emit("MARK", f"_{' '.join(inside)}", at)
             return
@@ -603,7 +647,7 @@ class Lexer(tex.Reader):
         at = self.at()
         if self.peek() == "'":
             start, count = self.i, self.primes()
-            if self.peek() != "_" and self.last() in ("RPAR", "RBRA"):
+            if self.peek() != "_" and self.last() in ("RPAR", "RBRA", "MEND"):
                 self.emit("MARK", "'" * count, at)
                 return
             self.i = start
@@ -681,7 +725,7 @@ class Lexer(tex.Reader):
         if remark and self.last() in _ENDS:
             self.emit("COMMA", WIDE_COMMA, at)
         self.name(word, at)
-        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES), "")
+        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES), "") if remark else ""
         if remark and (tex.is_letter(after) or after in ("(", "[", r"\left", r"\begin", r"\frac")):
             self.emit("COMMA", WIDE_COMMA, at)
 
@@ -703,8 +747,9 @@ class Lexer(tex.Reader):
 
     def whole(self) -> bool:
         """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
+        first = self.peek()
         for tokens, spelling, dots in self.notation.wholes:
-            if all(self.peek(k) == text for k, text in enumerate(tokens)):
+            if tokens[0] == first and all(self.peek(k) == text for k, text in enumerate(tokens)):
                 at = self.at()
                 self.i += len(tokens)
                 self.emit("NAME", Name(spelling, (), self.primes(), dots), at)

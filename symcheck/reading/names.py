@@ -6,6 +6,7 @@ neither is certain the name is in doubt: it is read as it is printed, and not lo
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,6 +26,15 @@ _BOUNDED = frozenset({r"\sum", r"\prod", r"\int", r"\oint", r"\iint", r"\bigcup"
 _NO_BASE = frozenset(
     {"d", r"\partial", r"\Delta", r"\delta", r"\nabla", "e", r"\text{e}", r"\text{d}", r"\pi", "i", r"\text{i}"}
 )
+DIMENSIONLESS = {  # numbers that print abbreviates with two letters
+    "Re": "Reynolds", "Nu": "Nusselt", "De": "Dean", "Fo": "Fourier", "Sc": "Schmidt", "Gr": "Grashof", "We": "Weber",
+    "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
+    "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
+    "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
+    "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
+}  # fmt: skip
+# Those of them that may be products too: forces times radii, masses times accelerations.
+PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
 KINDS_OPEN = "too many of these may be vectors or matrices"
 INDEX_IN_NAME = "an index of a name is not summed over"
@@ -65,6 +75,8 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found.setdefault(each.bare, "")
     for formula in formulas:
         found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+        found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
+        found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
@@ -243,6 +255,61 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             yield " ".join(tok.text for tok in toks[start : reader.i])
         except SymcheckError:
             reader.i = start + 1
+
+
+_UPRIGHT = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}")  # words, whose letters are none of the formula
+
+
+def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
+    """Abbreviated names of numbers such as Re, each with its doubt: its letters stand side by side, and nowhere else.
+
+    What has an exponent of letters is left to be refused, as in R e^{i x}.
+    """
+    toks = tex.tokenize(formula)
+    texts = [tok.text for tok in toks]
+    counted = [tok.text for tok in tex.tokenize(_UPRIGHT.sub("", formula))]
+    found = dict[str, str]()
+    for k, (a, b) in enumerate(itertools.pairwise(texts)):
+        word = a + b
+        if word not in DIMENSIONLESS or a in said or b in said:
+            continue
+        pairs = sum(pair == (a, b) for pair in itertools.pairwise(counted))
+        if not counted.count(a) == counted.count(b) == pairs:
+            continue
+        decimals = any("." in text for text in texts)
+        if word in PRODUCTS and k and not decimals:
+            continue
+        reader = tex.Reader(formula)
+        reader.i = k + 2
+        if reader.peek() == "_":
+            reader.i += 1
+            reader.group()
+        name = " ".join(texts[k : reader.i])
+        if reader.peek() == "^":
+            reader.i += 1
+            if any(tex.is_letter(tok.text) for tok in reader.group()):
+                return {}
+        found[name] = f"the {DIMENSIONLESS[word]} number, or {a} times {b}? write \\cdot, or name one letter"
+    return found
+
+
+def _accented(formula: str) -> Iterator[tuple[str, str]]:
+    r"""Accents over several letters: `\vec{OP}` from one point to another; others are in doubt."""
+    reader = tex.Reader(formula)
+    toks = reader.toks
+    while reader.i < len(toks):
+        start, text = reader.i, reader.peek()
+        reader.i += 1
+        if text not in ACCENTS or text in tex.DOTTED or reader.peek() != "{":
+            continue
+        inside = [tok.text for tok in reader.group()]
+        letters = _outside_scripts(inside)
+        if len(letters) < 2 or not all(letter.isalpha() or letter in (r"\Delta", r"\delta") for letter in letters):
+            reader.i = start + 1
+            continue
+        name = " ".join(tok.text for tok in toks[start : reader.i])
+        points = text == r"\vec" and len(letters) == 2 and all(letter.isupper() for letter in letters)
+        yield name, "" if points else f"one name, or something done with {' '.join(inside)}? say what {name} is"
 
 
 def _begins_letter(text: str) -> bool:

@@ -95,8 +95,9 @@ class Scan(tex.Reader):
 
     def whole(self) -> tuple[str, int]:
         """The name of several tokens that begins here, and the dots over it; "" if none does."""
+        first = self.peek()
         for tokens, spelling, dots in self.wholes:
-            if all(self.peek(k) == text for k, text in enumerate(tokens)):
+            if tokens[0] == first and all(self.peek(k) == text for k, text in enumerate(tokens)):
                 self.i += len(tokens)
                 return spelling, dots
         return "", 0
@@ -142,7 +143,7 @@ class Scan(tex.Reader):
             elif text == "^" and self.transposes():
                 self.i += 1
                 self.group()
-            elif text in FUNCTIONS_SPELLED or not tex.is_letter(text):
+            elif (text in FUNCTIONS_SPELLED and text != r"\operatorname") or not tex.is_letter(text):
                 self.i += 1
             elif text == "d" and scope.integral and self.differential():
                 self.i += 1
@@ -278,7 +279,7 @@ class Scan(tex.Reader):
 
     def letter(self, scope: Scope) -> Iterator[Occurrence]:
         """One letter with its scripts and arguments; then the letters in these."""
-        before = next((tok.text for tok in reversed(self.toks[: self.i]) if tok.text not in SPACES), "")
+        before = next((text for k in range(self.i - 1, -1, -1) if (text := self.toks[k].text) not in SPACES), "")
         start = self.i
         try:
             word, dots = undotted(self.spelling())
@@ -311,7 +312,8 @@ class Scan(tex.Reader):
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
-        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES | SIZES), "")
+        ahead = range(self.i, len(self.toks))
+        after = next((text for k in ahead if (text := self.toks[k].text) not in _UNPRINTED), "")
         yield Occurrence(
             word,
             dots,
@@ -357,18 +359,20 @@ class Scan(tex.Reader):
         if self.peek_at(ahead) != "(":
             return None
         found, depth, parts = list[str](), 0, list[list[str]]([[]])
-        for tok in self.toks[ahead:]:
+        for k in range(ahead, len(self.toks)):
+            tok = self.toks[k]
             depth += (tok.text in OPEN or tok.text == "{") - (tok.text in CLOSE or tok.text == "}")
             if depth == 0:
                 break
             if tok.text == "," and depth == 1:
                 parts.append([])
-            elif not (tok.text == "(" and depth == 1 and not parts[0]) and tok.text not in SIZES | SPACES:
+            elif not (tok.text == "(" and depth == 1 and not parts[0]) and tok.text not in _UNPRINTED:
                 parts[-1].append(tok.text)
         found = [" ".join(part) for part in parts]
         return tuple(found)
 
 
+_UNPRINTED = SPACES | SIZES
 FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorname"}
 
 

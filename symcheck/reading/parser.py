@@ -15,6 +15,7 @@ from symcheck.reading import tex
 from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
+from symcheck.reading.names import DIMENSIONLESS, PRODUCTS
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
@@ -62,6 +63,7 @@ from symcheck.reading.tree import (
     Number,
     Operated,
     Or,
+    Over,
     Pair,
     Piecewise,
     PlusMinus,
@@ -79,21 +81,13 @@ from symcheck.reading.tree import (
     children,
     nodes,
 )
+from symcheck.reading.tree import nodes as walked  # where a rule of the grammar calls its own parts nodes
 
 OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
-DIMENSIONLESS = {  # numbers that print abbreviates with two letters
-    "Re": "Reynolds", "Nu": "Nusselt", "De": "Dean", "Fo": "Fourier", "Sc": "Schmidt", "Gr": "Grashof", "We": "Weber",
-    "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
-    "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
-    "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
-    "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
-}  # fmt: skip
 COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
-# Those of them that may be products too: forces times radii, masses times accelerations.
-_PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
@@ -548,6 +542,8 @@ class Builder:
         if isinstance(tree, Differential):
             if tree.partial or tree.order != 1 or len(tree.body) != 1:
                 raise self.fail(at, "a differential outside of a derivative")
+            if isinstance(tree.body[0], Pair | Tuple):
+                raise self.fail(at, "a differential of what? name the function d otherwise, as \\rho(x, y)")
             return Total(tree.body[0]) if tree.bracketed else self.total(tree.body[0], at)
         return tree
 
@@ -581,6 +577,11 @@ class Builder:
             last = term.factors[-1] if isinstance(term, Mul) else term
             if isinstance(last, Limiting):
                 raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
+        forms = [isinstance(term.factors[-1] if isinstance(term, Mul) else term, Over) for term in terms]
+        if any(forms) and any(
+            isinstance(node, Total) for term in terms[forms.index(True) + 1 :] for node in walked(term)
+        ):
+            raise self.fail(_place(parts[forms.index(True)]), "where does this integral end? write brackets")
         signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
 
@@ -592,9 +593,13 @@ class Builder:
         if nodes[1].type == "OPERATOR":
             return self.operated(nodes)
         if nodes[1].type == "TIMES":
-            if any(item.kind in ("sum", "integral", "under") for item in left):
+            crossed = self.plain(right)
+            if left[0].kind == "sum" and left[0].bounds and len(left) > 1 and self.runs_over(left, crossed):
+                made = BigProduct if left[0].name else BigSum
+                return made(*left[0].bounds, Cross(self.plain(left[1:]), crossed))
+            if any(item.kind in ("sum", "integral", "over", "under") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
-            return Cross(self.plain(left), self.plain(right))
+            return Cross(self.plain(left), crossed)
         at = nodes[1].value.at
         top, bottom = self.product(left), self.product(right)
         if isinstance(top, Differential) and isinstance(bottom, Differential):
@@ -604,14 +609,22 @@ class Builder:
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
         bare = _ends_bare(left) and right[0].kind != "function"
-        if any(item.kind in ("sum", "integral", "under") for item in left + right) or bare:
+        if any(item.kind in ("sum", "integral", "over", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def runs_over(self, items: list[Item], crossed: Tree) -> bool:
+        """Does the index of the only sum, which comes first, stand in what is behind the cross, too?"""
+        inner = any(item.kind in ("sum", "integral", "over", "under") for item in items[1:])
+        names = [node for node in nodes(crossed) if isinstance(node, Name)]
+        used = {index for name in names for index in (name.letter, *name.subscripts)}
+        bounds = items[0].bounds
+        return not inner and bounds is not None and bool(used.intersection(bounds[0]))
 
     def operated(self, nodes: list[ParseNode]) -> Tree:
         """Terms with signs between them of which nothing is said: from the left to the right."""
         several = [self.items(node) for node in nodes[0::2]]
-        if any(item.kind in ("sum", "integral", "under") for items in several for item in items):
+        if any(item.kind in ("sum", "integral", "over", "under") for items in several for item in items):
             raise self.fail(nodes[1].value.at, f"{nodes[1].value.value} behind a sum is ambiguous")
         found = self.plain(several[0])
         for sign, items in zip(nodes[1::2], several[1:], strict=True):
@@ -679,7 +692,7 @@ class Builder:
         toks = [tok.text for tok in tex.tokenize(_WORDS.sub("", self.source))]
         pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
         alone = toks.count(word[0]) == toks.count(word[1]) == pairs
-        clear = word not in _PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)
+        clear = word not in PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)
         if word == "Re" or (alone and clear):
             raise self.fail(
                 items[0].at,
@@ -780,7 +793,7 @@ class Builder:
             if k + 1 == len(items) or items[k + 1].kind == "dot":
                 raise self.fail(item.at, f"{item.name} of nothing")
             return Limiting(item.name, item.text, self.plain(items[k + 1 :])), len(items)
-        if item.kind in ("integral", "antiderivative"):
+        if item.kind in ("integral", "antiderivative", "over"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
             alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
@@ -810,7 +823,7 @@ class Builder:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
         sign, depth, end = items[k], 1, k + 1
         while end < len(items) and depth:
-            depth += {"integral": 1, "antiderivative": 1, "d": -1, "d fraction": -1}.get(items[end].kind, 0)
+            depth += {"integral": 1, "antiderivative": 1, "over": 1, "d": -1, "d fraction": -1}.get(items[end].kind, 0)
             end += 1
         if not depth and items[end - 1].kind == "d fraction":
             fraction = items[end - 1]
@@ -833,6 +846,8 @@ class Builder:
         if not body and sign.kind == "integral":
             raise self.fail(sign.at, "an integral of nothing")
         integrand = self.plain(body) if body else Number("1")
+        if sign.kind == "over":
+            return Over(sign.name, sign.text, integrand, variable)
         if sign.kind == "antiderivative":
             return Antiderivative(integrand, variable)
         assert sign.bounds is not None
@@ -921,6 +936,20 @@ class Builder:
             inside = items[k].node
             if not isinstance(inside, Interval | Tuple | None):
                 return self.powered(head, (inside,)), k + 1
+        if k < len(items) and items[k].kind == "function":  # of a value of another, whose argument stands in brackets
+            bracketed = k + 1 < len(items) and (items[k + 1].kind == "group" or items[k + 1].square)
+            value, after = self.call(items, k)
+            if not bracketed or (after < len(items) and (self.simple(items[after]) or self.in_brackets(items[after]))):
+                raise self.fail(items[k].at, f"where does the argument of {head.name} end? write brackets around it")
+            return self.powered(head, (value,)), after
+        if (
+            k < len(items)
+            and isinstance(listed := items[k].node, Tuple)
+            and listed.kind == "{}"
+            and not items[k].postfix
+            and (len(listed.items) == 1 or head.name in ("min", "max"))
+        ):
+            return self.powered(head, listed.items), k + 1
         if k < len(items) and items[k].kind == "fraction" and not items[k].postfix:
             argument: Tree = self.atom(items[k])
             k += 1
@@ -1140,9 +1169,12 @@ class Builder:
             if item.kind not in ("atom", "group", "fraction"):
                 raise self.fail(nodes[1].value.at, "a factorial of what?")
             item, nodes = Item("fraction", item.at, Factorial(self.atom(item))), [nodes[0], *nodes[2:]]
+        if len(nodes) > 2 and nodes[1].type == "MARK":
+            marked = Marked(self.atom(item), nodes[1].value.value)
+            item, nodes = Item("fraction", item.at, marked), [nodes[0], *nodes[2:]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
-            if item.kind in ("sum", "integral", "antiderivative", "under") or (
+            if item.kind in ("sum", "integral", "antiderivative", "over", "under") or (
                 item.kind in ("function", "operator") and item.postfix != "CARET"
             ):
                 raise self.fail(nodes[1].value.at, "this cannot stand here")
@@ -1257,6 +1289,10 @@ class Builder:
     def from_llist(self, nodes: list[ParseNode], at: int) -> Item:
         items = self.entries(self.build(nodes[1]))
         return Item("atom", at, Tuple(items, "()") if len(items) != 2 else Pair(*items))
+
+    def from_over(self, nodes: list[ParseNode], at: int) -> Item:
+        sign, below = nodes[0].value.value
+        return Item("over", at, name=sign, text=below)
 
     def from_anti(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("antiderivative", at)

@@ -51,6 +51,7 @@ from symcheck.reading.tree import (
     Number,
     Operated,
     Or,
+    Over,
     Pair,
     Piecewise,
     PlusMinus,
@@ -73,7 +74,7 @@ LIST, IMPLIES, OR, AND, CHAIN, SUM, TERM, PRODUCT, FACTOR, ATOM = range(10)
 _LEVEL: dict[type[Tree], int] = {
     System: LIST, CaseList: LIST, Located: LIST, Exists: LIST, Qualifier: LIST, Values: LIST, Forall: LIST, Words: LIST,
     BigProduct: PRODUCT,
-    Operated: TERM, Limiting: PRODUCT, Marked: FACTOR, Indexed: FACTOR, Iff: LIST,
+    Operated: TERM, Limiting: PRODUCT, Over: PRODUCT, Marked: FACTOR, Indexed: FACTOR, Iff: LIST,
     Implies: IMPLIES, Or: OR, And: AND, Chain: CHAIN, Add: SUM, Neg: SUM, PlusMinus: SUM, Cross: TERM, Mul: PRODUCT,
     BigSum: PRODUCT, Integral: PRODUCT, Antiderivative: PRODUCT, Call: FACTOR, Pow: FACTOR, Transpose: FACTOR,
     Total: FACTOR, Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
@@ -196,7 +197,7 @@ def _mul(tree: Mul) -> str:
 
 
 def _factor(factor: Tree, *, last: bool) -> str:
-    if isinstance(factor, BigSum | Integral | Antiderivative | Limiting) and last:
+    if isinstance(factor, BigSum | Integral | Antiderivative | Limiting | Over) and last:
         return _print(factor, PRODUCT)
     return _print(factor, FACTOR)
 
@@ -316,7 +317,7 @@ def _evaluated(tree: Evaluated) -> str:
 def _operand(tree: Tree) -> str:
     """The left side of a cross product: a sum must not run on into it."""
     last = tree.factors[-1] if isinstance(tree, Mul) else tree
-    return _print(tree, ATOM if isinstance(last, BigSum | Integral | Limiting) else PRODUCT)
+    return _print(tree, ATOM if isinstance(last, BigSum | Integral | Limiting | Over) else PRODUCT)
 
 
 def _is_short(body: Tree) -> bool:
@@ -407,6 +408,7 @@ _PRINTERS: dict[type[Tree], Callable[[Any], str]] = {
     BigSum: _sum,
     BigProduct: _sum,
     Limiting: lambda t: rf"{_operator(t)}{t.scripts} {_print(t.body, PRODUCT)}",
+    Over: lambda t: rf"{t.sign}{t.below} {_print(t.body, PRODUCT)} \, d{_print(t.variable, ATOM)}",
     Marked: lambda t: rf"\left({_print(t.value, SUM)}\right){t.mark}",
     Indexed: lambda t: f"{_print(t.name, ATOM)}[{', '.join(_print(place, SUM) for place in t.places)}]",
     Operated: lambda t: rf"{_operand(t.left)} {t.sign} {_operand(t.right)}",

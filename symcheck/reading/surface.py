@@ -79,6 +79,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         return source
     text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
     text = _STOP.sub("", text)
+    for layout, change in _SPELLINGS:
+        text = layout.sub(change, text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
     return text
@@ -184,7 +186,8 @@ def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
     behind = [tok.text for tok in toks[end : end + 2]]
     brackets = behind[:1] == ["("] or behind == [r"\left", "("]
     angle = word[-3:] in ("sin", "cos", "tan") and bool(behind) and behind[0] in LETTER_COMMANDS
-    if word not in _TYPED or k - start > 1 or not (brackets or angle):
+    whole = start == k and len(word) > 2  # hardly a product of its letters
+    if word not in _TYPED or k - start > 1 or not (brackets or angle or whole):
         return ""
     return word
 
@@ -346,8 +349,8 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                 if k < len(parts):
                     taken, k = _argument(parts, k, raw=part in (r"\begin", r"\end", r"\tag"))
                     found.append(taken)
-            if part in ZEROS and _zero(found[-1], parts[k] if k < len(parts) else ""):
-                found[-2:] = ["0"]
+            if (part in ZEROS and _zero(found[-1], parts[k : k + 2])) or _one(found[-2:], parts[k : k + 2]):
+                found[-2:] = found[-1].parts if isinstance(found[-1], Group) else []
             elif part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
                 found[-2:] = _over_letters(part, styled.parts)
             is_array = (
@@ -376,14 +379,30 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     power = command not in STYLES and any(text not in MARKS for part in above for text in _texts([part]))
     if letter and rest and len(rest) % 2 == 0 and scripts and not power:  # the mean of x^2 is not the square of a mean
         return [command, Group(letter), *rest]
+    scripted = next((k for k in range(0, len(rest), 2) if rest[k] not in ("^", "_")), len(rest))
+    if command in STYLES and letter and not power and _is_bracket(rest[scripted:]):
+        return [command, Group(letter), *rest[:scripted], *_styled(command, rest[scripted:])]  # bold of all of it
     if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
         return [each for part in inner for each in (command, Group([part]))]
     return [command, Group(inner)]
 
 
-def _zero(part: Part, after: Part) -> bool:
-    """Is this a bold zero, or one with an arrow, whose size nothing tells?"""
-    return isinstance(part, Group) and part.parts == ["0"] and after not in ("_", "^")
+def _zero(part: Part, after: Sequence[Part]) -> bool:
+    """Is this a bold zero, or one with an arrow, whose size nothing tells, or rows and columns below it?"""
+    return isinstance(part, Group) and part.parts == ["0"] and (after[:1] not in (["_"], ["^"]) or _is_size(after))
+
+
+def _one(styled: Sequence[Part], after: Sequence[Part]) -> bool:
+    """Is this a bold one with rows and columns below it?"""
+    command, inner = styled if len(styled) == 2 else ("", "")
+    bold = isinstance(command, str) and command in ZEROS | {r"\mathbb"}
+    return bold and isinstance(inner, Group) and inner.parts == ["1"] and _is_size(after)
+
+
+def _is_size(script: Sequence[Part]) -> bool:
+    r"""Is this a subscript such as `3 \times 2`?"""
+    below = script[1] if len(script) > 1 and script[0] == "_" else ""
+    return isinstance(below, Group) and r"\times" in below.parts
 
 
 def _is_switch(command: str) -> bool:
@@ -431,6 +450,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
         script = k > 0 and parts[k - 1] in ("_", "^")
         letter = isinstance(part, str) and tex.is_letter(part) and part not in ROMAN | ACCENTS | STYLES
         letter = letter and parts[k - 1 : k + 2] not in (["(", "t", ")"], ["(", r"\tau", ")"])  # time is no vector
+        letter = letter and not (style == r"\mathbf" and part in LETTER_COMMANDS and "(" in parts)  # Greek has no bold
         found += [style, Group([part])] if letter and not script else [part]
     return found
 
@@ -456,6 +476,10 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     """A group that is no argument: its braces print nothing; empty ones before a script carry a script of the left."""
     if not inner and after in ("^", "_"):
         return [Group([])]
+    if after == "^" and len(inner) == 3 and inner[1] == "_" and isinstance(inner[2], Group):
+        return inner  # `{c_j}^2` is printed as `c_j^2`
+    if after == "^" and len(inner) == 4 and inner[0] in ACCENTS | STYLES and inner[2] == "_":
+        return inner
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
         return [Group(inner)]  # the script belongs to all of it
     return inner
@@ -507,6 +531,29 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
+_LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + r") \{ \S+ \}|[A-Z])"
+_SPELLINGS = (  # of one thing in several tokens, with the usual one
+    (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
+    (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
+    # a matrix in brackets, and one of zeros
+    (re.compile(rf"\\left \[ ({_LETTER}(?: _ \{{ [^{{}}]* \}})?) \\right \]"), r"[ \1 ]"),
+    (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
+    # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
+    (
+        re.compile(
+            r"\\frac \{ \\prescript (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \{ \} \{ (d|\\mathrm \{ d \}) \} "
+            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ (?:d|\\mathrm \{ d \}) [^{}]* \})"
+        ),
+        r"\\left ( \\frac { d ( \3 ) } \4 \\right ) _ \1",
+    ),
+    (
+        re.compile(
+            r"\\frac \{ \{ \} \^ (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \\partial "
+            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ \\partial (?:[^{}]|\{[^{}]*\})* \})"
+        ),
+        r"\\left ( \\frac { \\partial ( \2 ) } \3 \\right ) _ \1",
+    ),
+)
 # the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 WIDE = r", \quad"

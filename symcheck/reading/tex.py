@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -78,6 +79,17 @@ def _tokens(source: str) -> tuple[Tok, ...]:
     return tuple(Tok(m[0], m.start()) for m in _TOKEN.finditer(source))
 
 
+@lru_cache(maxsize=2048)
+def _too_deep(source: str) -> int | None:
+    """The place of the first bracket within too many others."""
+    depth = 0
+    for tok in _tokens(source):
+        depth += (tok.text in _OPENING) - (tok.text in _CLOSING)
+        if depth > MAX_DEPTH:
+            return tok.at
+    return None
+
+
 def compact(source: str) -> str:
     """The same tokens with spaces only where they would run together: behind commands and between digits."""
     made, end = "", 0
@@ -99,11 +111,8 @@ class Reader:
 
     def refuse_depth(self) -> None:
         """SymcheckError where brackets are nested deeper than any formula; what comes later recurses into them."""
-        depth = 0
-        for tok in self.toks:
-            depth += (tok.text in _OPENING) - (tok.text in _CLOSING)
-            if depth > MAX_DEPTH:
-                self.fail(f"nested more than {MAX_DEPTH} deep", tok.at)
+        if (at := _too_deep(self.source)) is not None:
+            self.fail(f"nested more than {MAX_DEPTH} deep", at)
 
     def peek(self, ahead: int = 0) -> str:
         """The text of a coming token; "" past the end."""
@@ -185,8 +194,15 @@ def spelled(latex: str) -> str | None:
 
 def subscript(tokens: list[Tok]) -> str:
     r"""The canonical text of a subscript that belongs to the letter: `_1`, `_{\max}`, `_{s1}`."""
-    text = "".join(t.text for t in tokens if t.text not in {"{", "}"} | ROMAN)
-    return f"_{text}" if len(tokens) == 1 else f"_{{{text}}}"
+    kept = [t.text for t in tokens if t.text not in {"{", "}"} | ROMAN]
+    parted = (text + " " * _runs_on(text, after) for text, after in itertools.zip_longest(kept, kept[1:], fillvalue=""))
+    text = "".join(parted)
+    return f"_{text}" if len(kept) == 1 else f"_{{{text}}}"
+
+
+def _runs_on(text: str, after: str) -> bool:
+    """Would what is printed behind a command be read as part of its name?"""
+    return text[:1] == "\\" and text[1:].isalpha() and after[:1].isalpha()
 
 
 def superscript(tokens: list[Tok]) -> str | None:

@@ -220,6 +220,16 @@ class Antiderivative(Tree):
 
 
 @dataclass(frozen=True, slots=True)
+class Over(Tree):
+    r"""`\int_S f \, dx`, `\oint f \, ds`: an integral over what is printed below its sign; `below` is the script."""
+
+    sign: str
+    below: str
+    body: Tree
+    variable: Tree
+
+
+@dataclass(frozen=True, slots=True)
 class Evaluated(Tree):
     r"""`\left[ f \right]_{t=a}^b`: the difference of the values at both ends; without `low` the value at `high`."""
 
@@ -430,7 +440,14 @@ Path = tuple[int, ...]
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """The nodes directly below, in printed order."""
-    return tuple(_trees([getattr(tree, name) for name in _names(type(tree))]))
+    found: list[Tree] = []
+    for name in _names(type(tree)):
+        value = getattr(tree, name)
+        if isinstance(value, Tree):
+            found.append(value)
+        elif isinstance(value, tuple):
+            found += _trees(value)
+    return tuple(found)
 
 
 _FIELDS: dict[type[Tree], tuple[str, ...]] = {}
