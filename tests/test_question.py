@@ -91,7 +91,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\vec a \times \vec b = \vec b \times \vec a": "",
     r"\det(A + B) = \det A + \det B": SQUARE,
     r"e^{i x} = \cos x - i \sin x": "",
-    r"\delta_{11} x = x": "",
+    r"\delta_{11} x + x = x": "",
 }
 WHERE = {  # earlier equations
     r"\frac{d}{dt}(\dot x^2 + x^2) = 0": r"\ddot x + x = 0",

@@ -52,7 +52,7 @@ class Jets:
 def of(problem: Problem) -> Jets | None:
     """The problem about numbers, if all unknown functions stand at one place, and the place nowhere else."""
     try:
-        plain = _expanded(problem)
+        plain = expanded(problem)
     except (Unknown, Unsupported):
         return None
     stated = [plain.claim, *(f for _, fs in plain.hypotheses for f in fs), *(t for _, t in plain.definitions)]
@@ -88,11 +88,11 @@ def without(problem: Problem) -> Jets:
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs)]
     if any(part.tag == "diff" and part.outside[-1] != part.bound[0] for part in nodes(*trees)):
         with suppress(Unknown, Unsupported):
-            problem = _expanded(problem)
+            problem = expanded(problem)
     return Jets(problem)
 
 
-def _expanded(problem: Problem) -> Problem:
+def expanded(problem: Problem) -> Problem:
     """The same without derivatives of anything but unknown functions, definitions unfolded where they stand in them."""
     meant = dict(problem.definitions)
 
