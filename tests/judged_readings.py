@@ -1239,7 +1239,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "J(x, u) = \\int_0^T L(x, u)\\, dt + V \\bigl( x(T) \\bigr).",
-        "Chain(Call(J; x, u), Add(Integral(Call(L; x, u); t; 0; T), Mul(V, Mul(x, T))); =)",
+        "Chain(Call(J; Call(x), u), Add(Integral(Call(L; Call(x), u); t; 0; T), Call(V; Call(x; T))); =)",
         "python-control/python-control/doc/optimal.rst",
     ),
     (

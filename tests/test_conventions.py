@@ -305,3 +305,103 @@ def test_complex_letters_are_said_to_be_complex(relation: str, verdict: str) -> 
 )
 def test_an_equation_with_a_factor_before_a_letter_holds_for_all_values(relation: str, verdict: str) -> None:
     assert decide(relation, where=["2L = I x^2"]).verdict == verdict
+
+
+# published without a word: equations, conditions and definitions, which nobody means for all values of their letters
+EQUATIONS = [
+    (r"F_r + F_r^* = 0", []),
+    (r"m\ddot{x} = u + f", []),
+    (r"\ddot{\xi} + 4\omega_0^2 \xi = 0", []),
+    (r"4 x^2 y'' - 4 x^2 y' + (1-2x)y = 0", []),
+    (r"\ddot{\mathbf r} = -\frac{\mu}{r^3}\mathbf r", []),
+    (r"{\bf M}({\bf q})\ddot{\bf q} + {\bf C}({\bf q},\dot{\bf q})\dot{\bf q} = {\bf B}{\bf u}", []),
+    (r"r^3 - 3 r^2 - r + 3 = 0", []),
+    (r"\frac{v^2}{2} - \frac{\mu}{r} = \frac{\mu}{2a}", []),
+    (r"\cos E = \frac{e + \cos\nu}{1 + e\cos\nu}", []),
+    (r"\tan\frac{\nu}{2} = z - \frac{1}{z}", []),
+    (r"T = \frac{1}{2} m v^2 = \frac{1}{2} m (v_x^2 + v_y^2 + v_z^2)", []),
+    (r"f(t) = |t| \quad \text{for } -1 < t \leq 1", []),
+    (r"V = \begin{cases} V_0, & r < a \\ 0, & r \ge a \end{cases}", []),
+    (r"Y(a, b) = Y(b, a)", []),
+    (r"f'(a) = f'(b)", []),
+    (r"I_3 > I_2 > I_1", []),
+    (r"|u| \leq u_{max}", []),
+    (r"dx/dt = 0", []),
+    (r"\partial f/\partial x = 0", []),
+    (r"dx/dt = A x + B u", []),
+    (r"\frac{d}{dx} c = 0", []),
+    (r"\frac{\text{Viscous forces}}{\text{Surface forces}} = C a", []),
+]
+# one slip in what is meant for all values
+SLIPS = [
+    (r"\sin(a + b) = \sin a \cos b + \cos a \sin c", []),
+    (r"(a + b)^2 = a^2 + 2ab + c^2", []),
+    (r"\frac{d}{dx} \arctan(ax) = \frac{1}{1 + a^2 x^2}", []),
+    (r"\frac{d}{dx}(f g) = f' g'", []),
+    (r"\frac{d}{dt} \sin \omega t = \omega \sin \omega t", []),
+    (r"\int_0^\pi \sin(nt) \,dt = 0", []),
+    (r"\cos^2 x - \sin^2 x = 1", []),
+    (r"\delta_{11} x + x = x", []),
+]
+# what depends on what, what brackets and marks mean: unsaid, and a verdict would rest on it
+UNSAID = [
+    (r"\frac{\partial F}{\partial y'} y' = 0", []),
+    (r"\frac{dE}{dt} = 0", [r"E = \frac12 m v^2"]),
+    (r"\frac{\partial H}{\partial p_i} = \frac{p_i}{m}", [r"H = \frac{p_1^2 + p_2^2}{2m}"]),
+    (r"\frac{\partial H}{\partial p_i} = 0", [r"H = \sum_{i=1}^n p_i^2"]),
+    (r"\boldsymbol p = \boldsymbol p(t)", []),
+    (r"\mathbf{r} = \begin{bmatrix} r_x \\ r_y \\ r_z \end{bmatrix}", []),
+    ("f(b + c) = fb + fc", []),
+    (r"\dot x = x'", []),
+    ("e^{A + B} = e^A e^B", []),
+    ("|z|^2 = z^2", []),
+    (r"A B \ne B A", []),
+    (r"(\mathbf a \times \mathbf b) \times \mathbf c \ne \mathbf a \times (\mathbf b \times \mathbf c)", []),
+    (r"\bar v = (\bar v \cdot \hat a_x) \hat a_x + (\bar v \cdot \hat a_y) \hat a_y", []),
+    (r"\bar v \cdot \bar w = |\bar v| |\bar w| \cos\theta", []),
+    (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
+    (r"m\text{-}P = P\text{-}m", []),
+    (r"m \ne n \Rightarrow \int_0^\pi \sin(mt) \sin(nt) \,dt = 0", []),
+    (r"\sin(n\pi) = 0", []),
+    (r"\mathrm{i}^2 = \mathrm{j}^2 = \mathrm{k}^2 = \mathrm{i}\mathrm{j}\mathrm{k} = -1", []),
+    (r"i = \cos^{-1}(h_Z/h)", []),
+    ("gain = -C A^{-1} B + D", []),
+    (r"\sin x y = y \sin x", []),
+    (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
+]
+# letters before brackets that nobody writes around a factor, and that stand without them too
+APPLIED = [
+    ("v(t) = v t", []),
+    (r"E_n = 2^n E_n\left(\frac{1}{2}\right)", []),
+    (r"x = \int_0^t f(\tau) h(t - \tau) d\tau + f", []),
+]
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "where"),
+    [
+        (verdict, *each)
+        for verdict, several in (
+            ("undecided", EQUATIONS),
+            ("refuted", SLIPS),
+            ("ambiguous", UNSAID),
+            ("unreadable", APPLIED),
+        )
+        for each in several
+    ],
+)
+def test_what_is_printed_without_a_word_is_not_accused(verdict: str, relation: str, where: list[str]) -> None:
+    assert decide(relation, where=where).verdict == verdict
+
+
+@pytest.mark.parametrize("name", ["P_k", "p_k"])
+def test_functions_with_an_index_up_to_a_letter_are_no_constants(name: str) -> None:
+    slope = rf"\frac{{\partial {name}}}{{\partial u}} \frac{{\partial Q_k}}{{\partial v}}"
+    turned = rf"\frac{{\partial {name}}}{{\partial v}} \frac{{\partial Q_k}}{{\partial u}}"
+    assert decide(rf"\sum_{{k=1}}^n {slope} = \sum_{{k=1}}^n {turned}").verdict != "proved"
+
+
+def test_a_derivative_with_a_slash_is_one_with_a_fraction() -> None:
+    assert decide("dx/dt = y", where=[r"\frac{dx}{dt} = y"]).verdict == "proved"
+    assert decide("dy/dx = 2x", where=["y = x^2"]).verdict == "proved"
+    assert decide("dy/dx = x", where=["y = x^2"]).verdict == "refuted"

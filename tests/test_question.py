@@ -94,7 +94,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\vec a \times \vec b = \vec b \times \vec a": "",
     r"\det(A + B) = \det A + \det B": SQUARE,
     r"e^{i x} = \cos x - i \sin x": "",
-    r"\delta_{11} x = x": "",
+    r"\delta_{11} x + x = x": "",
     r"\int_{-\pi}^{\pi} x \sin(n x) dx = \frac{2 \pi (-1)^n}{n}": (WHOLE, "n > 0"),
     r"\int_0^\infty \frac{1}{1 + x^2} dx = \pi": "",
 }

@@ -23,7 +23,9 @@ from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
+from symcheck.question.conventions import constant
 from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held, spelled_function
+from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
 from symcheck.question.repairs import repairs
@@ -41,6 +43,7 @@ CROSS = "is \\times a product of numbers, or of vectors? say what the letters be
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
+USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
 MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
@@ -102,7 +105,9 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         with limited(TOTAL):
-            found = [(reading, _decided(reading, asked, wanted)) for reading in readings(asked)]
+            several = readings(asked)
+            several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
+            found = [(reading, _decided(reading, asked, wanted)) for reading in several]
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
@@ -181,6 +186,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 verdict, made, found = again
             elif whole:
                 made, found = _refuted_at_whole_numbers(problem, whole)
+        if made is not None and verdict is Verdict.REFUTED and (usual := _holds_for_whole(reading, problem, made)):
+            reason = f"is it meant for whole numbers {', '.join(usual)} above 0? say so"
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
         if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
@@ -202,6 +210,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
         if verdict is Verdict.REFUTED and defines(problem):
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
+            continue
+        if verdict is Verdict.REFUTED and relates(problem, reading):
+            status = Status.UNDECIDED
+            reasons.append(EQUATION)
             continue
         if verdict is Verdict.REFUTED and (letter := _perhaps_for_all(problem)):
             reason = f"is what is given meant for all {letter}, or for one? write the equations of its coefficients"
@@ -262,6 +274,15 @@ def _whole_letters(reading: Reading) -> list[str]:
     return [letter.name for letter in reading.inference.notation.letters if letter.integer and letter.name]
 
 
+def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
+    """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
+    values, said = made["point"]["values"], dict(reading.source[0].letters)
+    usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
+    if all(isinstance(value := values[x], int) and value > 0 for x in usual):
+        return []
+    return usual if _refuted_at_whole_numbers(problem, usual, SIZES)[0] is None else []
+
+
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:
     """A base of a power that is whole, of which nobody but the reader says that it is positive."""
     whole = {*_whole_letters(reading)}
@@ -274,9 +295,11 @@ def _whole_power(reading: Reading, problem: Problem) -> Term | None:
     return None
 
 
-def _refuted_at_whole_numbers(problem: Problem, names: list[str]) -> tuple[Certificate | None, tuple[str, ...]]:
+def _refuted_at_whole_numbers(
+    problem: Problem, names: list[str], values: Sequence[int] = WHOLE
+) -> tuple[Certificate | None, tuple[str, ...]]:
     """The certificate that it is false for some small whole numbers, put in for the letters."""
-    for numbers in islice(product(WHOLE, repeat=len(names)), MOST_WHOLE):
+    for numbers in islice(product(values, repeat=len(names)), MOST_WHOLE):
         by = dict(zip(names, numbers, strict=True))
         hypotheses = tuple((name, tuple(substituted(f, by) for f in fs)) for name, fs in problem.hypotheses)
         definitions = tuple((x, substituted(t, by)) for x, t in problem.definitions if x not in by)

@@ -11,6 +11,7 @@ from symcheck.core.calculus import functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
+from symcheck.question.conventions import unsaid
 from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, Reading
 from symcheck.reading import Tree, read, tex, to_latex
@@ -18,12 +19,14 @@ from symcheck.reading.landau import terms_of_order
 from symcheck.reading.tree import (
     Add,
     Antiderivative,
+    Bars,
     BigSum,
     Call,
     Chain,
     Div,
     Limiting,
     Name,
+    Norm,
     Number,
     Pow,
     Root,
@@ -54,6 +57,15 @@ _FUNCTION = re.compile(r"(?<![A-Za-z\\])(?:a?rc)?(?:sin|cos|tan|cot|exp|log|ln|m
 # what opens a name of several letters, or words: "x_{max", "\mathrm{max"
 _NAMED = re.compile(r"(?:_\s*|\\(?:math|text|operator|mbox|rm|begin|end|label|tag)[a-z]*\*?\s*)\{[^{}]*$")
 _UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{")  # a bold letter with a hat
+_HAT = re.compile(r"(?:\\(?:mathbf|boldsymbol|bm|pmb)\{)?\\(?:hat|widehat)\{")  # a hat over a letter, bold or not
+_WORD = re.compile(r"(?<![A-Za-z\\])[a-z]{4,}(?![A-Za-z])")  # small letters without a space
+_LETTER = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\{[^{}]*\}|\w))?")  # a letter with its subscript
+# a function before several letters without brackets: "\sin xy"
+_BARE = re.compile(
+    r"(\\(?:sin|cos|tan|cot|ln|log|lg|exp|sinh|cosh|tanh|arctan|arcsin|arccos))\s*"
+    r"((?:(?:\\(?!sin|cos|tan|cot|ln|log|exp|left|right|math|bold|frac|sqrt|cdot|times|text|quad)[A-Za-z]+|[A-Za-z])"
+    r"(?:_(?:\{[^{}]*\}|\w))?\s*){2,})"
+)
 _SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")  # the last subscript of a letter
 
 
@@ -126,6 +138,16 @@ def doubt(reading: Reading) -> str:
     spelled = {g.letter.latex for g in reading.inference.guesses}
     if named := [x for x in spelled if _UNIT_VECTOR.match(x) and x[x.find("{") + 1 : -1] in spelled and x not in said]:
         return f"is {named[0]} the unit vector along {named[0][named[0].find('{') + 1 : -1]}? say what it is"
+    hats = [
+        g.letter.latex for g in reading.inference.guesses if g.letter.kind == "vector" and _HAT.match(g.letter.latex)
+    ]
+    printed = " ".join((*asked.where, *asked.given))
+    if free := [each for each in hats if each not in said and each not in printed]:
+        return f"is {free[0]} of length 1, or one of several axes? say so, as |{free[0]}| = 1, or what it is"
+    if any(part.tag == "!=" for problem in reading.problems for part in _relations(problem.claim)):
+        return "is it meant that the sides are never equal, or that they are not always equal?"
+    if reason := _of_a_word(asked.relation) or _behind_function(asked.relation) or _alone(reading):
+        return reason
     if name := _integrated(reading):
         return f"does the integral say what {name} is? give another equation for it, or the integral with its bounds"
     if name := _limited(reading):
@@ -135,6 +157,42 @@ def doubt(reading: Reading) -> str:
     if index := next(_repeated(reading.tree), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
     return ""
+
+
+def _of_a_word(relation: str) -> str:
+    """The doubt whether letters that stand together are a word."""
+    for found in _WORD.finditer(relation):
+        if not _NAMED.search(relation[: found.start()]) and set(found[0]) & set("aeiou"):
+            return f"is {found[0]} a word, or a product of letters? write \\text{{{found[0]}}}, or spaces"
+    return ""
+
+
+def _behind_function(relation: str) -> str:
+    """The doubt whether the last of several letters behind a function, which stands elsewhere too, is its factor."""
+    letters_ = [(found[1], _LETTER.findall(found[2])) for found in _BARE.finditer(relation)]
+    every = Counter(_LETTER.findall(re.sub(r"d\s*[A-Za-z]", "", relation)))  # but for differentials
+    for name, inside in letters_:
+        if len(inside) > 1 and every[inside[-1]] > sum(own.count(inside[-1]) for _, own in letters_):
+            return f"does {inside[-1]} belong to the argument of {name}? write brackets"
+    return ""
+
+
+def _alone(reading: Reading) -> str:
+    """The doubt whether an i that a relation says what it is, is the imaginary unit."""
+    units = {
+        g.letter.latex for g in reading.inference.guesses if g.letter.number == "i" and g.why != "it is said to be"
+    }
+    members = reading.tree.members if isinstance(reading.tree, Chain) else ()
+    alone = [each.letter for each in members if isinstance(each, Name) and each.letter in units]
+    return f"is {alone[0]} the imaginary unit, or a letter? say what it is" if alone else ""
+
+
+def _relations(claim: Formula) -> Iterator[Formula]:
+    if isinstance(claim, Relation):
+        yield claim
+    elif isinstance(claim, Connective) and claim.tag in ("and", "or"):
+        for part in claim.formulas:
+            yield from _relations(part)
 
 
 def held(reading: Reading, used: Iterable[str]) -> str:
@@ -164,7 +222,7 @@ def doubt_of_proofs(reading: Reading) -> str:
     if relies_on_order(reading.tree, said | {*reading.source[2]}):
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
-    return ""
+    return unsaid(reading)
 
 
 def _order_of_polynomials(reading: Reading) -> str:
@@ -189,6 +247,8 @@ def _has_letters(tree: Tree) -> bool:
 def _angle_between(reading: Reading) -> str:
     """The doubt whether an angle that nothing else says is that between the vectors of a product."""
     vectors = any(g.letter.kind == "vector" for g in reading.inference.guesses)
+    lengths = any(isinstance(part, Bars | Norm) for _, part in walk(reading.tree))
+    vectors |= lengths and any(sign in reading.source[0].relation for sign in (r"\cdot", r"\times"))
     calls = [part for _, part in walk(reading.tree) if isinstance(part, Call) and part.function in ANGULAR]
     angles = {call.arguments[0] for call in calls if isinstance(call.arguments[0], Name)}
     elsewhere = " ".join((*reading.source[0].where, *reading.source[0].given))

@@ -14,6 +14,7 @@ from functools import cached_property
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.complex_letters import complexes, equated
+from symcheck.reading.lexer import CLOSE, OPEN
 from symcheck.reading.names import KINDS_OPEN, is_letter, names_of_several_tokens
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
@@ -575,6 +576,10 @@ def _is_before_letter(place: Occurrence) -> bool:
 ORDERS = {"O": 0, r"\mathcal{O}": 0, "o": 1, r"\mathcal{o}": 1}  # how far terms are above the printed power
 
 
+# signs around which brackets are needed where a factor stands before them
+_SIGNS = frozenset({"+", "-", "/", "*", r"\pm", r"\mp", r"\times", r"\cdot", r"\sum", r"\int", r"\frac"})
+
+
 def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
     """All that a letter may be."""
     latex = of.spelling
@@ -628,6 +633,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         coefficient = factor and latex[:1] == "\\" and latex != r"\zeta"  # as in \phi(1.4 - x)
         typical = latex in _TYPICAL and not weight and not coefficient
         yield from (function, product) if typical else (product, replace(function, remote=factor))
+    elif of.bare and not of.dotted and not _is_derived(of) and any(map(_is_lone, of.places)):
+        yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.framed:
@@ -785,13 +792,32 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
-    return all(len(args) == 1 and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0]) for args in of.arguments)
+    powered = any(place.powered for place in of.places)
+    return all(len(args) == 1 and (powered or not _is_idle(args[0])) for args in of.arguments)
+
+
+def _is_lone(place: Occurrence) -> bool:
+    """Does one letter or number stand in brackets behind it, around which nobody writes them for a product?"""
+    if place.primes or place.powered or place.arguments is None or len(place.arguments) != 1:
+        return False
+    (inside,) = place.arguments
+    number = all(tok.isdigit() or tok in (".", "{", "}", r"\frac") for tok in inside.split())
+    return bool(inside) and (is_letter(inside) or number)
 
 
 def _is_product(args: Sequence[str]) -> bool:
-    """Is this one product of letters and numbers, around which brackets would be idle?"""
-    toks = [tok for tok in args[0].split() if tok not in ("^", "{", "}")]
-    return len(args) == 1 and len(toks) > 1 and all(tex.is_letter(tok) or tok.isdigit() for tok in toks)
+    """Is this one product of several letters and numbers, around which brackets would be idle?"""
+    return len(args) == 1 and _is_idle(args[0]) and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0])
+
+
+def _is_idle(text: str) -> bool:
+    """Do no signs stand in it but within other brackets, so that none are needed around it?"""
+    depth = 0
+    for tok in text.split():
+        depth += (tok in OPEN or tok == "{") - (tok in CLOSE or tok == "}")
+        if depth == 0 and tok in _SIGNS:
+            return False
+    return bool(text)
 
 
 def _varies(of: Evidence) -> bool:

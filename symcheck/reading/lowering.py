@@ -625,6 +625,8 @@ class Lowering:
         """A letter whose indices run up to a letter: a function of them."""
         if letter.kind != "scalar" or tree.primes or tree.dots:
             raise NoForm(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
+        if letter.depends:  # else its derivatives by these were 0
+            raise NoForm(f"{to_latex(tree)}: no function of {letter.depends} has an index that runs up to a letter")
         if not self.inside:
             self.met.setdefault(letter.stem, tree)
         indices = [self.index(subscript, env) for subscript in tree.subscripts]

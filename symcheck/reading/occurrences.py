@@ -143,6 +143,8 @@ class Scan(tex.Reader):
             elif text == "^" and self.transposes():
                 self.i += 1
                 self.group()
+            elif text in ("d", r"\partial") and (middle := self.slash()):
+                yield from self.slashed(scope, middle)
             elif (text in FUNCTIONS_SPELLED and text != r"\operatorname") or not tex.is_letter(text):
                 self.i += 1
             elif text == "d" and scope.integral and self.differential():
@@ -221,19 +223,45 @@ class Scan(tex.Reader):
         middle = self.i
         below = self.group() if self.i < len(self.toks) else []
         end = self.i
-        heads = [next((tok.text for tok in part if tok.text not in SPACES), "") for part in (above, below)]
-        if not all(head in ("d", r"\partial", r"\mathrm", r"\text") for head in heads) or len(below) < 2:
+        if not all(map(_begins_with_differential, (above, below))) or len(below) < 2:
             self.i = start
             yield from self.inside(scope)
             yield from self.inside(scope)
             return
         variables = list(self.differentials(middle, end, "variable"))
-        by = tuple(each.word for each in variables)
         yield from variables
+        by = _spelled(variables)
         yield from self.differentials(start, middle, "derived", by)
         self.i = end
         if not any(tok.text not in DIFFERENTIALS | {"^", "{", "}"} and not tok.text.isdigit() for tok in above):
             yield from self.operand(scope, by)
+
+    def slash(self) -> int:
+        """The place of the slash of a derivative such as dx/dt that begins here, or 0."""
+        kept = self.i
+        self.i += 1
+        if self.peek() == "^":
+            self.i += 1
+            self.group()
+        derived = [*self.letter(Scope())] if tex.is_letter(self.peek()) else []
+        while self.peek() in SPACES:
+            self.i += 1
+        middle, self.i = self.i, kept
+        behind = next((k for k in range(middle + 1, len(self.toks)) if self.peek_at(k) not in SPACES), 0)
+        sure = derived and self.peek_at(middle) == "/" and self.peek_at(behind) == self.peek()
+        return middle if sure and tex.is_letter(self.peek_at(behind + 1)) else 0
+
+    def slashed(self, scope: Scope, middle: int) -> Iterator[Occurrence]:
+        """The letters of a derivative that is printed with a slash, the lower one first."""
+        start, self.i = self.i, middle + 1
+        while self.peek() not in ("d", r"\partial"):
+            self.i += 1
+        self.i += 1
+        variables = [*self.letter(Scope("variable", scope.by))]
+        end = self.i
+        yield from variables
+        yield from self.differentials(start, middle, "derived", _spelled(variables))
+        self.i = end
 
     def differentials(self, start: int, end: int, role: str, by: tuple[str, ...] = ()) -> Iterator[Occurrence]:
         """The letters behind the d in one part of a derivative."""
@@ -373,6 +401,20 @@ class Scan(tex.Reader):
 
 
 _UNPRINTED = SPACES | SIZES
+
+
+def _begins_with_differential(part: Sequence[tex.Tok]) -> bool:
+    """Is the first sign a d, upright or not, or a curly one?"""
+    first = [tok.text for tok in part if tok.text not in SPACES | {"{", "}"}][:2]
+    return first[:1] in (["d"], [r"\partial"]) or (first[:1] in ([r"\mathrm"], [r"\text"]) and first[1:] == ["d"])
+
+
+def _spelled(variables: Sequence[Occurrence]) -> tuple[str, ...]:
+    """The letters by which it is differentiated, with their subscripts, and without those in these."""
+    own = [each for each in variables if each.role == "variable"]
+    return tuple(x.word + (tex.subscript([tex.Tok(t, 0) for t in x.subscript]) if x.subscript else "") for x in own)
+
+
 FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorname"}
 
 

@@ -1,0 +1,176 @@
+"""What a printed relation leaves unsaid, on which a verdict may rest: what depends on what, and what brackets mean."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Set
+from itertools import pairwise
+
+from symcheck.question.prepare import Reading
+from symcheck.reading import Notation, Tree, to_latex
+from symcheck.reading.inference import spelling
+from symcheck.reading.occurrences import occurrences
+from symcheck.reading.parser import dependence
+from symcheck.reading.tree import Add, Bars, Call, Chain, Derivative, MatrixOf, Mul, Name, Pow, walk
+
+APPLIED = frozenset({"f", "g", "h", "F", "G", "H", r"\phi", r"\varphi", r"\psi"})  # letters that are usually functions
+OPERATIONS = frozenset({"+", "-", "/", "^", r"\times", r"\cdot"})  # brackets around these are those of a factor
+# the sign of a sum as a letter, before another letter
+_SIGMA = re.compile(r"\\Sigma(?:\s|\\,)*(?:\\?[a-zA-Z])")
+# a unit in square brackets: "\mathrm{[dBW]}"
+_UNIT = re.compile(r"\\(?:text|mathrm|mbox|textrm|rm)\s*\{\s*\[")
+# a hyphen as text, which is neither a letter nor a minus
+_HYPHEN = re.compile(r"\\(?:text|mathrm|mbox|textrm)\s*\{\s*-+\s*\}")
+
+Rate = tuple[str, int, int]  # a letter with its primes and dots
+
+
+def unsaid(reading: Reading) -> str:
+    """The doubt what is meant, on which even a proof may rest; the empty text if none is seen."""
+    said = {letter for letter, _ in reading.source[0].letters}
+    known = said | {*reading.source[2]}
+    return (
+        _signs(reading.source[0].relation, said)
+        or _declared(reading.tree, known)
+        or _held(reading)
+        or _marks(reading, known)
+        or _numbers(reading, known)
+    )
+
+
+def _signs(relation: str, said: Set[str]) -> str:
+    """The doubt about text and signs that may be no factors."""
+    if hyphen := _HYPHEN.search(relation):
+        return f"{hyphen[0]}: a hyphen in a name, or a minus? write - for a minus"
+    if _UNIT.search(relation):
+        return "text in square brackets: a unit, or a factor? leave units out"
+    if r"\Sigma" not in said and _SIGMA.search(relation):
+        return r"\Sigma: a letter, or the sign of a sum? write \sum for a sum"
+    return ""
+
+
+def _held(reading: Reading) -> str:
+    for body, by in constant(reading):
+        return f"does {body} depend on {by}? its derivative is 0 if not; say 'function of {by}', or leave it out"
+    return ""
+
+
+def _marks(reading: Reading, known: Set[str]) -> str:
+    """The doubt about primes beside dots, letters above functions, and brackets that may be those of a function."""
+    places = occurrences(reading.source[0].relation)
+    both = {place.word for place in places if place.dots} & {place.word for place in places if place.primes} - known
+    if both:
+        return f"is the prime of {min(both)} the same derivative as its dot? write one of them, or say what it is"
+    applied = [part.function for _, part in walk(reading.tree) if isinstance(part, Call)]
+    functions = {each.letter for each in applied if isinstance(each, Name)}
+    for place in places:
+        if not place.arguments or place.word in known:
+            continue
+        inside = ", ".join(place.arguments)
+        if place.word in functions:
+            above = "".join(place.superscript or ()).strip("{}")
+            if above.isalpha():
+                return f"{place.word}^{above}({inside}): a power, an iterate, or a derivative? write brackets around it"
+        elif place.transposed and not {*inside.split()} & OPERATIONS:
+            return f"{place.word}^T({inside}): a value of a function, or a product?"
+        elif place.word in APPLIED and any(p.word == place.word and not p.arguments for p in places):
+            return f"{place.word}({inside}): a value of the function {place.word}, or a product?"
+    return ""
+
+
+def _numbers(reading: Reading, known: Set[str]) -> str:
+    """The doubt whether letters are real numbers."""
+    tree, guesses = reading.tree, reading.inference.guesses
+    names = _names(tree)
+    if len(units := sorted(g.letter.latex for g in guesses if g.letter.number == "i" and g.letter.latex in names)) > 1:
+        return f"are {', '.join(units)} the units of quaternions, or of complex numbers? write one of them"
+    real = {g.letter.latex for g in guesses if g.taken == "a real number"} - known
+    bars = [part for _, part in walk(tree) if isinstance(part, Bars) and "z" in _names(part)]
+    if bars and "z" in real and not any("z" in x for x in names - {"z"}):
+        return "is z a real number, or a complex one? say what it is"
+    if capitals := next(_exponents(tree, known), None):
+        return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
+    return ""
+
+
+def _names(tree: Tree) -> set[str]:
+    return {part.letter for _, part in walk(tree) if isinstance(part, Name)}
+
+
+def _declared(tree: Tree, known: Set[str]) -> str:
+    """What an equation such as f = f(x) is, or one of a bold letter with a matrix of letters."""
+    for _, chain in walk(tree):
+        if isinstance(chain, Chain):
+            entries = [
+                each for part in chain.members if isinstance(part, MatrixOf) for row in part.rows for each in row
+            ]
+            alone = [part for part in chain.members if isinstance(part, Name) and part.letter not in known]
+            if (
+                alone
+                and len(entries) > 1
+                and len({*entries}) == len(entries)
+                and all(isinstance(x, Name) for x in entries)
+            ):
+                return (
+                    f"it says what the components of {to_latex(alone[0])} are called, which is neither true nor false"
+                )
+            for pair, sign in zip(pairwise(chain.members), chain.signs, strict=True):
+                bare = [each.function for each in pair if isinstance(each, Call) and not each.arguments]
+                full = [each.function for each in pair if isinstance(each, Call) and each.arguments]
+                if sign == "=" and bare and bare == full and isinstance(bare[0], Name) and bare[0].letter not in known:
+                    return f"it says what {to_latex(bare[0])} depends on, which is neither true nor false"
+    return ""
+
+
+def constant(reading: Reading) -> Iterator[tuple[str, str]]:
+    """What is differentiated by a letter on which nothing in it depends, as far as is seen."""
+    said = {letter for letter, _ in reading.source[0].letters}
+    meant = {x: {*_free(right)} for x, (_, _, right) in reading.source[2].items()}
+    for _, part in walk(reading.tree):
+        if not isinstance(part, Derivative):
+            continue
+        on, todo = set[Rate](), {_rate(each) for _, each in walk(part.body) if isinstance(each, Name)}
+        if not todo or said & {letter for letter, *_ in todo}:
+            continue
+        while todo:
+            on |= todo
+            todo = {more for each in todo for more in _on(each, meant, reading.inference.notation)} - on
+        for variable, _ in part.variables:
+            by = variable.function if isinstance(variable, Call) else variable
+            if isinstance(by, Name) and _rate(by) not in on:
+                yield to_latex(part.body), to_latex(variable)
+
+
+def _rate(name: Name) -> Rate:
+    return name.letter, name.primes, name.dots
+
+
+def _free(text: str) -> Iterator[Rate]:
+    """The letters of a definition, but for those with an index over which it sums."""
+    places = occurrences(text)
+    indices = {place.word for place in places if place.role == "index"}
+    for place in places:
+        if not {*(place.subscript or ())} & indices:
+            yield spelling(place), place.primes, place.dots
+
+
+def _on(rate: Rate, meant: Mapping[str, Set[Rate]], notation: Notation) -> Iterator[Rate]:
+    """The letters on which a letter depends, by its definition if it has one."""
+    if rate[0] in meant:
+        yield from meant[rate[0]]
+        return
+    letter = next((each for each in notation.letters if each.latex == rate[0]), None)
+    for each in dependence(letter, notation) if letter else ():
+        if isinstance(each, Name):
+            yield _rate(each)
+
+
+def _exponents(tree: Tree, said: Set[str]) -> Iterator[str]:
+    """Capital letters that are added in an exponent where products of such exponentials stand too."""
+    powers = [part for _, part in walk(tree) if isinstance(part, Pow) and isinstance(part.exponent, Add)]
+    if not any(isinstance(part, Mul) and sum(isinstance(f, Pow) for f in part.factors) > 1 for _, part in walk(tree)):
+        return
+    for power in powers:
+        names = sorted(_names(power.exponent))
+        if len(names) > 1 and all(len(x) == 1 and x.isupper() and x not in said for x in names):
+            yield ", ".join(names)
