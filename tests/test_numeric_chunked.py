@@ -138,6 +138,13 @@ def test_bad_values_in_a_chunk_are_named_when_it_is_computed() -> None:
         lazy.compute(scheduler="sync")
 
 
+@pytest.mark.parametrize("units", ["deg", "degrees", "Degree"])
+def test_angles_in_degrees_are_not_taken_for_radians(units: str) -> None:
+    angles = xarray.DataArray([0.5, 0.6], dims="a", name="tilt", attrs={"units": units})
+    with pytest.raises(ValueError, match=f"tilt has units '{units}'; angles are in radians"):
+        FUNCTIONS["wheels.six_wheels"](angles)
+
+
 @pytest.mark.parametrize("text", ["(i)->", "i->()", "(i),->(i)", "(i)(j)->()"])
 def test_a_signature_that_is_none_is_refused(text: str) -> None:
     with pytest.raises(ValueError, match="must be of the form"):

@@ -579,6 +579,19 @@ def test_many_bodies_decay_as_each_alone() -> None:
         assert_allclose(together[i, j], alone, rtol=0, atol=1e-9 * np.linalg.norm(alone, axis=-1).min())
 
 
+@pytest.mark.parametrize("fast", [1e4, 1e6, 1e8])
+def test_rates_of_decay_may_be_any_factor_apart(fast: float) -> None:
+    moments, matrix = np.array([2.0, 3.0, 4.5]), np.diag([2 * fast, 3.0, 0.9])
+    start = np.array([[1e-9, -2e-9, 3e-9], [0.0, 2e-9, 1e-9]])
+    expected = start[:, None] * np.exp(-np.diag(matrix) / moments * TIMES[:, None])
+    assert_allclose(free_decay(moments, matrix, start, TIMES), expected, rtol=0, atol=1e-8 * 1e-9 * np.exp(-TIMES[-1]))
+
+
+def test_a_tensor_too_large_for_its_moments_is_an_error() -> None:
+    with pytest.raises(ValueError, match=r"tensor = .* must have entries of at most 4\.5e\+307; take another unit"):
+        principal_inertia(np.diag([1.5e308] * 3))
+
+
 def test_a_body_at_rest_stays_at_rest() -> None:
     assert not free_decay([2, 3, 4], np.eye(3), [0, 0, 0], TIMES).any()
 

@@ -121,7 +121,7 @@ def swept(folder: Path, text: str, out: str, *options: str) -> Any:
 
 
 def opened(path: Path) -> Any:
-    how = {"engine": "h5netcdf"} if path.suffix == ".nc" else {"engine": "zarr", "consolidated": False}
+    how = {"engine": "h5netcdf"} if path.suffix == ".nc" else {"engine": "zarr"}  # a warning would be an error
     with xarray.open_dataset(path, **how) as found:
         return found.load().drop_attrs(deep=False)
 

@@ -343,6 +343,54 @@ def least_load(axes: Array, limits: Array, demand: Array) -> float:
     return float(found.fun) if found.success else np.inf
 
 
+@pytest.mark.parametrize("decades", [3, 6, 12])
+def test_the_load_of_a_point_of_the_boundary_is_its_part_whatever_the_limits(decades: int) -> None:
+    rng = np.random.default_rng(decades)
+    for count in range(3, 8):
+        axes, limits = random_axes(count, count), 10 ** rng.uniform(0, decades, count)
+        outward = np.cross(*axes[np.argsort(limits)[:2]])  # the wheels with the least limits lie in the face
+        heights = axes @ outward
+        heights[np.argsort(limits)[:2]] = 0
+        vertex = np.where(heights == 0, rng.choice((-1, 1), count), np.sign(heights)) * limits
+        found = wheels.allocate(axes, 0.296 * vertex @ axes, limits)
+        assert found.load == pytest.approx(0.296, rel=1e-6)
+
+
+SCALES = 10.0 ** np.arange(-300, 301, 50)
+CUBES = SCALES[np.abs(np.log10(SCALES)) <= 100]  # of which the third power is a double
+
+
+def test_a_direction_of_any_length_gives_the_same_momentum() -> None:
+    bounds = wheels.half_spaces(random_axes(5))
+    expected = wheels.largest_momentum(bounds, [1, 2, 3])
+    found = wheels.largest_momentum(bounds, np.multiply.outer(SCALES, [1, 2, 3]))
+    np.testing.assert_allclose(found, expected, rtol=1e-14)
+
+
+@pytest.mark.parametrize("scale", SCALES)
+def test_the_envelope_of_limits_of_any_size_has_the_same_shape(scale: float) -> None:
+    one, scaled = (wheels.half_spaces(random_axes(5), 5.0 * size) for size in (1.0, scale))
+    semi_axes = np.array([1.0, 2.0, 3.0])
+    expected = wheels.ellipsoid_scale(one, semi_axes)
+    assert wheels.ellipsoid_scale(scaled, semi_axes * scale) == pytest.approx(expected, rel=1e-12)
+    assert wheels.largest_momentum(scaled, semi_axes) / scale == pytest.approx(wheels.largest_momentum(one, semi_axes))
+
+
+@pytest.mark.parametrize("scale", CUBES)
+def test_the_volume_goes_with_the_third_power_of_the_limits(scale: float) -> None:
+    assert wheels.volume(random_axes(5), scale) / scale**3 == pytest.approx(wheels.volume(random_axes(5)), rel=1e-12)
+
+
+def test_a_volume_beyond_the_doubles_is_an_error() -> None:
+    with pytest.raises(ValueError, match="volume = inf must be a finite double"):
+        wheels.volume(random_axes(5), 1e110)
+
+
+def test_a_mask_is_not_lost_but_refused() -> None:
+    with pytest.raises(ValueError, match="limits is a masked array"):
+        wheels.volume(np.eye(3), np.ma.masked_less([1.0, 2.0, 3.0], 2))
+
+
 @quick
 @given(sets_of_wheels(spanning=True), vectors.filter(np.any))
 def test_the_largest_momentum_is_the_linear_programs(case: tuple[Array, Array], direction: Array) -> None:

@@ -128,7 +128,7 @@ def test_the_page_says_what_the_records_say() -> None:
     ledger = folded(text, "ledger")
     assert [row[0] for row in ledger["rows"]] == [each.id for each in rows]
     assert Counter(row[1] for row in ledger["rows"]) == {"proved": 2, "refuted": 1, "premise": 1}
-    assert "3 relations of 1 paper were decided, 2 read as they are printed and 1 added by us" in text
+    assert "3 relations of 1 paper were decided, 2 read as they are printed, 1 added by us" in text
     assert re.search(r"<b>2</b> proved.*<b>1</b> refuted.*<b>0</b> undecided", text)
     claims = dict(zip((each.id for each in rows), ledger["claims"], strict=True))
     assert 'href="#toy:2"' in claims["toy:1"]

@@ -13,7 +13,7 @@ from symcheck.audit.judge import Unit, judge, problems, units
 from symcheck.audit.needs import Proved, listed, need
 from symcheck.audit.obligation import Obligation, expand, fingerprint, obligation_of, users
 from symcheck.audit.repair import corrected
-from symcheck.core.claims import Assertion, Erratum, Hypothesis
+from symcheck.core.claims import Assertion, Declaration, Erratum, Hypothesis
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
 from symcheck.ledger.record import Record
@@ -61,6 +61,7 @@ def _base(obligation: Obligation) -> Record:
         section=obligation.section.number,
         line=item.source.line,
         role=item.role,
+        reading=_of_sound_text(item),
         name=item.name,
         printed="\n".join(item.source.printed),
         words=item.source.words,
@@ -73,6 +74,12 @@ def _base(obligation: Obligation) -> Record:
         return record
     reading = Reading.MISPRINT if damage.origin is Origin.PAPER else Reading.DAMAGED
     return replace(record, reading=reading, kind=damage.kind, origin=damage.origin, corrected=damage.read_as)
+
+
+def _of_sound_text(item: Declaration) -> Reading:
+    if item.source.printed:
+        return Reading.AS_PRINTED
+    return Reading.ADDED if item.role is Role.OURS else Reading.WORDS
 
 
 def _place(key: str, number: str) -> str:
@@ -89,17 +96,17 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
         if len(source.printed) == len(links) > 1:
             row = replace(row, printed=source.printed[place])
         if source.damage and source.damage.spares(unit.letter):
-            row = _undamaged(row)
+            row = _undamaged(context, row)
         if context.item.statement.imposes(unit.letter):
-            yield replace(_undamaged(row), role=Role.PREMISE, reason="a condition imposed here, not a claim")
+            yield replace(_undamaged(context, row), role=Role.PREMISE, reason="a condition imposed here, not a claim")
             continue
         row = replace(_judged(context, unit, row), method=context.method(unit.letter).name)
         yield replace(row, seconds=round(time.perf_counter() - started, 4))
 
 
-def _undamaged(row: Record) -> Record:
+def _undamaged(context: Context, row: Record) -> Record:
     """A link of which nothing is to be read otherwise."""
-    return replace(row, reading=Reading.AS_PRINTED, kind="", origin=None, corrected="", reason="")
+    return replace(row, reading=_of_sound_text(context.item), kind="", origin=None, corrected="", reason="")
 
 
 def _added(erratum: Erratum | None) -> tuple[Hypothesis, ...]:

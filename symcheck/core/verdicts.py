@@ -44,9 +44,11 @@ class Role(StrEnum):
 
 
 class Reading(StrEnum):
-    """How a person reads a printed relation that is not simply right."""
+    """How a relation comes from the paper: from its formulas, from its words, or not at all."""
 
     AS_PRINTED = "as printed"
+    WORDS = "from the words"
+    ADDED = "added by us"
     STANDING = "standing condition"
     MISPRINT = "misprint"
     NEEDS_HYPOTHESIS = "needs hypothesis"

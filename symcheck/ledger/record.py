@@ -102,7 +102,7 @@ class Record(_Part, frozen=True):
     verdict
         None for a definition, premise or exclusion, which claims nothing.
     reading
-        Whether it was read as printed.
+        Whether it was read as printed, otherwise, from words, or is an addition of ours.
     kind, origin, reason
         What is wrong, whose fault it is, and why; the reason also of what is assumed or left out.
     hypotheses

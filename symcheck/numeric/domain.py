@@ -21,6 +21,7 @@ Shape = tuple[int | None, ...]  # lengths of last axes, None for any length
 
 TOLERANCE = 1e-9  # relative: a matrix that was written with ten digits still passes
 LARGEST = 1e100  # a moment: the product of three is a double
+HUGE = np.finfo(np.float64).max / 4  # an entry of a 3 x 3 matrix: its eigenvalues are doubles
 ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
 MAX_CHARACTERS = 100  # characters of a value in an error, which stays on one line
 
@@ -37,6 +38,10 @@ def real(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
 
 def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
     """As `real`, for a caller whose own condition excludes NaN and infinity."""
+    if isinstance(value, np.ma.MaskedArray):
+        raise ValueError(
+            f"{name} is a masked array, whose mask would be lost; pass its filled() or compressed() values"
+        )
     try:
         array = np.asarray(value)
         if array.dtype.kind not in "iuf":
@@ -159,6 +164,7 @@ def symmetric_matrix(name: str, matrix: ArrayLike, source: str = "") -> Array:
     array = real(name, matrix, (3, 3))
     mirrored = array.swapaxes(-1, -2)
     largest = np.abs(array).max(axis=(-1, -2), keepdims=True)
+    require((largest <= HUGE)[..., 0, 0], name, array, f"have entries of at most {HUGE:.2g}; take another unit", source)
     holds = (np.abs(array - mirrored) <= TOLERANCE * largest).all(axis=(-1, -2))
     require(holds, name, array, "be symmetric", source)
     return np.asarray((array + mirrored) / 2)
@@ -225,6 +231,11 @@ def engine_module(engine: str, module: str) -> ModuleType:
         raise ImportError(
             f"engine={engine!r} needs {engine}: pip install {engine}, or leave engine='numpy'", name=engine
         ) from error
+
+
+def power_of_two(size: Array) -> Array:
+    """The greatest power of two that is at most `size`, not negative: to divide by it rounds nothing; 1/2 for 0."""
+    return np.asarray(np.ldexp(1.0, np.frexp(size)[1] - 1))
 
 
 # --- how an error is put

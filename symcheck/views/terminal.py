@@ -23,7 +23,7 @@ from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger.digests import digest_of
 from symcheck.ledger.record import Record
 from symcheck.views import model
-from symcheck.views.model import FaultList, Relation, counted
+from symcheck.views.model import FaultList, Relation, blame, counted
 from symcheck.views.steps import proof_lines
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
@@ -91,6 +91,8 @@ def summary(out: Console, records: Sequence[Record]) -> None:
     others = Counter(record.role for record in records if not record.verdict)
     rest = "".join(f"; {count} of role {role}" for role, count in sorted(others.items()))
     out.print(f"{counted(records)}{rest}")
+    if blamed := blame(records):
+        out.print(f"Refuted: {blamed}")
 
 
 def show(out: Console, record: Record, whole_certificate: bool = False) -> None:

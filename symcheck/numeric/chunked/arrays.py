@@ -26,6 +26,7 @@ Call: TypeAlias = Callable[..., Chunk]
 Size = int | Callable[[Mapping[str, int]], int]
 Axes = tuple[str, ...]
 CHUNKED = (("dask.array", "Array"), ("xarray", "DataArray"))  # an argument is one of these only if it is loaded
+DEGREES = {"deg", "degs", "degree", "degrees", "degree_angle", "arcdeg", "°"}  # as pint and CF conventions spell them
 DESCRIBES_VALUES = ("units", "long_name", "standard_name")  # attributes that are not those of a function's value
 
 
@@ -166,6 +167,8 @@ def _named(
     for leaf, core in arrays:
         if not isinstance(leaf, xarray.DataArray):
             raise ValueError(f"an array of shape {np.shape(leaf)} beside DataArrays must be one too: name its axes")
+        if str(leaf.attrs.get("units")).lower() in DEGREES:
+            raise ValueError(f"{leaf.name or 'a DataArray'} has units {leaf.attrs['units']!r}; angles are in radians")
         names = {axis: str(dim) for axis, dim in zip(core, _last(leaf, core), strict=True)} | names
     named = xarray.apply_ufunc(
         call,

@@ -14,6 +14,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from hashlib import sha256
@@ -27,6 +28,7 @@ import xarray
 import zarr
 from numpy.typing import NDArray
 from zarr.codecs import BloscCodec
+from zarr.errors import ZarrUserWarning
 
 from symcheck.numeric.sweep.functions import SweepError
 from symcheck.numeric.sweep.plan import Plan
@@ -134,7 +136,8 @@ class Store:
                 _to_netcdf(self.partial, self.out)
                 shutil.rmtree(self.partial)
             else:
-                _sync()
+                _consolidate(self.partial)
+                _sync(self.partial)
                 self.partial.rename(self.out)
             self.journal.unlink(missing_ok=True)
 
@@ -188,7 +191,7 @@ def _to_netcdf(partial: Path, out: Path) -> None:
     new = out.with_name(f"{out.name}.new")
     with xarray.open_dataset(partial, **AS_ZARR, chunks={}) as whole:
         whole.to_netcdf(new, engine="h5netcdf")
-    _sync()
+    _sync(new)
     new.replace(out)
 
 
@@ -199,7 +202,15 @@ def _digest(values: Values) -> str:
     return digest.hexdigest()[:DIGITS]
 
 
-def _sync() -> None:
-    """Flush the buffers of the system, where it can be done."""
-    if hasattr(os, "sync"):
-        os.sync()
+def _consolidate(folder: Path) -> None:
+    """Write the second copy of the metadata without which xarray warns whenever it opens the folder."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ZarrUserWarning)  # that the format does not specify it yet
+        zarr.consolidate_metadata(folder, zarr_format=3)
+
+
+def _sync(path: Path) -> None:
+    """Flush a file, or all files of a folder, from the buffers of the system."""
+    for file in [path] if path.is_file() else filter(Path.is_file, path.rglob("*")):
+        with open(file, "rb+") as written:
+            os.fsync(written.fileno())

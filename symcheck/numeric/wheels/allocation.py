@@ -151,9 +151,11 @@ def _shared(axes: Array, limits: Array, demand: Array) -> Array:
     if not len(axes):
         return momenta
     _, across = missing(axes, IN_PLANE)
-    normals, distances, _ = half_spaces(np.vstack([axes, across]), np.append(limits, np.zeros(len(across))))
-    bounds = (distances > IN_PLANE * limits.max()) & np.isfinite(distances)
-    normals, distances = normals[bounds], distances[bounds]
+    normals = half_spaces(np.vstack([axes, across]), np.append(limits, np.zeros(len(across)))).normals
+    heights = np.abs(normals @ axes.T)
+    heights[heights <= IN_PLANE] = 0  # of an axis in the plane; else a limit 1e10 times the others makes much of it
+    distances = heights @ limits
+    normals, distances = normals[distances > 0], distances[distances > 0]
     for rows, face, load in _towards(normals, distances, demand):
         height = axes @ normals[face]
         out = np.abs(height) > IN_PLANE

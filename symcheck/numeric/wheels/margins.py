@@ -14,7 +14,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, not_negative, orthonormal_axes, principal_moments, real, require
+from symcheck.numeric.domain import (
+    Array,
+    not_negative,
+    orthonormal_axes,
+    power_of_two,
+    principal_moments,
+    real,
+    require,
+)
 from symcheck.numeric.wheels.faces import HalfSpaces
 
 NONE = 1e-12  # of a length of 1: a vector that lies in a plane to rounding does not leave it
@@ -167,9 +175,10 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     array([1.      , 1.414214])
     """
     vector = real("direction", direction, (3,))
-    length = np.linalg.norm(vector, axis=-1, keepdims=True)
-    require(length[..., 0] > 0, "direction", vector, "not be zero")
-    unit = vector / length
+    largest = np.abs(vector).max(axis=-1, keepdims=True)
+    require(largest[..., 0] > 0, "direction", vector, "not be zero")
+    unit = vector / power_of_two(largest)  # first, as squares of it may leave the range of doubles
+    unit /= np.linalg.norm(unit, axis=-1, keepdims=True)
     _holds_origin(half_spaces)
 
     def along(n: Array) -> Array:
@@ -298,7 +307,8 @@ def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
 
 def _norm(normals: Array, reach: Array) -> Array:
     """|S n|: how far the ellipsoid reaches along each normal."""
-    return np.asarray(np.linalg.norm(normals @ reach.swapaxes(-1, -2), axis=-1))
+    scale = power_of_two(np.abs(reach).max(axis=(-1, -2), initial=0))[..., None]  # its squares remain doubles
+    return np.asarray(np.linalg.norm(normals @ (reach / scale[..., None]).swapaxes(-1, -2), axis=-1) * scale)
 
 
 def _holds_origin(half_spaces: HalfSpaces) -> None:

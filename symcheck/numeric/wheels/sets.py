@@ -13,7 +13,18 @@ from symcheck.generated import ignatov2005
 from symcheck.kernels.specification import specification
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.chunked.kernels import by_blocks
-from symcheck.numeric.domain import Array, acute, common_shape, not_negative, one_of, real, require, unit_axes
+from symcheck.numeric.domain import (
+    Array,
+    acute,
+    common_shape,
+    evaluated,
+    not_negative,
+    one_of,
+    power_of_two,
+    real,
+    require,
+    unit_axes,
+)
 
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
@@ -249,13 +260,14 @@ def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
     64.0
     """
     wheels = wheels_of(axes, limits)
-    edges = np.moveaxis(wheels.axes * wheels.limits[..., None], -2, 0)
+    scale = power_of_two(wheels.limits.max(axis=-1, initial=0))
+    edges = np.moveaxis(wheels.axes * (wheels.limits / scale[..., None])[..., None], -2, 0)
     total = np.zeros(wheels.limits.shape[:-1])
     for second in range(1, len(edges) - 1):
         for first in range(second):
             normal = np.cross(edges[first], edges[second])
             total += np.abs(np.einsum("...k,i...k->i...", normal, edges[second + 1 :])).sum(axis=0)
-    return 8 * total
+    return evaluated("volume", lambda unit: 8 * total * unit**3, scale)
 
 
 def listed_vertices(number: int, *angles: float) -> dict[str, Array]:
