@@ -3,9 +3,10 @@
 `python tests/bench_corpus.py [formulas.jsonl]`; without a file that of the folder `corpus` beside the papers. The other
 parsers are asked in the Python that SYMCHECK_PEERS names, if it has them, otherwise in this one.
 
-A tree of ours is a reading with inferred letters, a statement one that lowers to formulas; of another parser it is a
-result without an error. Nothing is said here of how many are right. The formulas are those of the file, one JSON object
-a line with `repo`, `group` and `tex`.
+A tree of ours is a reading with inferred letters, a statement one that lowers to formulas, or to a form that keeps what
+is printed where letters are of unknown kinds or nothing can be calculated; of another parser it is a result without an
+error. Nothing is said here of how many are right. The formulas are those of the file, one JSON object a line with
+`repo`, `group` and `tex`.
 """
 
 from __future__ import annotations
