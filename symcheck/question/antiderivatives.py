@@ -75,6 +75,8 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
 
 
 def _improper(binder: Binder) -> list[Applied[Term]]:
+    import sympy  # noqa: F401 (an import that is interrupted by the limit would leave it broken)
+
     try:
         with limited(SECONDS):
             return improper(binder.body, binder.letter, *binder.outside) if binder.tag == "integral" else []

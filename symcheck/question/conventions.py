@@ -11,7 +11,7 @@ from symcheck.reading import Notation, Tree, to_latex
 from symcheck.reading.inference import spelling
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
-from symcheck.reading.tree import Add, Bars, Call, Chain, Derivative, MatrixOf, Mul, Name, Pow, walk
+from symcheck.reading.tree import Add, Bars, Call, Chain, Cross, Derivative, MatrixOf, Mul, Name, Pow, Transpose, walk
 
 APPLIED = frozenset({"f", "g", "h", "F", "G", "H", r"\phi", r"\varphi", r"\psi"})  # letters that are usually functions
 OPERATIONS = frozenset({"+", "-", "/", "^", r"\times", r"\cdot"})  # brackets around these are those of a factor
@@ -90,6 +90,14 @@ def _numbers(reading: Reading, known: Set[str]) -> str:
         return "is z a real number, or a complex one? say what it is"
     if capitals := next(_exponents(tree, known), None):
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
+    printed = reading.source[0].relation
+    if r"\cdot" in printed or any(isinstance(part, Transpose | Cross) for _, part in walk(tree)):
+        vectors = {g.letter.latex for g in guesses if g.letter.kind == "vector"}
+        pairs = (pair for _, part in walk(tree) if isinstance(part, Mul) for pair in pairwise(part.factors))
+        for before, after in pairs:
+            capital = isinstance(before, Name) and before.letter in real and before.letter.isupper()
+            if capital and _names(after) & vectors:
+                return f"is {to_latex(before)} before a vector a number, or a matrix? say what it is"
     return ""
 
 
@@ -101,9 +109,8 @@ def _declared(tree: Tree, known: Set[str]) -> str:
     """What an equation such as f = f(x) is, or one of a bold letter with a matrix of letters."""
     for _, chain in walk(tree):
         if isinstance(chain, Chain):
-            entries = [
-                each for part in chain.members if isinstance(part, MatrixOf) for row in part.rows for each in row
-            ]
+            plain = [part.value if isinstance(part, Transpose) else part for part in chain.members]
+            entries = [each for part in plain if isinstance(part, MatrixOf) for row in part.rows for each in row]
             alone = [part for part in chain.members if isinstance(part, Name) and part.letter not in known]
             if (
                 alone

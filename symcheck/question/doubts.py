@@ -13,7 +13,7 @@ from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
 from symcheck.question.conventions import unsaid
 from symcheck.question.order_of_factors import relies_on_order
-from symcheck.question.prepare import DEFINED, Reading
+from symcheck.question.prepare import DEFINED, VARIABLES, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.tree import (
@@ -172,7 +172,11 @@ def _behind_function(relation: str) -> str:
     letters_ = [(found[1], _LETTER.findall(found[2])) for found in _BARE.finditer(relation)]
     every = Counter(_LETTER.findall(re.sub(r"d\s*[A-Za-z]", "", relation)))  # but for differentials
     for name, inside in letters_:
-        if len(inside) > 1 and every[inside[-1]] > sum(own.count(inside[-1]) for _, own in letters_):
+        if (
+            len(inside) > 1
+            and inside[-1] not in VARIABLES
+            and every[inside[-1]] > sum(own.count(inside[-1]) for _, own in letters_)
+        ):
             return f"does {inside[-1]} belong to the argument of {name}? write brackets"
     return ""
 

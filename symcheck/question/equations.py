@@ -16,7 +16,7 @@ from symcheck.reading import Notation, Tree
 from symcheck.reading.inference import spelling
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.occurrences import occurrences
-from symcheck.reading.tree import Chain, Limiting, MatrixOf, Name, Piecewise, walk
+from symcheck.reading.tree import Chain, Limiting, MatrixOf, Mul, Name, Neg, Number, Piecewise, Pow, Transpose, walk
 
 EQUATION = "it says how letters depend on each other of which nothing else is said: an equation or a condition"
 FACTORS = frozenset({"-", "*", "/", "^", "sqrt", "pi"})  # what a product of letters is made of
@@ -33,6 +33,8 @@ def relates(problem: Problem, reading: Reading) -> bool:
     asked, notation, tree = reading.source[0], reading.inference.notation, reading.tree
     if terms_of_order(tree, notation=notation) or any(isinstance(part, Limiting) for _, part in walk(tree)):
         return False  # what is claimed then is about coefficients and limits
+    if _is_of_one_matrix(tree, notation) or _is_rough(tree):
+        return True
     known = {spelling(place) for text in (*asked.where, *asked.given) for place in occurrences(text)}
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)
@@ -45,7 +47,27 @@ def _has_constant(tree: Tree) -> bool:
     members = [each for _, part in walk(tree) if isinstance(part, Chain) for each in part.members]
     entries = [each for _, part in walk(tree) if isinstance(part, MatrixOf) for row in part.rows for each in row]
     values = [each for _, part in walk(tree) if isinstance(part, Piecewise) for each, _ in part.cases]
-    return any(not any(isinstance(part, Name) for _, part in walk(each)) for each in (*members, *entries, *values))
+    return any(not _names(each) for each in (*members, *entries, *values))
+
+
+def _names(tree: Tree) -> set[str]:
+    return {part.letter for _, part in walk(tree) if isinstance(part, Name)} - {r"\pi"}
+
+
+def _is_of_one_matrix(tree: Tree, notation: Notation) -> bool:
+    """Is it an equation between products of one capital letter alone, as P^2 = P or A^{-1} = A^T?"""
+    members = tree.members if isinstance(tree, Chain) else ()
+    parts = [part for each in members for _, part in walk(each)]
+    letter = _names(tree) - {each.latex for each in notation.letters if each.identity}
+    capital = all(x.rstrip("}")[-1:].isupper() for x in letter)
+    return (
+        len(letter) == 1 and capital and all(isinstance(x, Mul | Pow | Transpose | Neg | Name | Number) for x in parts)
+    )
+
+
+def _is_rough(tree: Tree) -> bool:
+    """Is it an equation of letters that holds nearly, for values that it does not tell?"""
+    return isinstance(tree, Chain) and r"\approx" in tree.signs and bool(_names(tree))
 
 
 def _relates(claim: Formula, known: Set[str], notation: Notation, constant: bool) -> bool:
@@ -129,7 +151,9 @@ def _is_made_of(tree: Term, tags: Set[str]) -> bool:
 def _printed(atom: Atom, notation: Notation) -> Atom:
     """The atom with the vector or matrix in the place of its component."""
     owner = notation.owner(atom[0])
-    return atom if owner is None or owner.kind == "scalar" else (owner.latex, *atom[1:])
+    if owner is None or owner.kind == "scalar":
+        return atom
+    return owner.latex + "'" * atom[0].count("prime"), *atom[1:]
 
 
 def _latex(atom: Atom, notation: Notation) -> str:
