@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from itertools import pairwise
 
 from symcheck.question.prepare import Reading
@@ -22,7 +22,15 @@ _UNIT = re.compile(r"\\(?:text|mathrm|mbox|textrm|rm)\s*\{\s*\[")
 # a hyphen as text, which is neither a letter nor a minus
 _HYPHEN = re.compile(r"\\(?:text|mathrm|mbox|textrm)\s*\{\s*-+\s*\}")
 
+_LAYOUT = re.compile(r"[{}\s]")  # that does not tell one name from another
+
 Rate = tuple[str, int, int]  # a letter with its primes and dots
+
+
+def mentioned(latex: str, texts: Iterable[str]) -> bool:
+    """Whether a name of several tokens stands in one of some formulas, with or without braces around its scripts."""
+    name = _LAYOUT.sub("", latex)
+    return any(name in _LAYOUT.sub("", text) for text in texts)
 
 
 def unsaid(reading: Reading) -> str:

@@ -11,7 +11,7 @@ from symcheck.core.calculus import functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
-from symcheck.question.conventions import unsaid
+from symcheck.question.conventions import mentioned, unsaid
 from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, VARIABLES, Reading
 from symcheck.reading import Tree, read, tex, to_latex
@@ -141,8 +141,7 @@ def doubt(reading: Reading) -> str:
     hats = [
         g.letter.latex for g in reading.inference.guesses if g.letter.kind == "vector" and _HAT.match(g.letter.latex)
     ]
-    printed = " ".join((*asked.where, *asked.given))
-    if free := [each for each in hats if each not in said and each not in printed]:
+    if free := [x for x in hats if x not in said and not mentioned(x, (*asked.where, *asked.given))]:
         return f"is {free[0]} of length 1, or one of several axes? say so, as |{free[0]}| = 1, or what it is"
     if any(part.tag == "!=" for problem in reading.problems for part in _relations(problem.claim)):
         return "is it meant that the sides are never equal, or that they are not always equal?"

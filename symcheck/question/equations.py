@@ -11,6 +11,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import Call, Connective, Formula, Node, Relation, Term
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.question import jets
+from symcheck.question.conventions import mentioned
 from symcheck.question.prepare import Reading
 from symcheck.reading import Notation, Tree
 from symcheck.reading.inference import spelling
@@ -35,7 +36,9 @@ def relates(problem: Problem, reading: Reading) -> bool:
         return False  # what is claimed then is about coefficients and limits
     if _is_of_one_matrix(tree, notation) or _is_rough(tree):
         return True
-    known = {spelling(place) for text in (*asked.where, *asked.given) for place in occurrences(text)}
+    context = (*asked.where, *asked.given)
+    known = {spelling(place) for text in context for place in occurrences(text)}
+    known |= {x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)}
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)
     claim = unfold(problem.claim, dict(problem.definitions))
