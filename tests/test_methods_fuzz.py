@@ -138,8 +138,8 @@ ENDLESS: dict[str, Formula] = {
     "a long power of a number": node("=", node("^", 2, 10**9), 1),
     "a long power of a long number": node("=", node("^", 10**40, 999), "x"),
     "a long power of a sum": node("=", node("^", node("+", "x", "y", "z"), 998), 1),
-    "a long power of a cosine": node("=", node("^", node("cos", node("*", 2, "x")), 999), 1),
-    "a large multiple of an angle": node("=", node("sin", node("*", 10**9, "x")), 0),
+    "a long power of a cosine": node("=", node("^", node("cos", node("*", 2, "x")), 999), node("/", 1, 3)),
+    "a large multiple of an angle": node("=", node("sin", node("*", 10**9, "x")), node("/", 1, 3)),
     "nothing to a power below nothing": node("=", node("^", 0, -1), 1),
     "nested roots": node(
         "=", node("sqrt", node("sqrt", node("sqrt", node("+", "x", node("sqrt", "y"))))), node("sqrt", 47)

@@ -39,10 +39,11 @@ def relates(problem: Problem, reading: Reading) -> bool:
     context = (*asked.where, *asked.given)
     known = {spelling(place) for text in context for place in occurrences(text)}
     known |= {x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)}
+    integrated = any(part.tag == "integral" for part in _parts(problem.claim))
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)
     claim = unfold(problem.claim, dict(problem.definitions))
-    return _relates(claim, known, notation, _has_constant(tree))
+    return _relates(claim, known, notation, _has_constant(tree), integrated)
 
 
 def _has_constant(tree: Tree) -> bool:
@@ -73,10 +74,10 @@ def _is_rough(tree: Tree) -> bool:
     return isinstance(tree, Chain) and r"\approx" in tree.signs and bool(_names(tree))
 
 
-def _relates(claim: Formula, known: Set[str], notation: Notation, constant: bool) -> bool:
+def _relates(claim: Formula, known: Set[str], notation: Notation, constant: bool, integrated: bool) -> bool:
     if isinstance(claim, Connective):
         parts = claim.formulas[1:] if claim.tag == "=>" else claim.formulas
-        return claim.tag != "<=>" and all(_relates(part, known, notation, constant) for part in parts)
+        return claim.tag != "<=>" and all(_relates(part, known, notation, constant, integrated) for part in parts)
     if not isinstance(claim, Relation):
         return False
     counts = [Counter(_atoms(side)) for side in claim.terms]
@@ -89,7 +90,7 @@ def _relates(claim: Formula, known: Set[str], notation: Notation, constant: bool
         }
         for k in (0, 1)
     ]
-    if all(own) or _is_property(claim, known, notation):
+    if all(own) or (not integrated and _is_property(claim, known, notation)):
         return True
     left, right = claim.terms
     return any(

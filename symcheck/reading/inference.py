@@ -647,6 +647,12 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
         if latex != r"\mathbf{1}":
             yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
+    elif (sized := _sized_identity(latex, every)) and _matrix_size(every) is not None:
+        own = (int(sized[2]), int(sized[2]))
+        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "its size is printed with it")
+        yield Guess(_letter(of, kind="matrix"), "a matrix", "it is capital", remote=latex[0] == "\\")
+        if latex[0] != "\\":
+            yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif of.shape:
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
@@ -664,7 +670,14 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
 
 
+_SIZED = re.compile(r"(.+)_\{?(\d)\}?")  # a letter with a number below, as I_3
 _IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\mathbb{I}", r"\mathbf{1}"})
+
+
+def _sized_identity(latex: str, every: Mapping[str, Evidence]) -> re.Match[str] | None:
+    """An identity with its size below, such as I_3; beside an I_1 it is one of several."""
+    sized = {each: found for each in every if (found := _SIZED.fullmatch(each)) and found[1] in _IDENTITIES}
+    return sized.get(latex) if len(sized) == 1 else None
 
 
 def _matrix_size(every: Mapping[str, Evidence]) -> int | None:

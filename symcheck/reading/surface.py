@@ -186,7 +186,7 @@ def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
     behind = [tok.text for tok in toks[end : end + 2]]
     brackets = behind[:1] == ["("] or behind == [r"\left", "("]
     angle = word[-3:] in ("sin", "cos", "tan") and bool(behind) and behind[0] in LETTER_COMMANDS
-    whole = start == k and len(word) > 2  # hardly a product of its letters
+    whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
     if word not in _TYPED or k - start > 1 or not (brackets or angle or whole):
         return ""
     return word
