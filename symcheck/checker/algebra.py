@@ -9,7 +9,7 @@ integrand's value at a random place: whatever holds for random functions holds f
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import prod
 
 from symcheck.checker.enclosures import enclosed
@@ -125,7 +125,7 @@ class Algebra:
             if term.tag == "^" and (exponent := term.terms[1]) > 0:  # type: ignore[operator]
                 return self.raised(term.terms[0], -exponent)  # type: ignore[operator]
         value = self.value(term) % PRIME
-        if self.bound and positive(term) == 2:
+        if self.bound and sign(term) == 2:
             return inverse(value)
         if self.point is not None and self.bound:
             shown = exact(term) or rational(value) or (self.outermost is not None and has_digits(self.outermost))
@@ -326,21 +326,29 @@ def has_digits(term: Term) -> bool:
     return True
 
 
-def positive(term: Term) -> int:
-    """2 if positive whatever real numbers its letters are, 1 if not negative, by its form alone; else 0."""
+def sign(term: Term, told: Callable[[Term, int], int] | None = None) -> int:
+    """2 if manifestly positive for all real letters, 1 if manifestly not negative, else 0: by its form.
+
+    `told` may know better of a part, of which the form tells so much.
+    """
+    level = 0
     match term:
         case int():
             return (term >= 0) + (term > 0)
         case Value(tag="pi" | "exp"):
             return 2
         case Value(tag="+", terms=parts) if parts:
-            levels = [*map(positive, parts)]
-            return max(levels) * all(levels)
-        case Value(tag="*" | "/", terms=parts):
-            return min(map(positive, parts), default=2)
+            level = max(levels := [sign(t, told) for t in parts]) * all(levels)
+        case Value(tag="*", terms=parts):  # equal factors pair up to squares
+            single: list[Term] = []
+            for t in parts:
+                (single.remove if t in single else single.append)(t)
+            level = min([1 if len(single) < len(parts) else 2, *(sign(t, told) for t in single)])
+        case Value(tag="/", terms=(top, bottom)):
+            level = min(sign(top, told), 2 * bool(sign(bottom, told)))
         case Value(tag="^", terms=(base, int(n))) if n > 0:
-            return max(positive(base), n % 2 == 0)
-    return 0
+            level = sign(base, told) or int(n % 2 == 0)
+    return level if level == 2 or told is None else told(term, level)
 
 
 def exact(term: Term, roots: bool = True) -> bool:

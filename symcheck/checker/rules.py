@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from symcheck.checker.algebra import Algebra, Divisors, Known, exact, height
+from symcheck.checker.algebra import Algebra, Divisors, Known, exact, height, sign
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
 from symcheck.checker.theorems import Argument, instance, shown
 from symcheck.core.calculus import letters, substituted
@@ -133,29 +133,19 @@ class Prover:
         require(value % PRIME == 0, "{} is not the combination of facts it is said to be", what)
 
     def sign(self, term: Term) -> int:
-        """2 if manifestly positive, 1 if manifestly not negative, else 0."""
-        result = 0
+        """2 if manifestly positive, 1 if manifestly not negative, else 0: by its form and by facts."""
+        return sign(term, self.told)
+
+    def told(self, term: Term, level: int) -> int:
+        """The same of a term whose form tells so much."""
         match term:
-            case int():
-                return (term >= 0) + (term > 0)
-            case Value(tag="pi" | "exp"):
-                return 2
-            case Value(tag="+", terms=parts) if parts:
-                result = max(levels := [*map(self.sign, parts)]) * all(levels)
-            case Value(tag="*", terms=parts):  # equal factors pair up to squares
-                single: list[Term] = []
-                for t in parts:
-                    (single.remove if t in single else single.append)(t)
-                result = min([1 if len(single) < len(parts) else 2, *map(self.sign, single)])
-            case Value(tag="/", terms=(top, bottom)):
-                result = min(self.sign(top), 2 * bool(self.sign(bottom)))
-            case Value(tag="^", terms=(base, int(n))) if n > 0:
-                result = self.sign(base) or (n % 2 == 0 and 1 + self.is_known(self.value(base)))
-        value = self.value(term) if result < 2 else 0
-        if result < 2 and exact(term) and (number := rational(value)) and number[0] >= 0:
+            case Value(tag="^", terms=(base, int(n))) if n > 0 and n % 2 == 0:
+                level = 1 + self.is_known(self.value(base))
+        value = self.value(term) if level < 2 else 0
+        if level < 2 and exact(term) and (number := rational(value)) and number[0] >= 0:
             return 1 + (number[0] > 0)
-        if result:
-            return result
+        if level:
+            return level
         for name, (formula, gap) in self.facts.items():
             if value == gap and formula.tag in ORDERS:
                 self.used.add(name)

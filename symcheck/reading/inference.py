@@ -676,8 +676,11 @@ _IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\ma
 
 def _sized_identity(latex: str, every: Mapping[str, Evidence]) -> re.Match[str] | None:
     """An identity with its size below, such as I_3; beside an I_1 it is one of several."""
-    sized = {each: found for each in every if (found := _SIZED.fullmatch(each)) and found[1] in _IDENTITIES}
-    return sized.get(latex) if len(sized) == 1 else None
+    sized = _SIZED.fullmatch(latex)
+    if not sized or sized[1] not in _IDENTITIES:
+        return None
+    several = any(x != latex and (other := _SIZED.fullmatch(x)) and other[1] == sized[1] for x in every)
+    return None if several else sized
 
 
 def _matrix_size(every: Mapping[str, Evidence]) -> int | None:

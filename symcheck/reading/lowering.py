@@ -131,12 +131,8 @@ def lower(item: Relation | Tree, notation: Notation, defined: Defined = MappingP
 
     Parameters
     ----------
-    item
-        The relation or the statement.
-    notation
-        What the letters mean.
-    defined
-        Functions that stand for expressions in their arguments: (arguments, expression) by their letter.
+    item, notation, defined
+        As for `algebraic`.
 
     Returns
     -------

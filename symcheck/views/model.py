@@ -23,11 +23,6 @@ from symcheck.views.steps import compared, coordinates, point, proof_lines, side
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
-_BLAMED = {
-    Origin.PAPER: "error of the paper itself",
-    Origin.OCR: "of the text at hand, which was digitised",
-    Origin.UNCERTAIN: "nobody can tell",
-}
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
 _ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
 _ROW = re.compile(r"(\.\d+)?[a-z]?$")  # the number of a row behind the name of its list, and the letter of a link
@@ -328,6 +323,6 @@ def counted(records: Iterable[Record]) -> str:
 
 
 def blame(records: Iterable[Record]) -> str:
-    """Whose errors the refuted relations are: "error of the paper itself: 68, of the text at hand ...: 98"."""
+    """Whose errors the refuted relations are: "68 the paper's own, 98 from the digitisation, 27 cannot tell"."""
     found = Counter(record.origin for record in records if record.verdict is Verdict.REFUTED and record.origin)
-    return ", ".join(f"{of}: {found[origin]}" for origin, of in _BLAMED.items() if found[origin])
+    return ", ".join(f"{found[origin]} {_WHOSE.get(origin, origin)}" for origin in Origin if found[origin])

@@ -122,7 +122,7 @@ def free_decay(
     stiff = bool((np.abs(roots).max(initial=0) * np.ptp(times)) > STIFF)
     tolerance = max(tolerance * FINER, FINEST) if stiff else tolerance
     allowed = np.maximum(tolerance * left, SMALLEST)
-    bodies = {"method": "LSODA", "lband": 2, "uband": 2} if stiff else {"method": "DOP853"}  # three equations of each
+    solver = {"method": "LSODA", "lband": 2, "uband": 2} if stiff else {"method": "DOP853"}  # three equations of each
     solution = solve_ivp(
         lambda _, state: _acceleration(moments, damping, state.reshape(start.shape)).ravel(),
         (times[0], times[-1]),
@@ -130,7 +130,7 @@ def free_decay(
         t_eval=times,
         rtol=tolerance,
         atol=np.repeat(allowed.ravel(), 3),
-        **bodies,
+        **solver,
     )
     if not solution.success:
         raise FloatingPointError(f"no free decay up to {times[-1]} s: {solution.message}")
