@@ -33,12 +33,12 @@ from symcheck.question.solutions import with_solutions
 from symcheck.question.whole import with_half_turns
 from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
+from symcheck.reading.notation import SAID
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 2.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
-SAID = "it is said to be"  # why a letter that the user declares is what it is
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them

@@ -89,12 +89,15 @@ def _marks(reading: Reading, known: Set[str]) -> str:
 def _numbers(reading: Reading, known: Set[str]) -> str:
     """The doubt whether letters are real numbers."""
     tree, guesses = reading.tree, reading.inference.guesses
-    names = _names(tree)
-    if len(units := sorted(g.letter.latex for g in guesses if g.letter.number == "i" and g.letter.latex in names)) > 1:
+    spelled = names(tree)
+    if (
+        len(units := sorted(g.letter.latex for g in guesses if g.letter.number == "i" and g.letter.latex in spelled))
+        > 1
+    ):
         return f"are {', '.join(units)} the units of quaternions, or of complex numbers? write one of them"
     real = {g.letter.latex for g in guesses if g.taken == "a real number"} - known
-    bars = [part for _, part in walk(tree) if isinstance(part, Bars) and "z" in _names(part)]
-    if bars and "z" in real and not any("z" in x for x in names - {"z"}):
+    bars = [part for _, part in walk(tree) if isinstance(part, Bars) and "z" in names(part)]
+    if bars and "z" in real and not any("z" in x for x in spelled - {"z"}):
         return "is z a real number, or a complex one? say what it is"
     if capitals := next(_exponents(tree, known), None):
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
@@ -104,12 +107,13 @@ def _numbers(reading: Reading, known: Set[str]) -> str:
         pairs = (pair for _, part in walk(tree) if isinstance(part, Mul) for pair in pairwise(part.factors))
         for before, after in pairs:
             capital = isinstance(before, Name) and before.letter in real and before.letter.isupper()
-            if capital and _names(after) & vectors:
+            if capital and names(after) & vectors:
                 return f"is {to_latex(before)} before a vector a number, or a matrix? say what it is"
     return ""
 
 
-def _names(tree: Tree) -> set[str]:
+def names(tree: Tree) -> set[str]:
+    """The letters of a tree."""
     return {part.letter for _, part in walk(tree) if isinstance(part, Name)}
 
 
@@ -186,6 +190,6 @@ def _exponents(tree: Tree, said: Set[str]) -> Iterator[str]:
     if not any(isinstance(part, Mul) and sum(isinstance(f, Pow) for f in part.factors) > 1 for _, part in walk(tree)):
         return
     for power in powers:
-        names = sorted(_names(power.exponent))
-        if len(names) > 1 and all(len(x) == 1 and x.isupper() and x not in said for x in names):
-            yield ", ".join(names)
+        added = sorted(names(power.exponent))
+        if len(added) > 1 and all(len(x) == 1 and x.isupper() and x not in said for x in added):
+            yield ", ".join(added)

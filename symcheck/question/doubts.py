@@ -16,6 +16,7 @@ from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, VARIABLES, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.landau import terms_of_order
+from symcheck.reading.notation import SAID
 from symcheck.reading.tree import (
     Add,
     Antiderivative,
@@ -182,9 +183,7 @@ def _behind_function(relation: str) -> str:
 
 def _alone(reading: Reading) -> str:
     """The doubt whether an i that a relation says what it is, is the imaginary unit."""
-    units = {
-        g.letter.latex for g in reading.inference.guesses if g.letter.number == "i" and g.why != "it is said to be"
-    }
+    units = {g.letter.latex for g in reading.inference.guesses if g.letter.number == "i" and g.why != SAID}
     members = reading.tree.members if isinstance(reading.tree, Chain) else ()
     alone = [each.letter for each in members if isinstance(each, Name) and each.letter in units]
     return f"is {alone[0]} the imaginary unit, or a letter? say what it is" if alone else ""

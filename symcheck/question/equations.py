@@ -11,7 +11,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import Call, Connective, Formula, Node, Relation, Term
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.question import jets
-from symcheck.question.conventions import mentioned
+from symcheck.question.conventions import mentioned, names
 from symcheck.question.prepare import Reading
 from symcheck.reading import Notation, Tree
 from symcheck.reading.inference import spelling
@@ -39,7 +39,7 @@ def relates(problem: Problem, reading: Reading) -> bool:
     context = (*asked.where, *asked.given)
     known = {spelling(place) for text in context for place in occurrences(text)}
     known |= {x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)}
-    integrated = any(part.tag == "integral" for part in _parts(problem.claim))
+    integrated = any(part.tag == "integral" for part in jets.parts(problem.claim))
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)
     claim = unfold(problem.claim, dict(problem.definitions))
@@ -51,18 +51,14 @@ def _has_constant(tree: Tree) -> bool:
     members = [each for _, part in walk(tree) if isinstance(part, Chain) for each in part.members]
     entries = [each for _, part in walk(tree) if isinstance(part, MatrixOf) for row in part.rows for each in row]
     values = [each for _, part in walk(tree) if isinstance(part, Piecewise) for each, _ in part.cases]
-    return any(not _names(each) for each in (*members, *entries, *values))
-
-
-def _names(tree: Tree) -> set[str]:
-    return {part.letter for _, part in walk(tree) if isinstance(part, Name)} - {r"\pi"}
+    return any(not names(each) - {r"\pi"} for each in (*members, *entries, *values))
 
 
 def _is_of_one_matrix(tree: Tree, notation: Notation) -> bool:
     """Is it an equation between products of one capital letter alone, as P^2 = P or A^{-1} = A^T?"""
     members = tree.members if isinstance(tree, Chain) else ()
     parts = [part for each in members for _, part in walk(each)]
-    letter = _names(tree) - {each.latex for each in notation.letters if each.identity}
+    letter = names(tree) - {r"\pi"} - {each.latex for each in notation.letters if each.identity}
     capital = all(x.rstrip("}")[-1:].isupper() for x in letter)
     return (
         len(letter) == 1 and capital and all(isinstance(x, Mul | Pow | Transpose | Neg | Name | Number) for x in parts)
@@ -71,7 +67,7 @@ def _is_of_one_matrix(tree: Tree, notation: Notation) -> bool:
 
 def _is_rough(tree: Tree) -> bool:
     """Is it an equation of letters that holds nearly, for values that it does not tell?"""
-    return isinstance(tree, Chain) and r"\approx" in tree.signs and bool(_names(tree))
+    return isinstance(tree, Chain) and r"\approx" in tree.signs and bool(names(tree) - {r"\pi"})
 
 
 def _relates(claim: Formula, known: Set[str], notation: Notation, constant: bool, integrated: bool) -> bool:
@@ -116,18 +112,11 @@ def _says(side: Term, other: Term, own: Set[Atom]) -> bool:
 
 def _is_property(claim: Relation, known: Set[str], notation: Notation) -> bool:
     """Is it of unknown functions at several places, as f(-x) = f(x)?"""
-    calls = [part for part in _parts(claim) if isinstance(part, Call)]
-    if any(part.bound for part in _parts(claim)):
+    calls = [part for part in jets.parts(claim) if isinstance(part, Call)]
+    if any(part.bound for part in jets.parts(claim)):
         return False
     places = {call.function: {each.terms for each in calls if each.function == call.function} for call in calls}
     return any(len(several) > 1 and _latex((name,), notation) not in known for name, several in places.items())
-
-
-def _parts(tree: Term) -> Iterator[Node]:
-    if isinstance(tree, Node):
-        yield tree
-        for part in (*tree.inside, *tree.outside):
-            yield from _parts(part)
 
 
 def _atoms(tree: Term, through: Set[str] = frozenset()) -> Iterator[Atom]:

@@ -8,7 +8,7 @@ which holds nearby if it holds at the place, as a weak one is made; or it has no
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from math import factorial
@@ -165,11 +165,15 @@ def _worked_out(slope: Node) -> Term:
 
 def calls_in(tree: Term) -> Iterable[Call]:
     """The unknown functions with what they are applied to, also under binders."""
-    if isinstance(tree, Call):
-        yield tree
+    return (part for part in parts(tree) if isinstance(part, Call))
+
+
+def parts(tree: Term) -> Iterator[Node]:
+    """All nodes of a term as often as they stand there, also under binders."""
     if isinstance(tree, Node):
+        yield tree
         for part in (*tree.inside, *tree.outside):
-            yield from calls_in(part)
+            yield from parts(part)
 
 
 def _name(call: Call) -> str:

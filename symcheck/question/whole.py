@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from symcheck.core.calculus import letters, nodes
+from symcheck.core.calculus import letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, Node, T, Term, mapped, node
+from symcheck.question.jets import parts
 
 WHOLE = "whole"  # the name of the condition that letters are whole numbers
 _TURNING = ("sin", "cos")
@@ -18,7 +19,7 @@ def with_half_turns(problem: Problem, names: Iterable[str]) -> Problem | None:
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
     free = set().union(*map(letters, trees)).difference(name for name, _ in problem.definitions)
     whole = sorted(free & {*names})
-    if not whole or not any(_turns(tree) for tree in trees):
+    if not whole or not any(part.tag in _TURNING for tree in trees for part in parts(tree)):
         return None
     said = tuple(node("=", node("sin", node("*", PI, x)), 0) for x in whole)
     hypotheses = tuple((name, tuple(map(_parted, formulas))) for name, formulas in problem.hypotheses)
@@ -26,10 +27,6 @@ def with_half_turns(problem: Problem, names: Iterable[str]) -> Problem | None:
     return replace(
         problem, claim=_parted(problem.claim), hypotheses=(*hypotheses, (WHOLE, said)), definitions=definitions
     )
-
-
-def _turns(tree: Term) -> bool:
-    return any(part.tag in _TURNING or any(map(_turns, part.inside)) for part in nodes(tree))
 
 
 def _parted(tree: T) -> T:

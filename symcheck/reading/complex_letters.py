@@ -13,6 +13,7 @@ from functools import lru_cache
 
 from symcheck.reading import tex
 from symcheck.reading.lexer import SPACES
+from symcheck.reading.notation import SAID
 from symcheck.reading.occurrences import first, occurrences
 
 # a conjugate: "\bar{z}", or by its tokens "z ^ *"
@@ -67,7 +68,7 @@ def complexes(
     plain = [_without_real(formula) for formula in formulas if _ORDER.search(formula)]
     ordered = {place.word for formula in plain for place in occurrences(formula)}
     free = {x for x in letters if x not in ordered and x not in conjugates}
-    certain = dict.fromkeys(said, "it is said to be")
+    certain = dict.fromkeys(said, SAID)
     parts = [m[1] for f in formulas for part in _PARTS.finditer(f) if (m := _ALONE.match(f, part.end()))]
     certain |= {x: "its real or imaginary part is printed" for x in map(_letter, parts) if x in free}
     parted = any(map(_PARTS.search, formulas))

@@ -16,7 +16,7 @@ from symcheck.reading import tex
 from symcheck.reading.complex_letters import complexes, equated
 from symcheck.reading.lexer import CLOSE, OPEN
 from symcheck.reading.names import KINDS_OPEN, is_letter, names_of_several_tokens
-from symcheck.reading.notation import VALUE, Letter, Notation, instances
+from symcheck.reading.notation import SAID, VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 from symcheck.reading.relatives import Relatives, relatives
 
@@ -724,7 +724,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     """A letter of which something is said."""
-    phrase, why = of.said, "it is said to be"
+    phrase, why = of.said, SAID
     if phrase in ("scalar", "constant", "integer"):
         whole = phrase == "integer"
         return Guess(_letter(of, depends="", integer=whole), "a whole number" if whole else "a real number", why)

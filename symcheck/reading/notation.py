@@ -29,6 +29,7 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")  # names of letters in statements, 
 _FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
 # names of constants, and of values of functions: no letter is called so
 VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
+SAID = "it is said to be"  # why a letter that somebody declares is what it is
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
     r"\bar": "bar", r"\overline": "bar", r"\hat": "hat", r"\widehat": "hat",
