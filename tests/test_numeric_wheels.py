@@ -347,12 +347,11 @@ def least_load(axes: Array, limits: Array, demand: Array) -> float:
 def test_the_load_of_a_point_of_the_boundary_is_its_part_whatever_the_limits(decades: int) -> None:
     rng = np.random.default_rng(decades)
     for count in range(3, 8):
-        axes, limits = random_axes(count, count), 10 ** rng.uniform(0, decades, count)
-        outward = np.cross(*axes[np.argsort(limits)[:2]])  # the wheels with the least limits lie in the face
-        heights = axes @ outward
-        heights[np.argsort(limits)[:2]] = 0
-        vertex = np.where(heights == 0, rng.choice((-1, 1), count), np.sign(heights)) * limits
-        found = wheels.allocate(axes, 0.296 * vertex @ axes, limits)
+        axes, limits = random_axes(count, count), rng.uniform(0.5, 1, count)
+        limits[:2] *= 10.0**decades  # these lie in the face, and are at rest
+        signs = np.sign(axes @ np.cross(*axes[:2]))
+        signs[:2] = 0
+        found = wheels.allocate(axes, 0.296 * (signs * limits) @ axes, limits)
         assert found.load == pytest.approx(0.296, rel=1e-6)
 
 
