@@ -296,18 +296,25 @@ class Prover:
         self.branch(self.opened(goal, step), step.take("then", raw))
 
     def compute(self, goal: Formula, step: Fields) -> None:
-        """A formula about numbers, or about letters that have values here; values of functions are facts."""
-        at = self.at or Algebra({}, {})
+        """A formula about numbers, or about letters that have values here; values of functions are facts.
+
+        What is so of all is not computed, but one of these facts.
+        """
+        at, general = self.at or Algebra({}, {}), list[Formula]()
         if names := step.take("values", LIST, []):
             settled = at.settled
             at = Algebra({}, at.point)
             at.settled, at.asked = {**settled}, True
             for name in names:
-                formula, _ = self.fact(("=",), name, "{} is no value")
+                formula, _ = self.fact(("=", "forall"), name, "{} is no value")
+                if formula.tag == "forall":
+                    general.append(formula)
+                    continue
                 require(not letters(formula), "{} is no value", formula)
                 function, value = formula.outside
                 at.settled[self.value(function)] = at.value(value) % PRIME
-        require(at.holds(goal), "{} is not so", goal)
+        for part in conjuncts(goal) if general else (goal,):
+            require(part in general or at.holds(part), "{} is not so", part)
         if names:
             self.algebra.divisors.update({value: None for value, term in at.divisors.items() if term is None})
 

@@ -12,16 +12,20 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symcheck.checker.enclosures import enclosed
-from symcheck.core.calculus import Unknown, domain, substituted
+from symcheck.core.calculus import Unknown, domain, letters, owed, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
+from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
-from symcheck.proof.algebra.knowledge import stated
+from symcheck.proof.algebra.knowledge import formulas_of, stated
 from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_arguments
-from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
-from symcheck.proof.rules.compute import Point
+from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine, table
+from symcheck.proof.rules.compute import Compute, Point
+from symcheck.proof.rules.each import Each
+from symcheck.proof.rules.every import Every
 from symcheck.proof.rules.proof import Prover
+from symcheck.proof.rules.step import Step
+from symcheck.proof.search.angle_points import There
 from symcheck.proof.search.counterexample import Assignment, Search, Solved, refute
 from symcheck.proof.search.number_points import TRIED, refute_at_first
 
@@ -67,11 +71,11 @@ def find_witnesses(
     """
     premises = implications(problem.claim)
     together = _witness(problem, nonzero, premises, prove)
-    if together is not None or len(premises) < 2:
-        return None if together is None else [together]
-    each = [_witness(problem, nonzero, [premise], prove) for premise in premises]
-    found = [point for point in each if point is not None]
-    return found if len(found) == len(each) else None
+    points = [together]
+    if together is None and len(premises) > 1:
+        points = [_witness(problem, nonzero, [premise], prove) for premise in premises]
+    found = [whole for point in points if point and (whole := with_values(problem, point, prove)) is not None]
+    return found if len(found) == len(points) else None
 
 
 def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Point | None:
@@ -82,14 +86,40 @@ def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formu
     reached = [term for _, term in problem.definitions]
     conditions = domain(*given, *reached, divisors=True)
     said = tuple(dict.fromkeys((*given, *conditions)))
-    meant = tuple(
-        dict.fromkeys((*said, *domain(problem.claim, divisors=True)))
-    )  # that the claim has a value is often plain
+    under = [each for each in _owed(problem) if not isinstance(each, Quantified)]
+    # that the claim has a value is often plain
+    meant = tuple(dict.fromkeys((*said, *domain(problem.claim, divisors=True), *under)))
     if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
         return point
     point = _witness_of(problem, said, given, prove)
-    own = domain(problem.claim)
+    own = [*domain(problem.claim), *under]
     return point if point is not None and all(_is_met(formula, point, definitions) for formula in own) else None
+
+
+def with_values(problem: Problem, point: Point, prove: Prover) -> Point | None:
+    """The point with proofs that terms under binders have values there; None if one has no proof."""
+    needed = _owed(problem)
+    values: dict[str, Term] = {**dict.fromkeys(set().union(*map(letters, needed)), 1), **point.values}
+    there = There(replace(problem, claim=ZERO_IS_ONE, definitions=()), dict(sorted(values.items())), prove)
+    proofs = dict[Formula, Step]()
+    for each in needed:
+        proofs[each] = Compute(())
+        if isinstance(each, Quantified):
+            names = tuple(map(table().fresh, each.bound))
+            proof = there.proof(substituted(each.body, dict(zip(each.bound, names, strict=True))))
+            if proof is None:
+                return None
+            proofs[each] = Every(names, proof)
+    if point.proof is not None:
+        return replace(point, proof=Each((point.proof, *proofs.values()))) if proofs else point
+    facts = tuple((each, proof) for each, proof in proofs.items() if isinstance(each, Quantified))
+    return replace(point, values=there.values, facts=(*point.facts, *facts)) if facts else point
+
+
+def _owed(problem: Problem) -> list[Formula]:
+    """What must be so lest a part under a binder have no value, definitions unfolded."""
+    definitions = dict(problem.definitions)
+    return owed(*(unfold(each, definitions) for each in formulas_of(problem)))
 
 
 def _is_met(condition: Formula, point: Point, definitions: dict[str, Term]) -> bool:
