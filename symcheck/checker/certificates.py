@@ -43,7 +43,8 @@ class Context:
         sides = (side for each in self.assumed if isinstance(each, Relation) for side in each.terms)
         self.known = known | unknown(*self.assumed, *sides)
         parts = nodes(*self.assumed)
-        self.conditions, self.binders = conditions(parts) + owed(*self.assumed), [part for part in parts if part.inside]
+        self.binders = [part for part in parts if part.inside]
+        self.conditions = conditions(parts) + owed(*self.binders)
         self.points: dict[bytes, tuple[dict[str, Term], Known]] = {}
 
     def point(self, written: bytes) -> tuple[dict[str, Term], Known]:
@@ -97,9 +98,10 @@ class Certificate:
         self.claim = read(step.take("claim", raw))
         self.assumed = [*self.context.assumed, *self.nonzero]
         parts = nodes(*self.nonzero, self.claim)
-        self.conditions = dict.fromkeys((*self.context.conditions, *conditions(parts), *owed(*parts)))
-        parts = [*parts, *nodes(*(formula for _, formula in self.lemmas))]
-        self.binders = [*self.context.binders, *(part for part in parts if part.inside)]
+        own = [part for part in parts if part.inside]
+        self.conditions = dict.fromkeys((*self.context.conditions, *conditions(parts), *owed(*own)))
+        parts = nodes(*(formula for _, formula in self.lemmas))
+        self.binders = [*self.context.binders, *own, *(part for part in parts if part.inside)]
 
     def supported(self, proved: Iterable[tuple[str, Certificate]]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here.

@@ -259,9 +259,14 @@ def owed(*trees: Term, under: bool = False) -> list[Formula]:
         if part.tag == "diff":
             at = {part.bound[0]: part.outside[1]}
             found |= dict.fromkeys(owed(*(substituted(body, at) for body in part.inside), under=True))
-        elif part.inside:
+        elif part.inside and partial(*part.inside):
             found |= dict.fromkeys(_owed_under(part))
     return [*found]
+
+
+def partial(*trees: Term) -> bool:
+    """Whether a function that is not defined for all numbers occurs."""
+    return any(part[0] in DOMAINS or partial(*part.inside) for part in nodes(*trees))
 
 
 def _owed_under(binder: Node) -> Iterable[Formula]:
