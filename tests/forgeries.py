@@ -3703,11 +3703,36 @@ UNDEFINED: dict[str, Forgery] = {
 }
 UNDEFINED |= {
     "ends of an integral that are not in order": Forgery(
-        "a term has no value, as ('<=', 1, 0) is not so",
-        proved(["=", integral(JUNK, low=1, high=0), integral(1, low=1, high=0)], ID, witnesses=[EASY]),
+        "('<=', 1, 0) is not so",
+        proved(
+            ["=", integral(JUNK, low=1, high=0), integral(1, low=1, high=0)],
+            ID,
+            witnesses=[
+                {
+                    "values": {},
+                    "proof": have(
+                        [
+                            "forall",
+                            ["x_0"],
+                            ["=>", ["and", ["<", 1, "x_0"], ["<", "x_0", 0], ["!=", "x_0", 0]], [">=", "x_0", 0]],
+                        ],
+                        every(["y"], implies(Y_IS_POSITIVE)),
+                        compute(here()),
+                    ),
+                }
+            ],
+        ),
+    ),
+    "an integral that diverges": Forgery(
+        "the digits of ('diverges'",
+        proved(["=", minus(integral("x", high=OO), integral("x", high=OO)), 0], ID, witnesses=[EASY]),
+    ),
+    "a sum that diverges": Forgery(
+        "('or',))",
+        proved(["=", minus(["sum", "k", "k", 1, OO], ["sum", "k", "k", 1, OO]), 0], ID, witnesses=[EASY]),
     ),
     "a proof about other letters": Forgery(
-        NO_VALUE,
+        "is no value",
         proved(
             ["=", integral(JUNK, low=-1), integral(1, low=-1)],
             ID,

@@ -44,7 +44,7 @@ class Context:
         self.known = known | unknown(*self.assumed, *sides)
         parts = nodes(*self.assumed)
         self.binders = [part for part in parts if part.inside]
-        self.conditions = conditions(parts) + owed(*self.binders)
+        self.conditions, self.owed = conditions(parts), owed(*self.binders)
         self.points: dict[bytes, tuple[dict[str, Term], Known]] = {}
 
     def point(self, written: bytes) -> tuple[dict[str, Term], Known]:
@@ -99,7 +99,8 @@ class Certificate:
         self.assumed = [*self.context.assumed, *self.nonzero]
         parts = nodes(*self.nonzero, self.claim)
         own = [part for part in parts if part.inside]
-        self.conditions = dict.fromkeys((*self.context.conditions, *conditions(parts), *owed(*own)))
+        self.conditions = dict.fromkeys((*self.context.conditions, *conditions(parts)))
+        self.owed = dict.fromkeys((*self.context.owed, *owed(*own)))
         parts = nodes(*(formula for _, formula in self.lemmas))
         self.binders = [*self.context.binders, *own, *(part for part in parts if part.inside)]
 
@@ -169,12 +170,13 @@ class Certificate:
 
         What does so without letters needs no point.
         """
-        varying = [each for each in self.conditions if letters(each) or functions(each) or each.tag == "forall"]
+        varying = [each for each in self.conditions if letters(each) or functions(each)]
         for each in self.conditions:
             require(each in varying or Algebra({}, {}).holds(each), "a term has no value, as {} is not so", each)
         needed = [[*premises, *varying] for premises in supposed(self.claim)]
         points = self.step.take("witnesses", listed(raw), [])
-        require(points or not (self.assumed or needed != [[]]), "no point where all that is assumed holds")
+        rests = self.assumed or self.owed or needed != [[]]
+        require(points or not rests, "no point where all that is assumed holds")
         for formulas, point in paired(needed, points) if points else ():
             self.hold(formulas, Fields(point))
 
@@ -192,7 +194,7 @@ class Certificate:
         if computed := "proof" not in step.data:
             at = Algebra(known, values)
         else:  # the letters that are not mentioned are free for use
-            mentioned = set().union(*map(letters, formulas))
+            mentioned = set().union(*map(letters, (*formulas, *self.owed)))
             require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
             at = Algebra({}, {x: number for x, number in values.items() if x in mentioned})
         calls = step.take("calls", listed(listed(reader.term, 2)), [])
@@ -216,8 +218,9 @@ class Certificate:
         broken = frozenset(x for x, number in values.items() if not isinstance(number, int))
         ends = (refuting and computed) or summed(*self.binders, *shown, broken=broken)  # to compute finds the ends
         require(ends, "a sum between ends that may not be whole")
-        more = owed(*formulas) if refuting and not computed else []  # to compute finds values
-        formulas = [node("and", *formulas), *more] if more else formulas
+        if not refuting or not computed:  # to compute finds values
+            more = owed(*formulas) if refuting else [*self.owed]
+            formulas = [node("and", *formulas), *more] if more else formulas
         prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))
         prover.finish()
         step.end()

@@ -296,25 +296,22 @@ class Prover:
         self.branch(self.opened(goal, step), step.take("then", raw))
 
     def compute(self, goal: Formula, step: Fields) -> None:
-        """A formula about numbers, or about letters that have values here; values of functions are facts.
-
-        What is so of all is not computed, but one of these facts.
-        """
-        at, general = self.at or Algebra({}, {}), list[Formula]()
+        """A formula about numbers, or about letters that have values here; facts are parts of it, or values."""
+        at, parts, granted = self.at or Algebra({}, {}), [goal], list[Formula]()
         if names := step.take("values", LIST, []):
-            settled = at.settled
+            settled, parts = at.settled, [substituted(part, at.point or {}) for part in conjuncts(goal)]
             at = Algebra({}, at.point)
             at.settled, at.asked = {**settled}, True
             for name in names:
                 formula, _ = self.fact(("=", "forall"), name, "{} is no value")
-                if formula.tag == "forall":
-                    general.append(formula)
+                if (here := substituted(formula, at.point or {})) in parts:
+                    granted.append(here)
                     continue
-                require(not letters(formula), "{} is no value", formula)
+                require(formula.tag == "=" and not letters(formula), "{} is no value", formula)
                 function, value = formula.outside
                 at.settled[self.value(function)] = at.value(value) % PRIME
-        for part in conjuncts(goal) if general else (goal,):
-            require(part in general or at.holds(part), "{} is not so", part)
+        for part in parts:
+            require(part in granted or at.holds(part), "{} is not so", part)
         if names:
             self.algebra.divisors.update({value: None for value, term in at.divisors.items() if term is None})
 

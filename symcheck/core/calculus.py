@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Set
 
-from symcheck.core.formulas import conjuncts
+from symcheck.core.formulas import FALSE, conjuncts
 from symcheck.core.terms import (
     Binder,
     Call,
@@ -252,21 +252,26 @@ def conditions(parts: Iterable[Node], divisors: bool = False) -> list[Formula]:
 def owed(*trees: Term, under: bool = False) -> list[Formula]:
     """What must be so lest a part that stands under a binder have no real value, whatever bound letters are.
 
-    Divisors are left to the proof, and what is said to exist to `strict`.
+    Divisors are left to the proof, and what is said to exist to `strict`; unknown functions have the values they need.
     """
     found = dict.fromkeys(conditions(nodes(*trees))) if under else {}
     for part in nodes(*trees):
         if part.tag == "diff":
             at = {part.bound[0]: part.outside[1]}
             found |= dict.fromkeys(owed(*(substituted(body, at) for body in part.inside), under=True))
-        elif part.inside and partial(*part.inside):
+        elif part.inside and (endless(part) or partial(*part.inside)):
             found |= dict.fromkeys(_owed_under(part))
     return [*found]
 
 
 def partial(*trees: Term) -> bool:
-    """Whether a function that is not defined for all numbers occurs."""
-    return any(part[0] in DOMAINS or partial(*part.inside) for part in nodes(*trees))
+    """Whether something occurs that has no value for some numbers under it."""
+    return any(part[0] in DOMAINS or endless(part) or partial(*part.inside) for part in nodes(*trees))
+
+
+def endless(part: Node) -> bool:
+    """Whether it is an integral without an end or an endless sum, which may have no value."""
+    return part.tag in ("integral", "sum") and any(isinstance(end, End) for end in part.outside)
 
 
 def _owed_under(binder: Node) -> Iterable[Formula]:
@@ -292,9 +297,13 @@ def _owed_under(binder: Node) -> Iterable[Formula]:
                 way.append(node("!=", x, 0))
             if inner and len(way) == 3:
                 yield node("<=", low, high)
+    if endless(binder) and not functions(binder):  # no theorem tells that an endless sum has a value
+        yield node("=", node("diverges", *binder[1:]), 0) if binder.tag == "integral" else FALSE
     for each in inner:
         if letters(each).isdisjoint(binder.bound):
             yield each
+        elif functions(each):
+            continue
         elif each not in way and binder.tag != "exists":
             yield node("forall", binder.bound, node("=>", node("and", *way), each))
 

@@ -159,7 +159,7 @@ class There:
 
     def learn(self, claim: Formula, prove: Prover | None = None) -> bool:
         """One more fact, if it has a proof."""
-        if claim not in self.tried:
+        if claim not in self.tried | self.facts.keys():
             self.tried.add(claim)
             if (proof := self.proof(claim, prove)) is not None:
                 self.facts[claim] = proof

@@ -25,8 +25,9 @@ from symcheck.proof.rules.theorem import Theorem
 from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
 from symcheck.proof.search.number_points import refute_numbers
+from symcheck.proof.search.values import with_values
 from symcheck.proof.search.wellformed import checked
-from symcheck.proof.search.witnesses import find_witnesses, with_values
+from symcheck.proof.search.witnesses import find_witnesses
 
 VACUOUS = (
     "it follows from what is given, but no point was found at which that holds: hypotheses, premises, "

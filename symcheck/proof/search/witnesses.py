@@ -12,22 +12,19 @@ from dataclasses import replace
 from fractions import Fraction
 
 from symcheck.checker.enclosures import enclosed
-from symcheck.core.calculus import Unknown, domain, letters, owed, substituted
+from symcheck.core.calculus import Unknown, domain, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import PI, RELATIONS, Formula, Node, Quantified, Term, node
+from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
-from symcheck.proof.algebra.knowledge import formulas_of, stated
+from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_arguments
-from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine, table
-from symcheck.proof.rules.compute import Compute, Point
-from symcheck.proof.rules.each import Each
-from symcheck.proof.rules.every import Every
+from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
+from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Prover
-from symcheck.proof.rules.step import Step
-from symcheck.proof.search.angle_points import There
 from symcheck.proof.search.counterexample import Assignment, Search, Solved, refute
 from symcheck.proof.search.number_points import TRIED, refute_at_first
+from symcheck.proof.search.values import computed, owed_by, with_values
 
 ZERO_IS_ONE: Formula = node("=", 0, 1)
 DRAWS = 3000  # points: the papers' witnesses are among the first 1,900
@@ -86,7 +83,7 @@ def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formu
     reached = [term for _, term in problem.definitions]
     conditions = domain(*given, *reached, divisors=True)
     said = tuple(dict.fromkeys((*given, *conditions)))
-    under = [each for each in _owed(problem) if not isinstance(each, Quantified)]
+    under = [each for each in owed_by(problem) if computed(each)]
     # that the claim has a value is often plain
     meant = tuple(dict.fromkeys((*said, *domain(problem.claim, divisors=True), *under)))
     if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
@@ -94,32 +91,6 @@ def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formu
     point = _witness_of(problem, said, given, prove)
     own = [*domain(problem.claim), *under]
     return point if point is not None and all(_is_met(formula, point, definitions) for formula in own) else None
-
-
-def with_values(problem: Problem, point: Point, prove: Prover) -> Point | None:
-    """The point with proofs that terms under binders have values there; None if one has no proof."""
-    needed = _owed(problem)
-    values: dict[str, Term] = {**dict.fromkeys(set().union(*map(letters, needed)), 1), **point.values}
-    there = There(replace(problem, claim=ZERO_IS_ONE, definitions=()), dict(sorted(values.items())), prove)
-    proofs = dict[Formula, Step]()
-    for each in needed:
-        proofs[each] = Compute(())
-        if isinstance(each, Quantified):
-            names = tuple(map(table().fresh, each.bound))
-            proof = there.proof(substituted(each.body, dict(zip(each.bound, names, strict=True))))
-            if proof is None:
-                return None
-            proofs[each] = Every(names, proof)
-    if point.proof is not None:
-        return replace(point, proof=Each((point.proof, *proofs.values()))) if proofs else point
-    facts = tuple((each, proof) for each, proof in proofs.items() if isinstance(each, Quantified))
-    return replace(point, values=there.values, facts=(*point.facts, *facts)) if facts else point
-
-
-def _owed(problem: Problem) -> list[Formula]:
-    """What must be so lest a part under a binder have no value, definitions unfolded."""
-    definitions = dict(problem.definitions)
-    return owed(*(unfold(each, definitions) for each in formulas_of(problem)))
 
 
 def _is_met(condition: Formula, point: Point, definitions: dict[str, Term]) -> bool:
