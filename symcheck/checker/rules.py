@@ -299,17 +299,19 @@ class Prover:
         """A formula about numbers, or about letters that have values here; facts are parts of it, or values."""
         at, parts, granted = self.at or Algebra({}, {}), [goal], list[Formula]()
         if names := step.take("values", LIST, []):
-            settled, parts = at.settled, [substituted(part, at.point or {}) for part in conjuncts(goal)]
+            settled, point, parts = at.settled, at.point or {}, conjuncts(goal)
+            shown = [substituted(part, point) for part in parts]
             at = Algebra({}, at.point)
             at.settled, at.asked = {**settled}, True
             for name in names:
                 formula, _ = self.fact(("=", "forall"), name, "{} is no value")
-                if (here := substituted(formula, at.point or {})) in parts:
-                    granted.append(here)
-                    continue
-                require(formula.tag == "=" and not letters(formula), "{} is no value", formula)
-                function, value = formula.outside
-                at.settled[self.value(function)] = at.value(value) % PRIME
+                here = substituted(formula, point)
+                granted += [part for part, there in zip(parts, shown, strict=True) if there == here]
+                if formula.tag == "=" and not letters(formula):
+                    function, value = formula.outside
+                    at.settled[self.value(function)] = at.value(value) % PRIME
+                else:
+                    require(here in shown, "{} is no value", formula)
         for part in parts:
             require(part in granted or at.holds(part), "{} is not so", part)
         if names:
