@@ -8,15 +8,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
+
+import msgspec
+from msgspec import Struct
+from msgspec.structs import replace
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger import selftested
 
 BENCH, PAGE = "bench.json", "figures.md"
-SCHEMA = 1  # of the measurements in bench.json
 HEAD = """# Figures
 
 Written by `make bench` and `make selftest` from `bench.json` and `selftest.json`; not to be edited. `symcheck generate
@@ -33,8 +36,7 @@ the limits of 95 %.
 FAULTS = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")  # as selftest.json names them
 
 
-@dataclass(frozen=True)
-class Output:
+class Output(Struct, frozen=True, forbid_unknown_fields=True):
     """What one benchmark printed, when, and on which machine; Markdown as it is, other text in a block."""
 
     script: str
@@ -45,10 +47,10 @@ class Output:
     lines: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class Bench:
+class Bench(Struct, frozen=True, forbid_unknown_fields=True):
     """The recorded benchmarks: a summary of (what, figure, when it was recorded), and what each script printed."""
 
+    schema: Literal[1]
     machine: str
     summary: tuple[tuple[str, str, str], ...]
     outputs: tuple[Output, ...]
@@ -65,38 +67,18 @@ def bench(folder: Path) -> Bench | None:
     """The benchmarks recorded in a folder, None if there are none; SymcheckError if they cannot be read."""
     file = folder / BENCH
     try:
-        data = json.loads(file.read_bytes())
-        if data["schema"] != SCHEMA:
-            raise ValueError(f"it is not of schema {SCHEMA}")
-        summary = tuple((str(what), str(figure), str(date)) for what, figure, date in data["summary"])
-        outputs = tuple(
-            Output(
-                str(each["script"]),
-                str(each["title"]),
-                str(each["measured"]),
-                str(each["machine"]),
-                bool(each["markdown"]),
-                tuple(map(str, each["lines"])),
-            )
-            for each in data["outputs"]
-        )
-        return Bench(str(data["machine"]), summary, outputs)
+        return msgspec.json.decode(file.read_bytes(), type=Bench)
     except FileNotFoundError:
         return None
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, msgspec.DecodeError) as error:
         raise SymcheckError(f"{file} cannot be read ({error}); restore it, or run `make bench`") from error
 
 
 def record(folder: Path, output: Output) -> None:
     """Keep what a benchmark printed, in place of what it printed before, and write the page anew."""
-    before = bench(folder) or Bench(output.machine, (), ())
+    before = bench(folder) or Bench(1, output.machine, (), ())
     outputs = {each.script: each for each in before.outputs} | {output.script: output}
-    data = {
-        "schema": SCHEMA,
-        "machine": before.machine,
-        "summary": before.summary,
-        "outputs": [vars(each) for each in outputs.values()],
-    }
+    data = msgspec.to_builtins(replace(before, outputs=tuple(outputs.values())))
     put(folder / BENCH, f"{json.dumps(data, ensure_ascii=False, indent=1)}\n".encode())
     write(folder)
 
