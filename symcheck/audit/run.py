@@ -17,6 +17,7 @@ from symcheck.audit.executor import Answer, Done, Executor, Timeout
 from symcheck.core.claims import Assertion, Declaration, Paper, Section
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger.lemmas import reached
 from symcheck.ledger.record import Later, Record
 
 K = TypeVar("K")
@@ -155,13 +156,7 @@ def _accepted(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Recor
 
 def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:
     """The declarations wanted, and behind them those on whose relations they rest, which are not told of."""
-    found = dict.fromkeys(wanted)
-    todo = list(found)
-    while todo:
-        more = [id for id in _lemmas(todo.pop(), obligations) if id not in found]
-        found |= dict.fromkeys(more)
-        todo += more
-    return list(found)
+    return reached(wanted, lambda id: _lemmas(id, obligations))
 
 
 def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:

@@ -14,11 +14,10 @@ from typing import Any
 
 from symcheck import kernels
 from symcheck.core.files import put
-from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import digest, digest_of, line, short_digest
 from symcheck.ledger.record import Record
-from symcheck.ledger.store import SCHEMA, SELFTEST
+from symcheck.ledger.store import SCHEMA, SELFTEST, require, stored
 
 
 @dataclass(frozen=True)
@@ -64,19 +63,14 @@ def recorded(folder: Path) -> dict[str, Any] | None:
 
     SymcheckError if it cannot be read, or was changed by hand.
     """
-    file = folder / SELFTEST
-    try:
-        data: dict[str, Any] = json.loads(file.read_bytes())
-        if data["schema"] != SCHEMA or not data["classes"] or not {**data["evidence"]}:
-            raise ValueError(f"it is not of schema {SCHEMA}")
-        if data["digest"] != _seal(data):
-            raise ValueError("its counts are not those that its digest is of")
-    except FileNotFoundError:
-        return None
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise SymcheckError(
-            f"{file} cannot be read ({error}); delete it, or run `symcheck selftest --record`"
-        ) from error
+    return stored(folder / SELFTEST, _read, "delete it, or run `symcheck selftest --record`")
+
+
+def _read(text: bytes) -> dict[str, Any]:
+    data: dict[str, Any] = json.loads(text)
+    known = data["schema"] == SCHEMA and data["classes"] and {**data["evidence"]}
+    require(known, f"it is not of schema {SCHEMA}")
+    require(data["digest"] == _seal(data), "its counts are not those that its digest is of")
     return data
 
 

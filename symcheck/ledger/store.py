@@ -7,10 +7,11 @@ certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from difflib import unified_diff
 from pathlib import Path
 from types import MappingProxyType
+from typing import TypeVar
 
 import msgspec
 
@@ -20,6 +21,7 @@ from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import line, short_digest
 from symcheck.ledger.record import Record
 
+T = TypeVar("T")
 SCHEMA = 1  # of the recorded outcomes
 PROOFS = 3  # the schema of certificates and of the statements they are compared with
 CERTIFICATES = "certificates"
@@ -88,20 +90,32 @@ def diff(folder: Path, contents: Mapping[str, bytes]) -> str:
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in told)
 
 
+def stored(file: Path, read: Callable[[bytes], T], advice: str) -> T | None:
+    """What a file of ours holds, None if there is none; SymcheckError, with what to do, if it cannot be read."""
+    try:
+        return read(file.read_bytes())
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, msgspec.DecodeError) as error:
+        raise SymcheckError(f"{file} cannot be read ({error}); {advice}") from error
+
+
+def require(holds: object, whole: str) -> None:
+    """ValueError if a file that is read is not what it should be."""
+    if not holds:
+        raise ValueError(whole)
+
+
 def expected(folder: Path, paper: str) -> dict[str, Verdict | None]:
     """The recorded verdict of each id of a paper, None for what claims nothing; empty if nothing was recorded."""
+
+    def read(text: bytes) -> dict[str, Verdict | None]:
+        data = msgspec.json.decode(text, type=_Expected)
+        require((data.schema, data.paper) == (SCHEMA, paper), f"it is not of schema {SCHEMA} and paper {paper}")
+        return {id: verdict for id, (verdict, _) in data.items.items()}
+
     file = folder / EXPECTED / f"{paper}.json"
-    try:
-        data = msgspec.json.decode(file.read_bytes(), type=_Expected)
-        if (data.schema, data.paper) != (SCHEMA, paper):
-            raise msgspec.DecodeError(f"it is not of schema {SCHEMA} and paper {paper}")
-    except FileNotFoundError:
-        return {}
-    except OSError as error:
-        raise SymcheckError(f"{file} cannot be read ({error.strerror})") from error
-    except msgspec.DecodeError as error:
-        raise SymcheckError(f"{file} is damaged ({error}); run `symcheck generate` to write it anew") from error
-    return {id: verdict for id, (verdict, _) in data.items.items()}
+    return stored(file, read, "run `symcheck generate` to write it anew") or {}
 
 
 class _Expected(msgspec.Struct, forbid_unknown_fields=True):

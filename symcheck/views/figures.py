@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
@@ -18,6 +19,7 @@ from msgspec.structs import replace
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger import selftested
+from symcheck.ledger.store import stored
 
 BENCH, PAGE = "bench.json", "figures.md"
 HEAD = """# Figures
@@ -65,13 +67,7 @@ class Bench(Struct, frozen=True, forbid_unknown_fields=True):
 
 def bench(folder: Path) -> Bench | None:
     """The benchmarks recorded in a folder, None if there are none; SymcheckError if they cannot be read."""
-    file = folder / BENCH
-    try:
-        return msgspec.json.decode(file.read_bytes(), type=Bench)
-    except FileNotFoundError:
-        return None
-    except (OSError, msgspec.DecodeError) as error:
-        raise SymcheckError(f"{file} cannot be read ({error}); restore it, or run `make bench`") from error
+    return stored(folder / BENCH, partial(msgspec.json.decode, type=Bench), "restore it, or run `make bench`")
 
 
 def record(folder: Path, output: Output) -> None:
