@@ -16,6 +16,7 @@ from typing import TypeVar
 import msgspec
 
 from symcheck.core.files import put as put_file
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, SymcheckError, Verdict
 from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import line, short_digest
@@ -130,7 +131,7 @@ def disagreements(records: Iterable[Record], recorded: Mapping[str, Verdict | No
     """One line for each record whose verdict is not the recorded one; if `complete`, also for each that is gone."""
     rows = {record.id: record for record in records}
     if rows and not recorded:
-        return [f"{min(rows).partition(':')[0]} has no recorded verdicts; run `symcheck generate` to record these"]
+        return [f"{Id.parse(min(rows)).paper} has no recorded verdicts; run `symcheck generate` to record these"]
     lines = [_disagreement(row, recorded) for id, row in rows.items() if (id, row.verdict) not in recorded.items()]
     gone = [id for id in recorded if complete and id not in rows]
     return lines + [f"{id} is recorded and no longer declared; run `symcheck generate` to accept" for id in gone]
