@@ -129,7 +129,7 @@ def audit(
 
 @contextmanager
 def _uncollected() -> Iterator[None]:
-    """Nothing is thrown away while certificates are read and checked; to look for it takes as long as to read them."""
+    """No garbage collection while certificates are read and checked: it would take as long as reading them."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:
@@ -155,7 +155,7 @@ def _accepted(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Recor
 
 
 def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:
-    """The declarations wanted, and behind them those on whose relations they rest, which are not told of."""
+    """The declarations wanted, followed by those on whose relations they rest, which are not reported."""
     return reached(wanted, lambda id: _lemmas(id, obligations))
 
 

@@ -200,7 +200,7 @@ class Record(_Part, frozen=True):
         return self.erratum is not None and self.erratum.row
 
     def refuse_wider(self) -> None:
-        """SymcheckError if a proof uses a hypothesis that is not told beside the verdict: it would claim too much."""
+        """SymcheckError if a proof uses a hypothesis that the record does not list: it would claim too much."""
         used = (self.domain or {}).get("hypotheses", ())
         if missing := set(used) - {hypothesis.name for hypothesis in self.hypotheses}:
             names = ", ".join(map(repr, sorted(missing)))

@@ -1,8 +1,8 @@
 """What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
 All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
-and each expectation has its own line, so that a diff shows what changed. Beside them lie what Coq said of the
-certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `symcheck.ledger.selftested`.
+and each expectation has its own line, so that a diff shows what changed. The folder also holds what Coq said
+of the certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `symcheck.ledger.selftested`.
 """
 
 from __future__ import annotations

@@ -142,7 +142,7 @@ def draw(name: str, output: Path | str) -> Path:
     path = Path(output)
     kind = path.suffix.lower()
     if kind not in UNDATED:
-        raise ValueError(f"output = {path} must end in {', '.join(UNDATED)}, which tells how the figure is written")
+        raise ValueError(f"output = {path} must end in {', '.join(UNDATED)}, which says how the figure is written")
     drawn = figure(name)
     from matplotlib import rc_context
 

@@ -1,4 +1,4 @@
-"""The one place where the self-test asks what the ledger would tell, and goes from certificates back to problems.
+"""The one place where the self-test asks what the ledger would report, and goes from certificates back to problems.
 
 Nothing here judges by itself: certificates are accepted by `symcheck.audit.checked.reasons`, and a verdict is what
 `symcheck.audit.checked.accepted` leaves of it, as for every row of the ledger.
@@ -32,7 +32,7 @@ def holds(evidence: Certificate, lemmas: Sequence[Certificate] = ()) -> bool:
 
 
 def ledger_verdict(context: Context, unit: Unit, finding: Finding) -> Verdict:
-    """What the ledger tells of a finding: its verdict, if the checker accepts the certificates of it."""
+    """What the ledger reports of a finding: its verdict, if the checker accepts its certificates."""
     if finding.verdict is Verdict.UNDECIDED:
         return finding.verdict
     id, declared = f"{context.id}{unit.letter}", context.id
@@ -65,7 +65,7 @@ def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
 
 
 def states(finding: Finding, formulas: Iterable[Formula]) -> bool:
-    """Whether the certificates claim just these formulas, and what is claimed beside them: sets of equality."""
+    """Whether the certificates claim just these formulas, and in addition only sets of equality."""
     claims = [certificate["claim"] for certificate in finding.certificates]
     stated: list[JSON] = json.loads(json.dumps([*formulas]))
     return claims[: len(stated)] == stated and len(claims) == len(finding.problems)

@@ -102,7 +102,7 @@ def _inside(argument: Argument, column: Array, low: End, high: End) -> Array:
 
 
 def _next(end: End, towards: float) -> Array:
-    """The next number; beside 0 the nearest that crowds it, since closer doubles have fewer digits."""
+    """The next number; next to 0 the nearest one that crowds it, since closer doubles have fewer digits."""
     return np.where(end == 0, np.copysign(10.0**-CROWD, towards), np.nextafter(end, towards))
 
 

@@ -1,4 +1,4 @@
-"""generated/figures.md: what the benchmarks and the self-test measured, as recorded beside it.
+"""generated/figures.md: what the benchmarks and the self-test measured, from the records in the same folder.
 
 The benchmarks record what they print in generated/bench.json (`tests/bench_record.py`), the self-test its counts in
 generated/selftest.json. The page follows from these two files alone.

@@ -25,7 +25,7 @@ _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
-_ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
+_ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record writes the conditions of a corrected formula
 
 
 @dataclass(frozen=True)

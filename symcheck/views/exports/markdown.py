@@ -48,7 +48,7 @@ def _table(faults: FaultList) -> Iterator[str]:
 
 
 def _formula(text: str) -> str:
-    """A formula between dollars on one line that no table takes for several cells; what is none as plain text."""
+    """A formula between dollars on one line, without bars that would split a table cell; other text as plain text."""
     if not is_formula(text):
         return _plain(text)
     written = standing_alone(text).replace(r"\|", r"\Vert ").replace("|", r"\vert ")

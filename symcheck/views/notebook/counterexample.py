@@ -1,4 +1,4 @@
-"""A refutation evaluated anew, exactly: both sides of every equality that tells, at the certificate's point."""
+"""A refutation evaluated anew, exactly: both sides of each relation that decides, at the certificate's point."""
 
 from __future__ import annotations
 

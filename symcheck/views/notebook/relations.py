@@ -48,7 +48,7 @@ def title(record: Record, whole: bool = False) -> str:
 
 
 def verdicts(chain: Sequence[Record]) -> str:
-    """The verdict of each link in Markdown, of links that are alike once."""
+    """The verdict of each link in Markdown; a verdict that several links share is written once."""
     told: dict[str, list[str]] = {}
     for record in chain:
         told.setdefault(_verdict(record), []).append(letter(record))

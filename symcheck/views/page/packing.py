@@ -31,7 +31,7 @@ def packed(data: object) -> Markup:
         for _ in range(-(-8 * len(part) // BITS)):
             parts.append(PAIRS[number & (1 << BITS) - 1])
             number >>= BITS
-    surplus = BITS * len(parts) // 8 - len(deflated)  # a byte of zeros, which a single digit tells to leave out
+    surplus = BITS * len(parts) // 8 - len(deflated)  # a byte of zeros; a single digit at the end marks it as padding
     return Markup("".join(parts) + DIGITS[0] * surplus)
 
 

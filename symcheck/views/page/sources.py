@@ -1,4 +1,4 @@
-"""What lies beside the records and shows a claim too: papers, the kernels that rest on it, cells of notebooks."""
+"""What else shows a claim: its paper, the kernels that rest on it, and cells of notebooks."""
 
 from __future__ import annotations
 
