@@ -7,37 +7,27 @@ from collections import defaultdict
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from difflib import get_close_matches
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from msgspec.structs import replace
 
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
 from symcheck.audit.executor import Answer, Done, Executor, Timeout
-from symcheck.core.claims import Assertion, Declaration, Paper, Section
+from symcheck.core.claims import Assertion, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.lemmas import reached
 from symcheck.ledger.record import Later, Record
+
+if TYPE_CHECKING:
+    from symcheck.audit.obligation import Obligation
 
 K = TypeVar("K")
 T = TypeVar("T")
 Progress = Callable[[int, int], None]
 Links = frozenset[str]
 EVERY: Links = frozenset()
-
-
-class Obligation(Protocol):
-    """One declaration to decide: light, no algebra."""
-
-    @property
-    def id(self) -> str: ...
-    @property
-    def paper(self) -> Paper: ...
-    @property
-    def section(self) -> Section: ...
-    @property
-    def item(self) -> Declaration: ...
 
 
 class Decider(Protocol):
