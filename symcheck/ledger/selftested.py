@@ -19,6 +19,8 @@ from symcheck.ledger.digests import digest, digest_of, line, short_digest
 from symcheck.ledger.record import Record
 from symcheck.ledger.store import SCHEMA, SELFTEST, require, stored
 
+STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")  # as a result names them
+
 
 @dataclass(frozen=True)
 class Row:
@@ -33,6 +35,10 @@ class Row:
         """Rejected of those that are faults, in per cent with 95 % limits; empty of none."""
         found = self.counts["rejected_of_faults"]
         return f"{100 * found[1]:.2f} % ({100 * found[0]:.2f} to {100 * found[2]:.2f})" if found else ""
+
+    def number(self, name: str) -> str:
+        """A count in words: "-" for none."""
+        return f"{count:,}" if (count := self.counts.get(name, 0)) else "-"
 
 
 def rows(result: Mapping[str, Any]) -> list[Row]:

@@ -51,11 +51,6 @@ def inside(kernel: Kernel, points: Columns) -> Array:
     return found
 
 
-def unbounded(kernel: Kernel) -> bool:
-    """Whether an argument has not two ends, so that doubles may not hold its products and powers."""
-    return any(not (argument.low and argument.high) for argument in kernel.arguments)
-
-
 def _sampled(kernel: Kernel, sample: Callable[[Argument, End, End], Array]) -> Columns:
     """A column for each argument; those whose ends are other arguments come after these."""
     columns: dict[str, Array] = {}
