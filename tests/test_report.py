@@ -16,6 +16,7 @@ import stand_in
 from click.testing import Result
 from msgspec.structs import replace
 from stand_in import correction, hypothesis
+from unpacked import unpacked
 
 from symcheck import kernels, papers
 from symcheck.audit.obligation import expand
@@ -28,7 +29,6 @@ from symcheck.views.page import sources
 from symcheck.views.page.difference import marked
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
-from symcheck.views.page.packing import unpacked
 from symcheck.views.page.page import Extras, page
 from symcheck.views.page.plots import colour, coloured, curves, png
 from symcheck.views.page.sources import Excerpt, Publication
