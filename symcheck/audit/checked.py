@@ -1,6 +1,6 @@
 """Only what the checker accepts is reported: every certificate of every row, cached or new, goes through it.
 
-Nobody is believed before: not the provers, not the cache. A verdict whose certificates are not accepted becomes
+Nothing is trusted beforehand, neither the provers nor the cache. A verdict whose certificates are not accepted becomes
 undecided, and the same holds for what a correction is said to be, and for whether a hypothesis is needed.
 """
 
@@ -36,7 +36,7 @@ def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 
 
 def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
-    """The same, where there are many half of them in another process."""
+    """The same; if there are many, half of them in another process."""
     if len(certificates) < MANY or not _may_fork():
         return reasons(certificates)
     from multiprocessing import get_context
@@ -58,7 +58,7 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 
 
 def _may_fork() -> bool:
-    """On two processors, and where no thread, also of a library, is left behind in the middle of something."""
+    """Whether there are two processors, and no other thread that a fork would stop halfway."""
     return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and len(os.listdir("/proc/self/task")) == 1
 
 
@@ -174,7 +174,7 @@ def _is_needless(record: Record, row: HypothesisRow, need: Need, answers: Answer
 
 
 def unweighed(rows: Rows) -> dict[str, tuple[Record, ...]]:
-    """The records without a word on which hypotheses are needed, and without the certificates of that."""
+    """The records without what is known of the need for hypotheses, and without the certificates of that."""
     return {
         name: tuple(replace(r, hypotheses=tuple(replace(row, need=None) for row in r.hypotheses)) for r in each)
         for name, each in rows.items()

@@ -107,7 +107,7 @@ class Pool:
 
 
 def _nothing() -> None:
-    """What a process does that is waited for."""
+    """The task of a process whose end is all that matters."""
 
 
 def _kill_server() -> None:

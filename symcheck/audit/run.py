@@ -158,7 +158,7 @@ def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
 
 
 def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
-    """What is decided of what was asked for, in printed order."""
+    """The records that were asked for and are decided, in printed order."""
     decided = ((id, links) for id, links in wanted.items() if id in records)
     return _with_later([record for id, links in decided for record in _of_links(records[id], links)])
 
@@ -166,7 +166,7 @@ def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, 
 def _with_later(records: list[Record]) -> list[Record]:
     """Each erratum with what becomes of it later: which relations that rest on it are right, which share the fault.
 
-    Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
+    Only for the relations at hand: those that refer to the declaration, and the following links of the same chain.
     """
     about: defaultdict[str, list[Record]] = defaultdict(list)
     for record in records:

@@ -1,4 +1,4 @@
-"""The files for Coq: statements, proofs in parts of about a minute each, witnesses, and a list of it all."""
+"""The files for Coq: statements, proofs in parts of about a minute each, witnesses, and a manifest."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ class Agreement:
     disagreements: list[str] = field(default_factory=list)
 
     def add(self, evidence: Certificate) -> None:
-        """One refutation more."""
+        """Add one refutation."""
         answers = {name: refutes(name, evidence) for name in ENGINES}
         self.points += 1
         self.all_three += None not in answers.values()
