@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
 from symcheck.core.certificates import Certificate
-from symcheck.core.formulas import conjuncts
+from symcheck.core.formulas import CONTRARY, conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Reader, node
+from symcheck.core.terms import RELATIONS, Formula, Reader, node
 from symcheck.core.verdicts import Loss
 from symcheck.ledger.lemmas import lemmas_of, reached
 from symcheck.ledger.record import Record
@@ -23,7 +23,7 @@ from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
-TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
+TURNED = {sign: CONTRARY[sign] for sign in RELATIONS}
 BATCH = 40  # certificates that one task goes through
 Path = tuple[str | int, ...]
 DROPPED: object = None  # stands for no new value
