@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from symcheck.selftest.kernel_points import Columns, crowded_points, inside, random_points, unbounded
+from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.selftest.kernel_points import Columns, crowded_points, inside, random_points
 from symcheck.selftest.kernel_truth import Case, Truth, cases
 
 __all__ = [
@@ -37,6 +38,11 @@ def in_range(case: Case, point: Sequence[float]) -> bool:
         except (FloatingPointError, ZeroDivisionError):
             return False
     return True
+
+
+def unbounded(kernel: Kernel) -> bool:
+    """Whether the domain of an argument is unbounded, so that products and powers of it may overflow."""
+    return any(not (argument.low and argument.high) for argument in kernel.arguments)
 
 
 class Worst(NamedTuple):

@@ -13,6 +13,7 @@ import pytest
 import stand_in
 from click.testing import Result
 from msgspec.structs import replace
+from unpacked import unpacked
 
 from symcheck import kernels, papers
 from symcheck.coq import confirmed
@@ -22,7 +23,6 @@ from symcheck.ledger.digests import digest, digest_of
 from symcheck.ledger.store import COQ
 from symcheck.views import pictures
 from symcheck.views.page import sources
-from symcheck.views.page.packing import unpacked
 
 Run = Callable[..., Result]
 RIGHT, WRONG = (record for number in ("1.1", "1.3") for record in stand_in.decide(f"toy:{number}"))

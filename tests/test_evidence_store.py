@@ -107,7 +107,7 @@ def test_a_damaged_expectation_is_one_clear_line(text: str, folder: Path) -> Non
     (folder / "expected" / "toy.json").write_text(text)
     with pytest.raises(SymcheckError) as error:
         store.expected(folder, "toy")
-    assert "toy.json is damaged" in str(error.value)
+    assert "toy.json cannot be read" in str(error.value)
     assert "\n" not in str(error.value)
 
 

@@ -77,7 +77,12 @@ def test_a_recorded_output_replaces_the_one_before(tmp_path: Path) -> None:
     assert figures.files(tmp_path) == {name: (tmp_path / name).read_bytes() for name in (figures.BENCH, figures.PAGE)}
 
 
-@pytest.mark.parametrize("text", ["{", "[]", '{"schema": 2}', '{"schema": 1, "summary": [1], "outputs": []}'])
+EMPTY = '"machine": "", "summary": [], "outputs": []'
+
+
+@pytest.mark.parametrize(
+    "text", ["{", "[]", '{"schema": 1}', f'{{"schema": 2, {EMPTY}}}', f'{{"schema": 1, "more": 1, {EMPTY}}}']
+)
 def test_a_damaged_record_is_named(text: str, tmp_path: Path) -> None:
     (tmp_path / figures.BENCH).write_text(text, encoding="utf-8")
     with pytest.raises(SymcheckError, match=r"bench\.json cannot be read .* run `make bench`"):

@@ -5,9 +5,11 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
+from pkgutil import iter_modules
 
 import pytest
 
+import symcheck
 from symcheck import papers
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import SymcheckError
@@ -48,6 +50,13 @@ def test_a_command_shows_what_it_prints_and_its_error_and_no_times() -> None:
     assert "proved" in decided
     assert not re.search(r"\d s$", decided, flags=re.MULTILINE)
     assert "did you mean pendulum" in repr(checkout.run("symcheck check pendulm --jobs 0"))
+
+
+def test_the_guide_names_every_folder_of_the_package() -> None:
+    text = (committed.folder() / "sources" / "guide" / "6_contribute.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^  (\w+)/", text, flags=re.MULTILINE)
+    folders = {each.name for each in iter_modules(symcheck.__path__) if each.ispkg} - {"generated"}
+    assert sorted(listed) == sorted(folders)
 
 
 def test_a_checkout_is_removed_with_its_object() -> None:

@@ -20,13 +20,13 @@ from symcheck.audit.obligation import expand
 from symcheck.core.claims import Assertion
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.record import Record
+from symcheck.ledger.selftested import STATUSES
 from symcheck.reading import read
 from symcheck.selftest import certificates, engines, forgeries, hypotheses, kernels, methods, statements
 from symcheck.selftest.evidence import ledger_verdict
 from symcheck.selftest.run import Result, classes, run, tasks
 from symcheck.selftest.slips import arguments, connectives, slips_of
 from symcheck.selftest.statements import proved
-from symcheck.selftest.table import STATUSES
 from symcheck.selftest.trial import Count, Status, Trial, limits, mixed
 
 IDS = (

@@ -1,6 +1,6 @@
 """Only what the checker accepts is reported: every certificate of every row, cached or new, goes through it.
 
-Nobody is believed before: not the provers, not the cache. A verdict whose certificates are not accepted becomes
+Nothing is trusted beforehand, neither the provers nor the cache. A verdict whose certificates are not accepted becomes
 undecided, and the same holds for what a correction is said to be, and for whether a hypothesis is needed.
 """
 
@@ -19,6 +19,7 @@ from msgspec.structs import replace
 from symcheck.checker import check_all
 from symcheck.core.certificates import Certificate
 from symcheck.core.verdicts import Loss, Reading, Verdict
+from symcheck.ledger.lemmas import lemmas_of, reached
 from symcheck.ledger.record import Correction, HypothesisRow, Need, Record
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 
 
 def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
-    """The same, where there are many half of them in another process."""
+    """The same; if there are many, half of them in another process."""
     if len(certificates) < MANY or not _may_fork():
         return reasons(certificates)
     from multiprocessing import get_context
@@ -57,17 +58,17 @@ def _reasons(certificates: Sequence[Certificate]) -> list[str | None]:
 
 
 def _may_fork() -> bool:
-    """On two processors, and where no thread, also of a library, is left behind in the middle of something."""
+    """Whether there are two processors, and no other thread that a fork would stop halfway."""
     return sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1 and len(os.listdir("/proc/self/task")) == 1
 
 
 def _with_lemmas(part: Sequence[Certificate], certificates: Sequence[Certificate]) -> list[Certificate]:
     """Some certificates, and behind them those of their lemmas, and of the lemmas of these."""
-    found, named, size = list(part), set[str](), -1
-    while len(named) > size:
-        size, named = len(named), {name for each in found for name, _ in each.get("lemmas", ())}
-        found = [*part, *(each for each in certificates if each.get("id") in named)]
-    return found
+    by_id: dict[str, list[Certificate]] = {}
+    for each in certificates:
+        by_id.setdefault(each.get("id", ""), []).append(each)
+    names = reached(lemmas_of(part), lambda name: lemmas_of(by_id.get(name, ())))
+    return [*part, *(each for name in names for each in by_id.get(name, ()))]
 
 
 def _send(sender: Connection, certificates: Sequence[Certificate]) -> None:
@@ -91,13 +92,10 @@ def accepted(rows: Rows, further: Rows = MappingProxyType({})) -> dict[str, tupl
 
 def _lemmas(records: Iterable[Record], others: Iterable[Record]) -> list[Record]:
     """Those of the others on which the records rest, and those on which these rest."""
-    known, found, todo = {record.id: record for record in others}, dict[str, Record](), list(records)
-    while todo:
-        named = {name for certificate in todo.pop().all_certificates() for name, _ in certificate.get("lemmas", ())}
-        more = {name: known[name] for name in sorted(named & known.keys() - found.keys())}
-        found |= more
-        todo += more.values()
-    return list(found.values())
+    known = {record.id: record for record in others}
+    own = [certificate for record in records for certificate in record.all_certificates()]
+    names = reached(lemmas_of(own), lambda name: lemmas_of(known[name].all_certificates()) if name in known else ())
+    return [known[name] for name in names if name in known]
 
 
 @dataclass(frozen=True)
@@ -176,7 +174,7 @@ def _is_needless(record: Record, row: HypothesisRow, need: Need, answers: Answer
 
 
 def unweighed(rows: Rows) -> dict[str, tuple[Record, ...]]:
-    """The records without a word on which hypotheses are needed, and without the certificates of that."""
+    """The records without what is known of the need for hypotheses, and without the certificates of that."""
     return {
         name: tuple(replace(r, hypotheses=tuple(replace(row, need=None) for row in r.hypotheses)) for r in each)
         for name, each in rows.items()

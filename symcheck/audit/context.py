@@ -137,7 +137,7 @@ class Context:
         return tuple(ordered.items())
 
     def without_equality(self) -> Context:
-        """The same declaration without a word on where its inequalities are equalities."""
+        """The same declaration without the sets where its inequalities are equalities."""
         return self.having(item=replace(self.item, statement=replace(self.item.statement, equality="")))
 
     def as_corrected(self, erratum: Erratum) -> Context:

@@ -107,14 +107,14 @@ class Pool:
 
 
 def _nothing() -> None:
-    """What a process does that is waited for."""
+    """The task of a process whose end is all that matters."""
 
 
 def _kill_server() -> None:
     """Kill the fork server, which would still fork what was asked of it, when nobody is there any more."""
     from multiprocessing import forkserver
 
-    pid = getattr(getattr(forkserver, "_forkserver", None), "_forkserver_pid", None)  # told nowhere else
+    pid = getattr(getattr(forkserver, "_forkserver", None), "_forkserver_pid", None)  # known nowhere else
     if pid is not None:
         with suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)

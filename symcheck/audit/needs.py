@@ -17,7 +17,7 @@ Proved = tuple[Problem, Certificate]
 
 
 def listed(item: Assertion, added: Sequence[Hypothesis]) -> Iterator[HypothesisRow]:
-    """Each hypothesis and where it comes from, without a word on whether it is needed.
+    """Each hypothesis and where it comes from, without whether it is needed.
 
     Those that are in force only where an inequality is shown to be an equality come last.
     """

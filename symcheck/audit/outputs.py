@@ -9,7 +9,7 @@ from symcheck import papers
 from symcheck.audit.index import Index
 from symcheck.core.certificates import Certificate
 from symcheck.ledger.digests import line
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Record, by_paper
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
 
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
@@ -17,11 +17,8 @@ Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names 
 
 def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
     """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper."""
-    of_paper: dict[str, list[Record]] = {}
-    for record in records:
-        of_paper.setdefault(record.paper, []).append(record)
     out: dict[str, bytes] = {}
-    for key, rows in sorted(of_paper.items()):
+    for key, rows in sorted(by_paper(records).items()):
         texts, equalities = kernels.get(key, ({}, ()))
         equalities = [*equalities]
         proofs = [*(certificate for row in rows for certificate in row.all_certificates()), *equalities]

@@ -7,36 +7,27 @@ from collections import defaultdict
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from difflib import get_close_matches
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from msgspec.structs import replace
 
 from symcheck.audit import checked
 from symcheck.audit.cache import Cache
 from symcheck.audit.executor import Answer, Done, Executor, Timeout
-from symcheck.core.claims import Assertion, Declaration, Paper, Section
+from symcheck.core.claims import Assertion, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger.lemmas import reached
 from symcheck.ledger.record import Later, Record
+
+if TYPE_CHECKING:
+    from symcheck.audit.obligation import Obligation
 
 K = TypeVar("K")
 T = TypeVar("T")
 Progress = Callable[[int, int], None]
 Links = frozenset[str]
 EVERY: Links = frozenset()
-
-
-class Obligation(Protocol):
-    """One declaration to decide: light, no algebra."""
-
-    @property
-    def id(self) -> str: ...
-    @property
-    def paper(self) -> Paper: ...
-    @property
-    def section(self) -> Section: ...
-    @property
-    def item(self) -> Declaration: ...
 
 
 class Decider(Protocol):
@@ -128,7 +119,7 @@ def audit(
 
 @contextmanager
 def _uncollected() -> Iterator[None]:
-    """Nothing is thrown away while certificates are read and checked; to look for it takes as long as to read them."""
+    """No garbage collection while certificates are read and checked: it would take as long as reading them."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:
@@ -154,14 +145,8 @@ def _accepted(new: checked.Rows, records: checked.Rows) -> dict[str, tuple[Recor
 
 
 def _with_lemmas(wanted: Iterable[str], obligations: Mapping[str, Obligation]) -> list[str]:
-    """The declarations wanted, and behind them those on whose relations they rest, which are not told of."""
-    found = dict.fromkeys(wanted)
-    todo = list(found)
-    while todo:
-        more = [id for id in _lemmas(todo.pop(), obligations) if id not in found]
-        found |= dict.fromkeys(more)
-        todo += more
-    return list(found)
+    """The declarations wanted, followed by those on whose relations they rest, which are not reported."""
+    return reached(wanted, lambda id: _lemmas(id, obligations))
 
 
 def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
@@ -173,7 +158,7 @@ def _lemmas(id: str, obligations: Mapping[str, Obligation]) -> list[str]:
 
 
 def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, ...]]) -> list[Record]:
-    """What is decided of what was asked for, in printed order."""
+    """The records that were asked for and are decided, in printed order."""
     decided = ((id, links) for id, links in wanted.items() if id in records)
     return _with_later([record for id, links in decided for record in _of_links(records[id], links)])
 
@@ -181,7 +166,7 @@ def _asked_for(wanted: Mapping[str, Links], records: Mapping[str, tuple[Record, 
 def _with_later(records: list[Record]) -> list[Record]:
     """Each erratum with what becomes of it later: which relations that rest on it are right, which share the fault.
 
-    Told of the relations at hand only: those that refer to the declaration, and the following links of the same chain.
+    Only for the relations at hand: those that refer to the declaration, and the following links of the same chain.
     """
     about: defaultdict[str, list[Record]] = defaultdict(list)
     for record in records:

@@ -11,7 +11,7 @@ from types import TracebackType
 
 
 def _silent(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
-    """Told elsewhere."""
+    """Reported elsewhere."""
 
 
 if any("multiprocessing.forkserver" in argument for argument in sys.orig_argv):

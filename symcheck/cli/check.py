@@ -43,31 +43,26 @@ def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None,
     if as_json:
         print_json(shown, partial)
         return
+    from symcheck.ledger.record import by_paper
     from symcheck.views import terminal
 
     out = terminal.console()
     note = "PARTIAL: interrupted before all relations were decided" if partial else ""
     out.print(note, end="\n" * partial)
-    for key, rows in _by_paper(shown).items():
+    for key, rows in by_paper(shown).items():
         terminal.ledger(out, key, rows)
     terminal.summary(out, records)
     out.print(note, end="\n" * partial)
-
-
-def _by_paper(records: Sequence[Record]) -> dict[str, list[Record]]:
-    papers: dict[str, list[Record]] = {}
-    for record in records:
-        papers.setdefault(record.paper, []).append(record)
-    return papers
 
 
 def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -> None:
     """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
     from symcheck import kernels
     from symcheck.ledger import store
+    from symcheck.ledger.record import by_paper
 
     folder, differing = kernels.folder(), []
-    for key, rows in _by_paper(records).items():
+    for key, rows in by_paper(records).items():
         complete = not selection or key in selection
         differing += store.disagreements(rows, store.expected(folder, key), complete)
     for line in differing[:MAX_LINES]:

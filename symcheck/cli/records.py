@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def audited(selection: Iterable[str], options: AuditOptions, *, weigh: bool = True) -> list[Record]:
-    """The records of a selection, with which hypotheses are needed if asked; an interrupt tells how far it was."""
+    """The records of a selection, with which hypotheses are needed if asked; an interrupt says how far it had come."""
     from symcheck.audit.library import check
     from symcheck.audit.run import Interrupted
 

@@ -18,7 +18,7 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger.digests import digest, digest_of, line
 from symcheck.ledger.record import Record
-from symcheck.ledger.store import COQ, SCHEMA, document
+from symcheck.ledger.store import COQ, SCHEMA, document, require, stored
 
 CONFIRMED, NOT_TRIED = "yes", "not tried"
 Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does not confirm them, or ""
@@ -107,19 +107,15 @@ def unrecorded(folder: Path, outcomes: Mapping[str, Outcome]) -> int:
 
 def recorded(folder: Path, paper: str) -> dict[str, Outcome]:
     """The outcomes of a paper by `key`; empty if there are none, SymcheckError if they cannot be read."""
-    file = folder / _name(paper)
-    try:
-        data = json.loads(text := file.read_bytes())
-        if data["schema"] != SCHEMA or data["paper"] != paper:
-            raise ValueError(f"it is not of schema {SCHEMA} and paper {paper}")
+
+    def read(text: bytes) -> dict[str, Outcome]:
+        data = json.loads(text)
+        require((data["schema"], data["paper"]) == (SCHEMA, paper), f"it is not of schema {SCHEMA} and paper {paper}")
         found = {name: (str(current), str(reason)) for name, (current, reason) in data["items"].items()}
-        if text != _text(paper, found):
-            raise ValueError("its outcomes are not those that its digest is of")
+        require(text == _text(paper, found), "its outcomes are not those that its digest is of")
         return found
-    except FileNotFoundError:
-        return {}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-        raise SymcheckError(f"{file} cannot be read ({error}); delete it, or run `make coq`") from error
+
+    return stored(folder / _name(paper), read, "delete it, or run `make coq`") or {}
 
 
 _recorded = cache(recorded)

@@ -1,4 +1,4 @@
-"""The files for Coq: statements, proofs in parts of about a minute each, witnesses, and a list of it all."""
+"""The files for Coq: statements, proofs in parts of about a minute each, witnesses, and a manifest."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from symcheck.coq.claims import Claim, claims_of
 from symcheck.coq.statements import WIDTH
 from symcheck.coq.theorems import about_angles, everything
 from symcheck.coq.witnesses import witnesses
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Record, by_paper
 
 PART = 120_000  # characters of proof scripts in a file: under a minute for Coq
 OURS = ("Symcheck.v", "Digits.v", "Theorems.v")
@@ -43,15 +43,12 @@ def manifest(folder: Path) -> dict[str, Entry]:
 
 def files(records: Sequence[Record]) -> Mapping[str, str]:
     """The text of each file by its name: the libraries, a folder per paper, and the manifest."""
-    papers: dict[str, list[Record]] = {}
-    for record in records:
-        papers.setdefault(record.paper, []).append(record)
     folder = resources(__package__)
     out = {name: folder.joinpath(name).read_text(encoding="utf-8") for name in OURS}
     out["Theorems.v"] += about_angles()
     out["Theorems.v"] += "\n" + everything(re.findall(r"^Theorem (\w+)", out["Theorems.v"], re.MULTILINE))
     entries: dict[str, Entry] = {}
-    for paper, rows in papers.items():
+    for paper, rows in by_paper(records).items():
         claims = claims_of(rows)
         out[f"{paper}/Claims.v"] = claims_file(paper, claims)
         parts = {f"Proofs{k}": part for k, part in enumerate(_parts(claims), 1)}

@@ -48,7 +48,7 @@ class Evaluator:
         raise NotImplementedError
 
     def sign(self, relation: Tree, at: Values) -> int:
-        """The sign of left - right; NoValue if nobody can tell."""
+        """The sign of left - right; NoValue if it cannot be determined."""
         raise NotImplementedError
 
     def term(self, node: Tree, at: Values) -> Number:

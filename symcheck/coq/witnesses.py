@@ -1,5 +1,4 @@
-"""For claim set of hypotheses the point of a certificate at which it holds, so that no statement is true for want of
-a case."""
+"""For each set of hypotheses the point of a certificate at which it holds, so that no statement is vacuously true."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """How a generated kernel runs: on numbers and a handful of points by `math`, on small arrays at once, else by blocks.
 
 A generated module `<key>.py` has the formulas as functions of floats, each under the decorator `kernel`, with what is
-known of it as data. `_<key>.py` beside it has the same formulas as calls of ufuncs on registers. A block of points
+known of it as data. `_<key>.py` next to it has the same formulas as calls of ufuncs on registers. A block of points
 stays in the caches of its processor, so that the values between two operations never travel to memory; the registers
 are kept from call to call, one set for each thread. NumPy and the standard library alone.
 
@@ -127,7 +127,7 @@ def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Seq
 
 
 def _at_once(block: Block, arrays: Sequence[Array], shape: tuple[int, ...], dtype: DType) -> Sequence[Array]:
-    """The results in arrays of their own; numbers for numbers."""
+    """The results in new arrays; numbers for numbers."""
     whole = [x if shape and x.shape == shape and x.dtype == dtype else _filled(x, shape or (1,), dtype) for x in arrays]
     found = block(*whole)
     results = found if isinstance(found, tuple) else (found,)

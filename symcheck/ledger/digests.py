@@ -8,7 +8,7 @@ from hashlib import sha256
 
 from symcheck.core.certificates import Certificate
 
-DIGITS = 16  # of a digest: enough to tell apart what nobody makes alike
+DIGITS = 16  # of a digest: enough where nobody constructs collisions
 
 
 def short_digest(text: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from msgspec import UNSET, Struct, UnsetType, ValidationError, convert, field, to_builtins
@@ -200,7 +200,7 @@ class Record(_Part, frozen=True):
         return self.erratum is not None and self.erratum.row
 
     def refuse_wider(self) -> None:
-        """SymcheckError if a proof uses a hypothesis that is not told beside the verdict: it would claim too much."""
+        """SymcheckError if a proof uses a hypothesis that the record does not list: it would claim too much."""
         used = (self.domain or {}).get("hypotheses", ())
         if missing := set(used) - {hypothesis.name for hypothesis in self.hypotheses}:
             names = ", ".join(map(repr, sorted(missing)))
@@ -241,6 +241,14 @@ class Record(_Part, frozen=True):
 
     def _derived(self) -> dict[str, object]:
         return {name: getattr(self, name) for name in _DERIVED}
+
+
+def by_paper(records: Iterable[Record]) -> dict[str, list[Record]]:
+    """The records of each paper, in the order in which the papers come."""
+    papers: dict[str, list[Record]] = {}
+    for record in records:
+        papers.setdefault(record.paper, []).append(record)
+    return papers
 
 
 _DERIVED = ("counterexample", "group", "domain")  # written to JSON though it follows from the others

@@ -14,11 +14,12 @@ from typing import Any
 
 from symcheck import kernels
 from symcheck.core.files import put
-from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import digest, digest_of, line, short_digest
 from symcheck.ledger.record import Record
-from symcheck.ledger.store import SCHEMA, SELFTEST
+from symcheck.ledger.store import SCHEMA, SELFTEST, require, stored
+
+STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")  # as a result names them
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,10 @@ class Row:
         """Rejected of those that are faults, in per cent with 95 % limits; empty of none."""
         found = self.counts["rejected_of_faults"]
         return f"{100 * found[1]:.2f} % ({100 * found[0]:.2f} to {100 * found[2]:.2f})" if found else ""
+
+    def number(self, name: str) -> str:
+        """A count in words: "-" for none."""
+        return f"{count:,}" if (count := self.counts.get(name, 0)) else "-"
 
 
 def rows(result: Mapping[str, Any]) -> list[Row]:
@@ -64,19 +69,14 @@ def recorded(folder: Path) -> dict[str, Any] | None:
 
     SymcheckError if it cannot be read, or was changed by hand.
     """
-    file = folder / SELFTEST
-    try:
-        data: dict[str, Any] = json.loads(file.read_bytes())
-        if data["schema"] != SCHEMA or not data["classes"] or not {**data["evidence"]}:
-            raise ValueError(f"it is not of schema {SCHEMA}")
-        if data["digest"] != _seal(data):
-            raise ValueError("its counts are not those that its digest is of")
-    except FileNotFoundError:
-        return None
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise SymcheckError(
-            f"{file} cannot be read ({error}); delete it, or run `symcheck selftest --record`"
-        ) from error
+    return stored(folder / SELFTEST, _read, "delete it, or run `symcheck selftest --record`")
+
+
+def _read(text: bytes) -> dict[str, Any]:
+    data: dict[str, Any] = json.loads(text)
+    known = data["schema"] == SCHEMA and data["classes"] and {**data["evidence"]}
+    require(known, f"it is not of schema {SCHEMA}")
+    require(data["digest"] == _seal(data), "its counts are not those that its digest is of")
     return data
 
 

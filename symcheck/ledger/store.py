@@ -1,25 +1,28 @@
 """What is checked in under generated/: the certificates of each paper, the verdicts expected of it, and its kernels.
 
 All files are written from the records of an audit and depend on nothing else: no times, no versions. Each certificate
-and each expectation has its own line, so that a diff shows what changed. Beside them lie what Coq said of the
-certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `symcheck.ledger.selftested`.
+and each expectation has its own line, so that a diff shows what changed. The folder also holds what Coq said
+of the certificates, see `symcheck.coq.confirmed`, and what the self-test found, see `symcheck.ledger.selftested`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from difflib import unified_diff
 from pathlib import Path
 from types import MappingProxyType
+from typing import TypeVar
 
 import msgspec
 
 from symcheck.core.files import put as put_file
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, SymcheckError, Verdict
 from symcheck.kernels.codegen.target import MARK
 from symcheck.ledger.digests import line, short_digest
 from symcheck.ledger.record import Record
 
+T = TypeVar("T")
 SCHEMA = 1  # of the recorded outcomes
 PROOFS = 3  # the schema of certificates and of the statements they are compared with
 CERTIFICATES = "certificates"
@@ -88,20 +91,32 @@ def diff(folder: Path, contents: Mapping[str, bytes]) -> str:
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in told)
 
 
+def stored(file: Path, read: Callable[[bytes], T], advice: str) -> T | None:
+    """What a file of ours holds, None if there is none; SymcheckError, with what to do, if it cannot be read."""
+    try:
+        return read(file.read_bytes())
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, msgspec.DecodeError) as error:
+        raise SymcheckError(f"{file} cannot be read ({error}); {advice}") from error
+
+
+def require(holds: object, whole: str) -> None:
+    """ValueError if a file that is read is not what it should be."""
+    if not holds:
+        raise ValueError(whole)
+
+
 def expected(folder: Path, paper: str) -> dict[str, Verdict | None]:
     """The recorded verdict of each id of a paper, None for what claims nothing; empty if nothing was recorded."""
+
+    def read(text: bytes) -> dict[str, Verdict | None]:
+        data = msgspec.json.decode(text, type=_Expected)
+        require((data.schema, data.paper) == (SCHEMA, paper), f"it is not of schema {SCHEMA} and paper {paper}")
+        return {id: verdict for id, (verdict, _) in data.items.items()}
+
     file = folder / EXPECTED / f"{paper}.json"
-    try:
-        data = msgspec.json.decode(file.read_bytes(), type=_Expected)
-        if (data.schema, data.paper) != (SCHEMA, paper):
-            raise msgspec.DecodeError(f"it is not of schema {SCHEMA} and paper {paper}")
-    except FileNotFoundError:
-        return {}
-    except OSError as error:
-        raise SymcheckError(f"{file} cannot be read ({error.strerror})") from error
-    except msgspec.DecodeError as error:
-        raise SymcheckError(f"{file} is damaged ({error}); run `symcheck generate` to write it anew") from error
-    return {id: verdict for id, (verdict, _) in data.items.items()}
+    return stored(file, read, "run `symcheck generate` to write it anew") or {}
 
 
 class _Expected(msgspec.Struct, forbid_unknown_fields=True):
@@ -116,7 +131,7 @@ def disagreements(records: Iterable[Record], recorded: Mapping[str, Verdict | No
     """One line for each record whose verdict is not the recorded one; if `complete`, also for each that is gone."""
     rows = {record.id: record for record in records}
     if rows and not recorded:
-        return [f"{min(rows).partition(':')[0]} has no recorded verdicts; run `symcheck generate` to record these"]
+        return [f"{Id.parse(min(rows)).paper} has no recorded verdicts; run `symcheck generate` to record these"]
     lines = [_disagreement(row, recorded) for id, row in rows.items() if (id, row.verdict) not in recorded.items()]
     gone = [id for id in recorded if complete and id not in rows]
     return lines + [f"{id} is recorded and no longer declared; run `symcheck generate` to accept" for id in gone]

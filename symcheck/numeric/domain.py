@@ -238,7 +238,7 @@ def power_of_two(size: Array) -> Array:
     return np.asarray(np.ldexp(1.0, np.frexp(size)[1] - 1))
 
 
-# --- how an error is put
+# --- wording of errors
 
 
 def require(holds: Truth, name: str, value: object, condition: str, source: str = "") -> None:

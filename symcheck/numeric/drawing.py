@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal, TypedDict
 
+import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
@@ -20,6 +21,12 @@ class Line(TypedDict):
     color: str
     linewidth: float
     linestyle: str
+
+
+def figure_of(axes: Any) -> Figure:
+    """The figure that some Axes, or an array of them, belong to."""
+    figure: Figure = np.ravel(np.array(axes, dtype=object))[0].get_figure(root=True)
+    return figure
 
 
 def new_figure(

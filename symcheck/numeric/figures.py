@@ -16,10 +16,9 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from symcheck import numeric
 from symcheck.core.files import put
+from symcheck.numeric.drawing import figure_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -103,8 +102,7 @@ def figure(name: str) -> Figure:
     >>> len(figure("liquid-frequencies").axes)
     2
     """
-    drawn: Figure = np.ravel(np.array(_function(name)(), dtype=object))[0].get_figure(root=True)
-    return drawn
+    return figure_of(_function(name)())
 
 
 def draw(name: str, output: Path | str) -> Path:
@@ -142,7 +140,7 @@ def draw(name: str, output: Path | str) -> Path:
     path = Path(output)
     kind = path.suffix.lower()
     if kind not in UNDATED:
-        raise ValueError(f"output = {path} must end in {', '.join(UNDATED)}, which tells how the figure is written")
+        raise ValueError(f"output = {path} must end in {', '.join(UNDATED)}, which says how the figure is written")
     drawn = figure(name)
     from matplotlib import rc_context
 

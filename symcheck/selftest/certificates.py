@@ -13,16 +13,17 @@ from typing import Any, NamedTuple
 
 from symcheck.audit.judge import lemma
 from symcheck.core.certificates import Certificate
-from symcheck.core.formulas import conjuncts
+from symcheck.core.formulas import CONTRARY, conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Reader, node
+from symcheck.core.terms import RELATIONS, Formula, Reader, node
 from symcheck.core.verdicts import Loss
+from symcheck.ledger.lemmas import lemmas_of, reached
 from symcheck.ledger.record import Record
 from symcheck.proof import fails_without, proof_of
-from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of, reached
+from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
-TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<", "=": "!=", "!=": "="}
+TURNED = {sign: CONTRARY[sign] for sign in RELATIONS}
 BATCH = 40  # certificates that one task goes through
 Path = tuple[str | int, ...]
 DROPPED: object = None  # stands for no new value
@@ -177,11 +178,11 @@ def groups(records: Sequence[Record]) -> list[str]:
 def _lemmas(own: Sequence[str], named: Mapping[str, Sequence[str]]) -> list[str]:
     """The certificates of the lemmas of certificates, and of the lemmas of these."""
 
-    def lemmas(text: str) -> Iterator[str]:
-        for name, _ in json.loads(text).get("lemmas", ()):
+    def named_by(text: str) -> Iterator[str]:
+        for name in lemmas_of([json.loads(text)]):
             yield from named.get(name) or map(json.dumps, lemma(name)[1])
 
-    return reached((text for certificate in own for text in lemmas(certificate)), lemmas)
+    return reached((text for certificate in own for text in named_by(certificate)), named_by)
 
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:

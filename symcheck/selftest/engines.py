@@ -19,7 +19,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.ledger.record import Record
 from symcheck.selftest.evidence import holds
 
-BITS = 400  # twice those of TINY, so that a value lost by cancellation is still told from zero
+BITS = 400  # twice those of TINY, so that a value lost by cancellation is still distinguished from zero
 TINY = flint.arb(2) ** -200  # a ball that is smaller and contains zero counts as zero
 ARITHMETIC: dict[str, Callable[..., Number]] = {
     "+": lambda *parts: reduce(add, parts), "*": lambda *parts: reduce(mul, parts), "-": neg, "/": truediv,
@@ -118,7 +118,7 @@ class Agreement:
     disagreements: list[str] = field(default_factory=list)
 
     def add(self, evidence: Certificate) -> None:
-        """One refutation more."""
+        """Add one refutation."""
         answers = {name: refutes(name, evidence) for name in ENGINES}
         self.points += 1
         self.all_three += None not in answers.values()

@@ -1,4 +1,4 @@
-"""The one place where the self-test asks what the ledger would tell, and goes from certificates back to problems.
+"""The one place where the self-test asks what the ledger would report, and goes from certificates back to problems.
 
 Nothing here judges by itself: certificates are accepted by `symcheck.audit.checked.reasons`, and a verdict is what
 `symcheck.audit.checked.accepted` leaves of it, as for every row of the ledger.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 from symcheck.audit.checked import accepted, reasons
 from symcheck.audit.context import Context
@@ -19,10 +19,10 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Form, Hint, Outcome, Problem, Witness
 from symcheck.core.terms import JSON, Formula, Node, Reader, Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
+from symcheck.ledger.lemmas import lemmas_of, reached
 from symcheck.ledger.record import Record
 from symcheck.proof import certificate
 
-T = TypeVar("T")
 MALFORMED = (AssertionError, LookupError, TypeError, ValueError, AttributeError, SymcheckError)
 
 
@@ -32,7 +32,7 @@ def holds(evidence: Certificate, lemmas: Sequence[Certificate] = ()) -> bool:
 
 
 def ledger_verdict(context: Context, unit: Unit, finding: Finding) -> Verdict:
-    """What the ledger tells of a finding: its verdict, if the checker accepts the certificates of it."""
+    """What the ledger reports of a finding: its verdict, if the checker accepts its certificates."""
     if finding.verdict is Verdict.UNDECIDED:
         return finding.verdict
     id, declared = f"{context.id}{unit.letter}", context.id
@@ -61,26 +61,11 @@ def _lemma(name: str, context: Context) -> Record:
 
 def _lemmas(certificates: Iterable[Certificate]) -> list[str]:
     """The ids of all relations that certificates rest on."""
-
-    def named(certificates: Iterable[Certificate]) -> list[str]:
-        return [name for certificate in certificates for name, _ in certificate.get("lemmas", ())]
-
-    return sorted(reached(named(certificates), lambda name: named(lemma(name)[1])))
-
-
-def reached(start: Iterable[T], further: Callable[[T], Iterable[T]]) -> list[T]:
-    """All that a chain of steps leads to, the start included, none twice."""
-    met: dict[T, None] = {}
-    todo = [*start]
-    while todo:
-        if (one := todo.pop()) not in met:
-            met[one] = None
-            todo += further(one)
-    return [*met]
+    return sorted(reached(lemmas_of(certificates), lambda name: lemmas_of(lemma(name)[1])))
 
 
 def states(finding: Finding, formulas: Iterable[Formula]) -> bool:
-    """Whether the certificates claim just these formulas, and what is claimed beside them: sets of equality."""
+    """Whether the certificates claim just these formulas, and in addition only sets of equality."""
     claims = [certificate["claim"] for certificate in finding.certificates]
     stated: list[JSON] = json.loads(json.dumps([*formulas]))
     return claims[: len(stated)] == stated and len(claims) == len(finding.problems)

@@ -51,11 +51,6 @@ def inside(kernel: Kernel, points: Columns) -> Array:
     return found
 
 
-def unbounded(kernel: Kernel) -> bool:
-    """Whether an argument has not two ends, so that doubles may not hold its products and powers."""
-    return any(not (argument.low and argument.high) for argument in kernel.arguments)
-
-
 def _sampled(kernel: Kernel, sample: Callable[[Argument, End, End], Array]) -> Columns:
     """A column for each argument; those whose ends are other arguments come after these."""
     columns: dict[str, Array] = {}
@@ -102,7 +97,7 @@ def _inside(argument: Argument, column: Array, low: End, high: End) -> Array:
 
 
 def _next(end: End, towards: float) -> Array:
-    """The next number; beside 0 the nearest that crowds it, since closer doubles have fewer digits."""
+    """The next number; next to 0 the nearest one that crowds it, since closer doubles have fewer digits."""
     return np.where(end == 0, np.copysign(10.0**-CROWD, towards), np.nextafter(end, towards))
 
 

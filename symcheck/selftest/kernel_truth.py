@@ -25,9 +25,9 @@ from symcheck.kernels.codegen.target import CompiledKernel
 from symcheck.kernels.specification import KernelFunction
 from symcheck.papers import load
 
-PRECISIONS = (256, 1024, 4096, 16384)  # bits: the last are for differences beside 1e-300
+PRECISIONS = (256, 1024, 4096, 16384)  # bits: the last are for differences near 1e-300
 DIGITS = 170  # bits that must be certain: 50 digits and some
-NOTHING = arb(2) ** -4000  # what is not told from 0 and below this is 0
+NOTHING = arb(2) ** -4000  # what cannot be distinguished from 0 and is below this is 0
 
 Columns = tuple[Any, ...]  # an array of doubles for each argument
 
@@ -100,8 +100,8 @@ def _step(e: Any) -> tuple[Callable[..., arb], Sequence[Any]]:
 class Truth(NamedTuple):
     """Points with the values there, high + low to more than 30 digits, and their size; arrays (outputs, points).
 
-    Where the derived expression has no value, at a pole or between numbers that are none, there is nothing to compare
-    with: the value here is not a number.
+    Where the derived expression has no value, at a pole or for infinite arguments, there is nothing to compare with:
+    the value here is NaN.
     """
 
     points: Columns

@@ -17,7 +17,7 @@ from symcheck.selftest.kernel_points import crowded_points, random_points
 from symcheck.selftest.kernel_truth import Case, Truth, cases
 from symcheck.selftest.trial import FaultClass, Status, Trial, mixed
 
-POINTS = 3  # random ones, and as many beside degenerate places
+POINTS = 3  # random ones, and as many near degenerate places
 
 
 @cache
@@ -50,7 +50,7 @@ def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
 
 
 def status_of(forms: Forms, mutant: Mutant, truth: Truth) -> Status:
-    """Whether the values give a mutant away; one with the right values is none if it means the same."""
+    """Whether the values give a mutant away; one with the right values is equivalent if it means the same."""
     if not forms.survives(mutant, truth):
         return Status.REJECTED
     return Status.EQUIVALENT if forms.equivalent(mutant) else Status.ACCEPTED

@@ -1,4 +1,4 @@
-"""Saboteurs inside the ledger: proof methods, provers, the reader and the cache lie, and the ledger must not tell it.
+"""Saboteurs inside the ledger: proof methods, provers, the reader and the cache lie, and the ledger must not repeat it.
 
 What judges is what judges every day: `run.audit`, with the deciding of `evidence.decide`, the check of
 `audit.checked.accepted` and the file of `audit.cache`. Only the part that a saboteur has taken over is another one.
@@ -182,7 +182,7 @@ def _forgetful() -> Iterator[None]:
 
 
 def audited(id: str, folder: Path | None = None, decider: Any = decide) -> list[Record]:
-    """What an audit of one declaration tells, with a cache in this folder."""
+    """What an audit of one declaration reports, with a cache in this folder."""
     kept = Cache(folder, lambda _: None)
     try:
         known, serial = papers.load(), Serial()
@@ -238,7 +238,7 @@ def dropped(latex: str, share: float) -> str:
 
 
 def _reader_drops(id: str, truth: Truth, rng: Random) -> Status:
-    """What becomes of a declaration that is read without a token, which is layout if it is read alike all the same.
+    """What becomes of a declaration that is read without a token, which is layout if it is read the same without it.
 
     It is noticed if it cannot be read, if the verdict is not the recorded one, or if the certificates do not claim what
     a fresh reading states: by this the checker ties them to the print.

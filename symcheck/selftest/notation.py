@@ -92,7 +92,7 @@ def _relettered(notation: Notation, changes: Mapping[Letter, Letter]) -> Notatio
 def status_of(paper: Paper, fault: Fault) -> Status:
     """Whether the first relation that means something else now has another verdict, or cannot be read.
 
-    A fault is none if no statement changes, or if all change as if two variables had exchanged their names throughout.
+    A fault is equivalent if no statement changes, or if all change as if two variables had exchanged names throughout.
     """
     changed = 0
     try:

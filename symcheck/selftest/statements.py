@@ -207,8 +207,8 @@ def _strength(original: Proved, changed: Proved, edit: Edit) -> Status:
 def says_more(id: str) -> list[str]:
     """A line for each statement that holds in the place of a printed one and says more, of those that are tried.
 
-    Tried are the converse of an implication, `and` for `or`, and an equation for an order; not where it is told anyway
-    where an order is an equality.
+    Tried are the converse of an implication, `and` for `or`, and an equation for an order, unless a set of equality is
+    declared.
     """
     found = []
     for original in _proved(id):

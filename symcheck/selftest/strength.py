@@ -28,9 +28,9 @@ def compared(before: Formula, after: Formula, problem: Problem) -> Status:
 class Strength:
     """Entailment by form, down to relations.
 
-    A relation that is asserted holds, so that under the hypotheses any other one entails it: its strength is told by
-    what is printed, its sign and its sides. Equations, and equivalences, that hold in each other's place say as much,
-    but an equation of something with itself says nothing.
+    A relation that is asserted holds, so that under the hypotheses any other one entails it: its strength is judged
+    by what is printed, its sign and its sides. Equations, and equivalences, that hold in each other's place say the
+    same, but an equation of something with itself says nothing.
     """
 
     def __init__(self, problem: Problem) -> None:

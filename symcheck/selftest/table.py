@@ -7,9 +7,8 @@ from typing import Any
 
 from rich.table import Table
 
-from symcheck.ledger.selftested import Row, rows
+from symcheck.ledger.selftested import STATUSES, Row, rows
 
-STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")
 COLUMNS = (*STATUSES, "rejected of those that are faults", "right", "rejected")
 MAX_LISTED = 20  # faults that were judged wrongly, named one by one: about a screen
 
@@ -42,10 +41,5 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
 
 def cells(row: Row) -> list[str]:
     """The cells behind the name."""
-    counts = row.counts
-    first = (_number(counts.get(name, 0)) for name in STATUSES)
-    return [*first, row.rate, _number(counts["right"]), _number(counts["false_rejections"]) if counts["right"] else ""]
-
-
-def _number(value: int) -> str:
-    return f"{value:,}" if value else "-"
+    wrongly = row.number("false_rejections") if row.counts["right"] else ""
+    return [*map(row.number, STATUSES), row.rate, row.number("right"), wrongly]

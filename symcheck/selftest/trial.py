@@ -71,13 +71,13 @@ class Count:
     errors: list[str] = field(default_factory=list)
 
     def add(self, trial: Trial) -> None:
-        """One trial more."""
+        """Count one more trial."""
         self.statuses[trial.status] += 1
         if trial.is_error:
             self.errors.append(f"{trial.status} {trial.kind}: {trial.what}")
 
     def merge(self, other: Count) -> None:
-        """All trials of another count more."""
+        """Add all trials of another count."""
         self.statuses += other.statuses
         self.errors += other.errors
 
@@ -133,7 +133,7 @@ def drawn(
 
 
 def mixed(by_kind: Mapping[str, Sequence[T]], rng: Random, rare: Sequence[str] = ()) -> Iterator[tuple[str, T]]:
-    """All members with their kinds, in a random order in which the kinds take turns: a short beginning has them all."""
+    """All members with their kinds, in a random order in which the kinds take turns: every kind occurs early."""
     order = sorted(rng.sample(list(by_kind), len(by_kind)), key=lambda kind: kind not in rare)
     shuffled = [[(kind, member) for member in rng.sample(by_kind[kind], len(by_kind[kind]))] for kind in order]
     rows: Iterable[tuple[tuple[str, T] | None, ...]] = zip_longest(*shuffled)

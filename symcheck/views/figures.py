@@ -1,4 +1,4 @@
-"""generated/figures.md: what the benchmarks and the self-test measured, as recorded beside it.
+"""generated/figures.md: what the benchmarks and the self-test measured, from the records in the same folder.
 
 The benchmarks record what they print in generated/bench.json (`tests/bench_record.py`), the self-test its counts in
 generated/selftest.json. The page follows from these two files alone.
@@ -8,15 +8,21 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Literal
+
+import msgspec
+from msgspec import Struct
+from msgspec.structs import replace
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger import selftested
+from symcheck.ledger.selftested import STATUSES
+from symcheck.ledger.store import stored
 
 BENCH, PAGE = "bench.json", "figures.md"
-SCHEMA = 1  # of the measurements in bench.json
 HEAD = """# Figures
 
 Written by `make bench` and `make selftest` from `bench.json` and `selftest.json`; not to be edited. `symcheck generate
@@ -30,11 +36,9 @@ fault is *equivalent* if it is shown exactly to change nothing; *weaker* and *st
 apart; *open* means that no evaluation settles it. True statements written otherwise must not be rejected. Brackets hold
 the limits of 95 %.
 """
-FAULTS = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")  # as selftest.json names them
 
 
-@dataclass(frozen=True)
-class Output:
+class Output(Struct, frozen=True, forbid_unknown_fields=True):
     """What one benchmark printed, when, and on which machine; Markdown as it is, other text in a block."""
 
     script: str
@@ -45,10 +49,10 @@ class Output:
     lines: tuple[str, ...]
 
 
-@dataclass(frozen=True)
-class Bench:
+class Bench(Struct, frozen=True, forbid_unknown_fields=True):
     """The recorded benchmarks: a summary of (what, figure, when it was recorded), and what each script printed."""
 
+    schema: Literal[1]
     machine: str
     summary: tuple[tuple[str, str, str], ...]
     outputs: tuple[Output, ...]
@@ -63,40 +67,14 @@ class Bench:
 
 def bench(folder: Path) -> Bench | None:
     """The benchmarks recorded in a folder, None if there are none; SymcheckError if they cannot be read."""
-    file = folder / BENCH
-    try:
-        data = json.loads(file.read_bytes())
-        if data["schema"] != SCHEMA:
-            raise ValueError(f"it is not of schema {SCHEMA}")
-        summary = tuple((str(what), str(figure), str(date)) for what, figure, date in data["summary"])
-        outputs = tuple(
-            Output(
-                str(each["script"]),
-                str(each["title"]),
-                str(each["measured"]),
-                str(each["machine"]),
-                bool(each["markdown"]),
-                tuple(map(str, each["lines"])),
-            )
-            for each in data["outputs"]
-        )
-        return Bench(str(data["machine"]), summary, outputs)
-    except FileNotFoundError:
-        return None
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise SymcheckError(f"{file} cannot be read ({error}); restore it, or run `make bench`") from error
+    return stored(folder / BENCH, partial(msgspec.json.decode, type=Bench), "restore it, or run `make bench`")
 
 
 def record(folder: Path, output: Output) -> None:
     """Keep what a benchmark printed, in place of what it printed before, and write the page anew."""
-    before = bench(folder) or Bench(output.machine, (), ())
+    before = bench(folder) or Bench(1, output.machine, (), ())
     outputs = {each.script: each for each in before.outputs} | {output.script: output}
-    data = {
-        "schema": SCHEMA,
-        "machine": before.machine,
-        "summary": before.summary,
-        "outputs": [vars(each) for each in outputs.values()],
-    }
+    data = msgspec.to_builtins(replace(before, outputs=tuple(outputs.values())))
     put(folder / BENCH, f"{json.dumps(data, ensure_ascii=False, indent=1)}\n".encode())
     write(folder)
 
@@ -130,12 +108,11 @@ def _self_test(folder: Path) -> Iterator[str]:
     yield from ("", "## How often the audit is wrong", "")
     yield from SELF_TEST.splitlines()
     yield ""
-    yield from table(("planted in", *FAULTS, "rejected of the faults", "right", "wrongly rejected"))
+    yield from table(("planted in", *STATUSES, "rejected of the faults", "right", "wrongly rejected"))
     for row in selftested.rows(result):
         if row.is_class:
-            counts = [row.counts.get(name, 0) for name in (*FAULTS, "right", "false_rejections")]
-            told = [f"{count:,}" if count else "-" for count in counts]
-            yield cells([row.name, *told[: len(FAULTS)], row.rate or "-", *told[len(FAULTS) :]])
+            right = map(row.number, ("right", "false_rejections"))
+            yield cells([row.name, *map(row.number, STATUSES), row.rate or "-", *right])
     engines = result["engines"]
     evaluated = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
     yield ""

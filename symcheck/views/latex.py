@@ -1,4 +1,4 @@
-"""What is printed as LaTeX that stands alone, and what is none: words, or the characters of a damaged source."""
+"""Printed text as standalone LaTeX, and whether it is LaTeX at all: not words, nor characters of a damaged source."""
 
 from __future__ import annotations
 

@@ -22,11 +22,8 @@ from symcheck.papers import load
 from symcheck.views.latex import formulas_of, is_formula, split_at_formulas, standing_alone
 from symcheck.views.model import Fault, errata
 
-_EQUATION = re.compile(r"\d+\.\d+[a-z]?")  # the number of a declaration that is printed as a tag: 2.18, or its link
-_ROW = re.compile(r"(?P<section>\d+\.\d+)(?P<list>[VEF])\.(?P<row>\d+)")  # a row of a list: 2.1V.3
-_CELL = re.compile(r"T(?P<table>\d+)\.")  # a cell or column of a table: T6.1
-_WHOLE_LIST = re.compile(r"\d+\.\d+[VEF][a-z]?")  # what is said of a list as a whole, which follows from its rows
-_LISTS = {"V": "vertices", "E": "edges", "F": "faces"}
+_EQUATION = re.compile(r"\d+\.\d+")  # the number of a declaration that is printed as a tag: 2.18
+_LISTS = {"V": "vertices", "E": "edges", "F": "faces"}  # by the last letter of their numbers: 2.1V
 # what our declarations are called: 2.13.1, 2.1V.3b, T8.0, B.7, S.7.1
 _OURS = r"(?:\d+\.\d+(?:\.\d+)+[a-z]?|\d+\.\d+[VEF](?:\.\d+[a-z]?)?|T\d+\.\d+[a-z]?|[A-Z]\.\d+(?:\.\d+)?[a-z]?)"
 _NUMBER = re.compile(rf"(?<![\w.]){_OURS}(?![\w])")  # such a number as a whole
@@ -93,7 +90,7 @@ def letter(records: Iterable[Record]) -> Letter:
     wrong = [
         record
         for record in records
-        if record.corrected and record.origin is not Origin.OCR and not _WHOLE_LIST.fullmatch(record.number)
+        if record.corrected and record.origin is not Origin.OCR and not _is_whole_list(record)
     ]
     keys = list(dict.fromkeys(record.paper for record in wrong))
     if not keys:
@@ -110,6 +107,11 @@ def letter(records: Iterable[Record]) -> Letter:
         for group in (Group.STATEMENT, Group.ROW, Group.SLIP)
     )
     return Letter(paper.title, numbered, rows, slips)
+
+
+def _is_whole_list(record: Record) -> bool:
+    """Whether something is said of a list as a whole, which follows from its rows."""
+    return Id.parse(record.id).number.endswith(tuple(_LISTS))
 
 
 def _correction(paper: Paper, fault: Fault) -> Correction:
@@ -175,13 +177,14 @@ def _as_text(text: str) -> str:
 
 def _where(record: Record) -> str:
     """The printed number or the row, and the line."""
-    number, line = record.number, f"line {record.line}"
-    if row := _ROW.match(number):
-        return f"section {row['section']}, list of {_LISTS[row['list']]}, row {row['row']}, {line}"
-    if cell := _CELL.match(number):
-        return f"table {cell['table']}, {line}"
-    if _EQUATION.fullmatch(number):
-        return f"({Id.parse(record.id).number}), {line}"
+    id, line = Id.parse(record.id), f"line {record.line}"
+    listing = id.listing.number
+    if listing.endswith(tuple(_LISTS)):
+        return f"section {listing[:-1]}, list of {_LISTS[listing[-1]]}, row {id.row}, {line}"
+    if listing.startswith("T"):
+        return f"table {listing[1:]}, {line}"
+    if _EQUATION.fullmatch(id.number):
+        return f"({id.number}), {line}"
     return line
 
 

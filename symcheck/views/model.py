@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from symcheck.coq.confirmed import summary
 from symcheck.core.certificates import Certificate
+from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
 from symcheck.ledger.record import HypothesisRow, Record
@@ -24,8 +25,7 @@ _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
-_ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record tells conditions behind a corrected formula
-_ROW = re.compile(r"(\.\d+)?[a-z]?$")  # the number of a row behind the name of its list, and the letter of a link
+_ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record writes the conditions of a corrected formula
 
 
 @dataclass(frozen=True)
@@ -313,7 +313,13 @@ def _faults(relations: Iterable[Relation]) -> Iterator[Fault]:
 
 def place(record: Record) -> str:
     """The list or table of a row, "ignatov2005:2.1V", or else the paper."""
-    return _ROW.sub("", record.id) if record.is_row else record.paper
+    return listing(record) if record.is_row else record.paper
+
+
+def listing(record: Record) -> str:
+    """The list or table that a relation is about as a whole, or in one of its rows."""
+    id = Id.parse(record.id)
+    return str(id.listing if id.row.isdigit() else id.declaration)
 
 
 def counted(records: Iterable[Record]) -> str:

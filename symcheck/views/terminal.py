@@ -28,14 +28,14 @@ from symcheck.views.steps import proof_lines
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
-_REPAIRS = 3  # edits that repair a relation, listed one by one; more of them tell a reader nothing new
+_REPAIRS = 3  # edits that repair a relation, listed one by one; a longer list says nothing new
 _INDENT = 14  # of the values beside their labels
 _WIDTH = 150  # of a ledger that goes to a file or a pipe
 
 
 class _Console(Console):
     def on_broken_pipe(self) -> None:
-        """Leave it to the command line what a reader that went away means."""
+        """The command line decides what a closed pipe means."""
         raise BrokenPipeError
 
 

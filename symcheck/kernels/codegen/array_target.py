@@ -25,7 +25,7 @@ HEAD = '''"""Kernels of {key} for PyTorch, JAX, CuPy, NumPy and other libraries 
 Needs array-api-compat. The functions are pure and have no branch that depends on values: jax.jit, jax.grad, jax.vmap,
 torch.compile and torch.autograd take them as they are. The accuracy that they state takes a library whose functions
 err by one unit in the last place. XLA takes subnormal numbers for 0 on a CPU, and in some versions its log1p errs by
-129 units there, beside -0.41.
+129 units near -0.41.
 """
 
 import math
@@ -59,7 +59,7 @@ def _arrays(**arguments):
 
 HELPERS = {
     "full": '''def full(xp, x, *arguments):
-    """x in the shape to which the arguments broadcast, in memory of its own."""
+    """x in the shape to which the arguments broadcast, in new memory."""
     shape = xp.broadcast_arrays(*arguments)[0].shape
     return x if x.shape == shape else 1.0 * xp.broadcast_to(x, shape)
 ''',

@@ -21,10 +21,10 @@ HEADER = f"""\
 
    Why so: -ffp-contract=off rounds each product and each sum by itself, as NumPy does, so that x y - y x is 0.
    -fno-math-errno and -fno-trapping-math change no value; with them roots and choices become vector instructions. Never
-   use -ffast-math: it loses infinities and what is no number.
+   use -ffast-math: it loses infinities and NaN.
 
    Each function computes n points. Its arrays are contiguous; results share no memory with one another or with
-   arguments. n = 1 is one point; for n = 0 nothing is read or written. What is no number gives no number. An argument
+   arguments. n = 1 is one point; for n = 0 nothing is read or written. NaN inputs give NaN outputs. An argument
    that is the same at all points is an array as well: fill a short one, of a thousand numbers, once, and call the
    function for a thousand points at a time. */
 #ifndef SYMCHECK_{{guard}}_H

@@ -1,8 +1,8 @@
 """Functions that a compiler turns into vector instructions: no branch, no table, no call. Targets write them out.
 
 Both sides of every choice are computed and one is selected. Within its range a function is near one unit of the last
-place; beyond, and where the argument is no number, it gives no number, and the caller asks the C library instead. The
-polynomials are Chebyshev fits of what is written beside them.
+place; beyond it, and for NaN, it returns NaN, and the caller asks the C library instead. The polynomials are
+Chebyshev fits of the functions named in the docstrings.
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ def logarithm(u: float, f: float, rest: float) -> float:
     p = ((p * t + 0.2857142862600327) * t + 0.39999999999899444) * t + 0.666666666666667
     half = 0.5 * f * f
     value = n * LOG2 - ((half - (s * (half + p * t) + (n * LOG2_REST + rest))) - f)
-    return value if SMALLEST <= u <= LARGEST else math.nan  # bits of what is no number are numbers
+    return value if SMALLEST <= u <= LARGEST else math.nan  # the bits of NaN would give a number
 
 
 def log(x: float) -> float:

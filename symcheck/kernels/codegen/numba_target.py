@@ -1,7 +1,7 @@
 """A program as a kernel for Numba: a function of numbers, a loop over points that becomes vector code, and the call.
 
-The loop takes its functions from `numba_functions`. A point where one of them gives no number, as that of a huge angle
-does, is computed again with those of the C library; numbers are computed with these always.
+The loop takes its functions from `numba_functions`. A point where one of them returns NaN, as for a huge angle, is
+computed again with those of the C library; single numbers are always computed with these.
 
 Decision: the pointwise program, where other targets take that of many points: a sine and a cosine of one angle share
 everything but the last step here, and take less time than a tangent and the roots and quotients that it needs.
@@ -31,7 +31,7 @@ SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio"
 LIBRARY = {"arctan": "atan"}  # what `math` calls otherwise
 BUILT_ON = {"log1p_ratio": "log1p", "expm1_ratio": "expm1"}
 DOUBLE = ("sin", "cos", "tan", "arctan", "exp", "expm1", "log", "log1p")  # from the C library, and for loops
-BLOCK = 1024  # points after which it is asked whether one of them has no number
+BLOCK = 1024  # points after which it is checked whether one of them is NaN
 NOTE = "Numba compiles it when it is first called with a type; functions that Numba compiles may call it on numbers."
 THREADS = ("int, optional", "Number of threads that share large arrays.")
 HEAD = '''"""Kernels of {key} for Numba. {mark}"""

@@ -63,7 +63,7 @@ class Program:
         return self._known[key]
 
     def _name(self, function: str, operands: tuple[Ref, ...]) -> str:
-        """A telling name where there is one, else a number."""
+        """A descriptive name where there is one, else a number."""
         (first, *_) = operands
         base = f"{function}_{first}" if function in UNARY and first in self.inputs else ""
         if function == "multiply" and len(set(operands)) == 1 and isinstance(first, str) and not first[1:].isdigit():

@@ -1,4 +1,4 @@
-"""A target: the language that kernels are written in. Each module `<name>_target` beside this one declares TARGET."""
+"""A target: the language that kernels are written in. Each module `<name>_target` of this package declares TARGET."""
 
 from __future__ import annotations
 

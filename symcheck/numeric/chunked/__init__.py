@@ -44,7 +44,7 @@ def gufunc(signature: str, **sizes: Size) -> Callable[[F], F]:
 
     The function must broadcast over leading axes, and its annotations tell the types of its results. For dask arrays
     the result is lazy; for DataArrays it keeps coordinates and the attributes on which all arguments agree, but no
-    units. Arrays without names must have no leading axes beside DataArrays, else ValueError.
+    units. Unnamed arrays with leading axes cannot be mixed with DataArrays: ValueError.
 
     >>> @gufunc("(i),(i)->()")
     ... def dot(x: np.ndarray, y: np.ndarray) -> np.ndarray:

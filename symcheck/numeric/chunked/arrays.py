@@ -166,7 +166,9 @@ def _named(
     names: dict[str, str] = {}
     for leaf, core in arrays:
         if not isinstance(leaf, xarray.DataArray):
-            raise ValueError(f"an array of shape {np.shape(leaf)} beside DataArrays must be one too: name its axes")
+            raise ValueError(
+                f"an array of shape {np.shape(leaf)} together with DataArrays must be one too: name its axes"
+            )
         if str(leaf.attrs.get("units")).lower() in DEGREES:
             raise ValueError(f"{leaf.name or 'a DataArray'} has units {leaf.attrs['units']!r}; angles are in radians")
         names = {axis: str(dim) for axis, dim in zip(core, _last(leaf, core), strict=True)} | names

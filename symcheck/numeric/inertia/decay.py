@@ -116,7 +116,7 @@ def free_decay(
     positive("tolerance", tolerance)
     shape = np.broadcast_shapes(moments.shape[:-1], damping.shape[:-2], rate.shape[:-1])
     start = np.broadcast_to(rate, (*shape, 3))
-    # SciPy bounds the error of all bodies together, by its mean square: each is to keep within it by itself.
+    # SciPy bounds the error of all bodies together, by its mean square: each has to keep within it.
     tolerance = max(tolerance / sqrt(max(start.size // 3, 1)), FINEST)
     left = np.exp(np.broadcast_to(roots[..., -1], shape) * np.ptp(times)) * np.linalg.norm(start, axis=-1)
     stiff = bool((np.abs(roots).max(initial=0) * np.ptp(times)) > STIFF)

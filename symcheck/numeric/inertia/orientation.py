@@ -12,7 +12,7 @@ from symcheck.numeric.arrays import letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, orthonormal_axes, principal_moments, real, require
 
-TINY = 1e-100  # beside an axis about which the moment is the mean g is small, and has a direction; upon it, none
+TINY = 1e-100  # near an axis about which the moment is the mean, g is small and has a direction; on it, none
 
 
 class AttitudeAngles(NamedTuple):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from mpl_toolkits.mplot3d import Axes3D
 
-BODY = (2.0, 3.0, 4.5)  # kg m^2, for figures that are drawn without an example of one's own
+BODY = (2.0, 3.0, 4.5)  # kg m^2, of figures that are drawn without arguments
 ANGLES = (0.7, 0.6, 0.5)  # rad
 SWEEP = np.linspace(0, 1, 201)  # so many points that curves look smooth
 

@@ -253,7 +253,7 @@ def _critical_moments(body: Body) -> Array:
     poles, rest = body.R_n != 0, body.A - body.E_n.sum()
     residues, natural = body.R_n[poles], body.lambda_n[poles]
     double = _zeros_of_the_slope(residues / rest, natural)
-    with np.errstate(divide="ignore"):  # a zero that rounding puts on a pole is none, and far away
+    with np.errstate(divide="ignore"):  # a zero that rounding puts on a pole is not one; it goes far away
         fractions = residues / (double[:, None] - natural)
     moment = (body.E_n * (body.lambda_n - body.omega_0)).sum()
     return np.asarray((moment + fractions.sum(-1) - rest * double) / body.omega_0)

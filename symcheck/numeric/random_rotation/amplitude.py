@@ -227,7 +227,7 @@ def mode_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Ar
 
 @gufunc("(),(),()->()")
 def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
-    """The logarithm of C_1 in p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1; the constant itself may be no double.
+    """The logarithm of C_1 in p(a) = 8 C_1 a (3 alpha^2 a^2 + 4 beta^2)^kappa_1; the constant itself may overflow.
 
     Parameters
     ----------

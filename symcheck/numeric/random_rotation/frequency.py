@@ -233,7 +233,7 @@ def mode_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: Arra
 
 @gufunc("(),(),(),()->()")
 def logarithm_of_constant_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> Array:
-    """The logarithm of C_2 in p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2; the constant may be no double.
+    """The logarithm of C_2 in p(Omega) = C_2 (g_13^2 Omega^2 + g_23^2 k^2)^kappa_2; the constant may overflow.
 
     Parameters
     ----------

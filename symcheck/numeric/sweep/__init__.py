@@ -117,7 +117,7 @@ def sweep(
 
 
 def _prepare(text: str, swept: Plan, store: Store, asked: Mapping[str, int], memory: float) -> None:
-    """Lay the sweep out, or take up the one that was begun."""
+    """Set up the sweep, or continue the one that was begun."""
     from symcheck.numeric.sweep.store import Identity
 
     for name, length in asked.items():

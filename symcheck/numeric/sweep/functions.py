@@ -20,7 +20,7 @@ from symcheck.numeric.chunked import results_of
 from symcheck.numeric.chunked.arrays import Axes, Function, Signature
 from symcheck.numeric.chunked.kernels import declaration, kernel
 
-OF_ENSEMBLE = {"seed", "first", "paths"}  # arguments that a sweep gives by itself
+OF_ENSEMBLE = {"seed", "first", "paths"}  # arguments that the sweep supplies
 REALIZATION = "realization"
 SIMILARITY = 0.4  # of a function's name: "liquid.growth" still suggests "liquid.growth_rate"
 
@@ -34,7 +34,7 @@ class Swept(NamedTuple):
 
     call         the function, of arguments by name
     arguments    last axes of its array arguments; None where it takes the result of another function
-    others       names of further arguments, with those that a sweep gives by itself
+    others       names of further arguments, including those that the sweep supplies
     required     names of arguments without a default
     outputs      last axes of its results
     names        those of its results, None where it gives an object

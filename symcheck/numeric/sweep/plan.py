@@ -66,7 +66,7 @@ class Plan(NamedTuple):
 
 
 def read(path: Path) -> str:
-    """The sweep in a TOML file as canonical JSON; SweepError if it is none."""
+    """The sweep in a TOML file as canonical JSON; SweepError if it is not one."""
     try:
         return json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), ensure_ascii=False)
     except OSError as error:
@@ -263,7 +263,7 @@ class _Reader:
 
 
 def _point_by_point(swept: Swept, values: Mapping[str, object], part: Part, random: tuple[int, int]) -> object:
-    """A function called for each set of arguments by itself, and for all realizations of an ensemble together."""
+    """A function called separately for each set of arguments, and for all realizations of an ensemble together."""
     cores = {name: core or () for name, core in swept.arguments.items() if name in values}
     fixed = {name: value for name, value in values.items() if name not in cores}
     places: list[xarray.DataArray] = []

@@ -82,7 +82,7 @@ class Store:
             return _identity(self._group().attrs)
 
     def begin(self, plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity) -> None:
-        """Lay out all arrays, with coordinates, units and nothing in them."""
+        """Create all arrays, empty, with coordinates and units."""
         new = self.partial.with_name(f"{self.partial.name}.new")
         attributes = {"title": plan.function, IDENTITY: msgspec.json.encode(identity).decode()}
         with writing(self.partial):
@@ -98,7 +98,7 @@ class Store:
             new.rename(self.partial)
 
     def open(self, plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity) -> None:
-        """Take up what is there of these results; SweepError if it is laid out otherwise."""
+        """Continue with the results that are there; SweepError if their layout is different."""
         with self._foreign("this"):
             group = self._group("r+")
             self.arrays = {name: group[name] for name in results}
@@ -124,7 +124,7 @@ class Store:
         self.done[number] = not_finite
 
     def progress(self) -> str:
-        """How far it is, for whoever has to start it again."""
+        """How much is done, for whoever starts it again."""
         return f"{len(self.done)} of {len(self.parts)} chunks are done and kept; the same command goes on from there"
 
     def finish(self) -> None:

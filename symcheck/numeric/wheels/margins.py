@@ -270,7 +270,7 @@ def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Value) -> Arra
 def _least_quotient(half_spaces: HalfSpaces, lead: tuple[int, ...], room: Value, reach: Value) -> Array:
     """The least room/reach over all half-spaces, some at a time; what lies in a plane to rounding does not reach it.
 
-    What rounding is, the greatest reach towards all planes tells: towards those at hand alone it may be rounding too.
+    The scale of rounding is the greatest reach towards all planes: towards one block alone it may be rounding too.
     """
     blocks = _blocks(half_spaces, lead)
     reaches = (_of(half_spaces, block, reach) for block in blocks)

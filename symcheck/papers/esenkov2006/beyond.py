@@ -6,10 +6,11 @@ Square roots appear as letters, u^2 = E_n (1 - b_n), v^2 = b_n (A - E_n), u, v >
 from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import by_cases, ours
 from symcheck.papers.esenkov2006 import derivation
+from symcheck.papers.esenkov2006.both_texts import DISCRIMINANT, QUADRATIC
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part, liquid_moves
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
 from symcheck.papers.esenkov2006.scopes import in_b, in_b_and_delta, in_delta, of_roots
-from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
+from symcheck.papers.esenkov2006.second_text import BOUNDARY
 from symcheck.proof import existence, identity, nonnegative
 
 LINEAR = r"(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)"  # coefficient of eta in (1.33)

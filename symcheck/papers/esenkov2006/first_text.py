@@ -9,20 +9,12 @@ from functools import partial
 from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, premise
-from symcheck.papers.esenkov2006 import derivation
+from symcheck.papers.esenkov2006 import both_texts, derivation
+from symcheck.papers.esenkov2006.both_texts import AT_X, AT_Y, DISCRIMINANT, ONE_MODE, QUADRATIC
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part
 from symcheck.papers.esenkov2006.notation import root_letters, sign_letters, three_modes
 from symcheck.papers.esenkov2006.scopes import in_delta
-from symcheck.proof import cases, existence, identity
-
-ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
-QUADRATIC = r"\eta^2(A - E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1) - \Delta\omega_0\lambda_1"
-DISCRIMINANT = r"(\Delta\omega_0 + \omega_0 E_n - A\lambda_n)^2 + 4(A - E_n)\Delta\omega_0\lambda_n"
-
-AT_X, AT_Y = QUADRATIC.replace(r"\eta", "x"), QUADRATIC.replace(r"\eta", "y")
-# of the quadratic at x - iy
-REAL_PART = r"(A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - \Delta\omega_0\lambda_1"
-IMAGINARY_PART = r"2(A - E_1)x(-y) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)(-y)"
+from symcheck.proof import existence
 
 symmetric_body = premise(
     "2.0.1", 7, words="The body is dynamically symmetric: its two transverse moments of inertia are equal (A, A, C)."
@@ -149,20 +141,7 @@ delta = definition(
     damage=Damage(r"\Delta = C - A", reason="Delta reads as A; the other text has it with its minus (1.32.1)."),
 )
 
-roots_must_be_real = claim(
-    "2.3.5",
-    13,
-    words="For stability the roots must be real: with x + iy also x - iy is a root (a). As e^{pt} has the modulus "
-    "e^{-yt}, neither grows only if y and -y are squares, not negative: then y = 0 (b).",
-    states=(
-        rf"(u = 0 \land v = 0) \Rightarrow ({REAL_PART} = 0 \land {IMAGINARY_PART} = 0)",
-        r"(y = s^2 \land -y = r^2) \Rightarrow y = 0",
-    ),
-    where=derivation.quadratic_at_complex_frequency,
-    by={"a": cases(), "b": cases("s^2 + r^2")},
-    uses=["2.3.2"],
-    notation=root_letters,
-)
+roots_must_be_real = both_texts.roots_must_be_real("2.3.5", 13, "2.3.2")
 
 positive_discriminant_suffices = in_delta.claim(
     "2.3.3",
@@ -181,19 +160,7 @@ positive_discriminant_suffices = in_delta.claim(
     notation=root_letters,
 )
 
-positive_discriminant_is_needed = in_delta.claim(
-    "2.3.6",
-    13,
-    words="And no other does: for two real roots that differ D is the square (a) of something that is not zero (b). (At D = 0 they are one, and the motion grows: B.4, B.5.)",
-    states=(rf"{DISCRIMINANT} = (A - E_1)^2(x - y)^2", r"(A - E_1)(x - y) \ne 0"),
-    given=[
-        Hypothesis("two real roots", "x and y are real roots, and they differ", rf"{AT_X} = 0, {AT_Y} = 0, x \ne y"),
-        liquid_is_part,
-    ],
-    by={"a": identity, "b": cases()},
-    uses=["2.3.2", "2.3.4"],
-    notation=root_letters,
-)
+positive_discriminant_is_needed = both_texts.positive_discriminant_is_needed("2.3.6", 13, "2.3.2", "2.3.4")
 
 one_mode = claim(
     "2.3",

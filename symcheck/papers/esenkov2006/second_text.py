@@ -9,7 +9,8 @@ from symcheck.core.claims import Damage, Erratum, Hypothesis
 from symcheck.core.problems import Applied
 from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import claim, definition, exclusion, premise
-from symcheck.papers.esenkov2006 import derivation
+from symcheck.papers.esenkov2006 import both_texts, derivation
+from symcheck.papers.esenkov2006.both_texts import DISCRIMINANT, ONE_MODE, QUADRATIC
 from symcheck.papers.esenkov2006.hypotheses import (
     liquid_is_part,
     liquid_moves,
@@ -17,11 +18,8 @@ from symcheck.papers.esenkov2006.hypotheses import (
 )
 from symcheck.papers.esenkov2006.notation import root_letters, three_modes
 from symcheck.papers.esenkov2006.scopes import in_b, in_b_and_delta, in_delta
-from symcheck.proof import cases, identity, looking_at, theorems
+from symcheck.proof import cases, looking_at, theorems
 
-ONE_MODE = r"A\eta + (C - A)\omega_0 - \eta(\eta - \omega_0)\frac{E_1}{\eta - \lambda_1}"
-QUADRATIC = r"\eta^2(A - E_1) + \eta(\Delta\omega_0 + \omega_0 E_1 - A\lambda_1) - \Delta\omega_0\lambda_1"
-DISCRIMINANT = r"(\Delta\omega_0 + \omega_0 E_n - A\lambda_n)^2 + 4(A - E_n)\Delta\omega_0\lambda_n"
 BOUNDARY = r"\Delta^2 + \Delta(2Ab_n + 2E_n - 4E_nb_n) + (Ab_n - E_n)^2"
 RADICAL = r"2\sqrt{E_n(1 - b_n)b_n(A - E_n)}"
 
@@ -146,25 +144,8 @@ quadratic = claim(
     uses=["1.32", "1.32.1"],
 )
 
-AT_X, AT_Y = QUADRATIC.replace(r"\eta", "x"), QUADRATIC.replace(r"\eta", "y")
-# of the quadratic at x - iy
-REAL_PART = r"(A - E_1)(x^2 - y^2) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)x - \Delta\omega_0\lambda_1"
-IMAGINARY_PART = r"2(A - E_1)x(-y) + (\Delta\omega_0 + \omega_0 E_1 - A\lambda_1)(-y)"
 
-roots_must_be_real = claim(
-    "1.33.1",
-    34,
-    words="For stability the roots must be real: with x + iy also x - iy is a root (a). As e^{pt} has the modulus "
-    "e^{-yt}, neither grows only if y and -y are squares, not negative: then y = 0 (b).",
-    states=(
-        rf"(u = 0 \land v = 0) \Rightarrow ({REAL_PART} = 0 \land {IMAGINARY_PART} = 0)",
-        r"(y = s^2 \land -y = r^2) \Rightarrow y = 0",
-    ),
-    where=derivation.quadratic_at_complex_frequency,
-    by={"a": cases(), "b": cases("s^2 + r^2")},
-    uses=["1.33"],
-    notation=root_letters,
-)
+roots_must_be_real = both_texts.roots_must_be_real("1.33.1", 34, "1.33")
 
 positive_discriminant_suffices = claim(
     "1.33.2",
@@ -178,19 +159,7 @@ positive_discriminant_suffices = claim(
     notation=root_letters,
 )
 
-positive_discriminant_is_needed = in_delta.claim(
-    "1.33.5",
-    34,
-    words="And no other does: for two real roots that differ D is the square (a) of something that is not zero (b). (At D = 0 they are one, and the motion grows: B.4, B.5.)",
-    states=(rf"{DISCRIMINANT} = (A - E_1)^2(x - y)^2", r"(A - E_1)(x - y) \ne 0"),
-    given=[
-        Hypothesis("two real roots", "x and y are real roots, and they differ", rf"{AT_X} = 0, {AT_Y} = 0, x \ne y"),
-        liquid_is_part,
-    ],
-    by={"a": identity, "b": cases()},
-    uses=["1.33", "1.33.3"],
-    notation=root_letters,
-)
+positive_discriminant_is_needed = both_texts.positive_discriminant_is_needed("1.33.5", 34, "1.33", "1.33.3")
 
 discriminant = claim(
     "1.33.3",

@@ -6,6 +6,7 @@ A relation whose proof needs one of these conditions is marked by it.
 from __future__ import annotations
 
 from symcheck.papers.declare import standing
+from symcheck.papers.esenkov2006.both_texts import DISCRIMINANT, QUADRATIC
 from symcheck.papers.esenkov2006.hypotheses import (
     body_has_mass,
     liquid_is_part,
@@ -14,7 +15,7 @@ from symcheck.papers.esenkov2006.hypotheses import (
     spinning,
 )
 from symcheck.papers.esenkov2006.scopes import in_b_and_delta, in_delta
-from symcheck.papers.esenkov2006.second_text import BOUNDARY, DISCRIMINANT, QUADRATIC
+from symcheck.papers.esenkov2006.second_text import BOUNDARY
 
 mass = standing("S.1", 7, body_has_mass, "{}", reason="not printed; it is a moment of inertia")
 

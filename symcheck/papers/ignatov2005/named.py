@@ -115,9 +115,7 @@ def points(named: Named) -> list[str]:
     return [vector(label) for label in named.labels]
 
 
-def every_one_once(
-    number: str, of: Declared, named: Sequence[Named], words: str, notation: Notation, line: int = 0
-) -> Claim:
+def every_one_once(number: str, of: Declared, named: Sequence[Named], words: str, notation: Notation) -> Claim:
     """That each vertex, or each face, of a list is named once."""
     labels = [label for each in named for label in each.labels]
     known = of.names.vertices if labels[0].letter == "V" else of.names.faces
@@ -127,7 +125,7 @@ def every_one_once(
     ]
     return claim(
         number,
-        line or named[0].line,
+        named[0].line,
         words=words,
         states=AND.join(part.states for part in parts),
         uses=[f"{of.section}{labels[0].letter}.0"],

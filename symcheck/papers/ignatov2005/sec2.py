@@ -727,7 +727,7 @@ such_a_body_exists = craft.by_cases.ours(
 body_at_rest = craft.premise(
     "2.2.29",
     248,
-    words="The total angular momentum of body and wheels is zero; w is the absolute rate of the body, H the own momentum of the wheels.",
+    words="The total angular momentum of body and wheels is zero; w is the absolute rate of the body, H the momentum of the wheels.",
 )
 
 no_angular_momentum = craft.claim(
@@ -996,7 +996,7 @@ image_of_the_region = craft.claim(
 largest_rates_at_vertices = four.claim(
     "2.3.18",
     264,
-    words="The largest rates are had at vertices only: there all wheels have full momentum.",
+    words="The largest rates are attained only at vertices, where all wheels have full momentum.",
     states=tuple(
         where_largest(axis, [f"h_{i} = {sign}" for i, sign in enumerate(signs, 1)])
         for axis, (_, _, signs, _) in LARGEST.items()

@@ -45,7 +45,7 @@ STATE = r"\exists a, u, v, w: (u^2 + v^2 = 1 \land x_1 = a u \land x_2 = -a v \l
 solution_is_general = claim(
     "2.1.3",
     31,
-    words="a, Omega, theta are arbitrary constants: the solution is the general one. Every x_1, x_2, x_3 is had at t = 0, with "
+    words="a, Omega, theta are arbitrary constants: the solution is the general one. Every x_1, x_2, x_3 is attained at t = 0, with "
     "u, v for the cosine and sine of theta and w for Omega (2.1.6 for x_1 = x_2 = 0), and a motion has no second one beside it (2.1.7).",
     states=STATE,
     given=[

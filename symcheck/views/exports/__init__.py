@@ -1,4 +1,4 @@
-"""The ledger for other tools. A format is a module beside this one whose name has no underscore and declares FORMAT."""
+"""The ledger for other tools. A format is a module of this package that declares FORMAT; its name has no underscore."""
 
 from __future__ import annotations
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import groupby
 
 from symcheck.core.verdicts import Group
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Record, by_paper
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, standing_alone
 from symcheck.views.model import Fault, FaultList, Relation, counted, errata
@@ -26,7 +25,7 @@ def _lines(records: Sequence[Record]) -> Iterator[str]:
         yield f"\n## {str(group).capitalize()}"
         for each in lists:
             yield from (map(_fault, each.faults) if group is Group.STATEMENT else _table(each))
-    for paper, rows in groupby(records, lambda record: record.paper):
+    for paper, rows in by_paper(records).items():
         yield f"\n## {paper}\n\n| number | statement | verdict | reading | confirmed by Coq |\n|---|---|---|---|---|"
         for relation in map(Relation, rows):
             record = relation.record
@@ -48,7 +47,7 @@ def _table(faults: FaultList) -> Iterator[str]:
 
 
 def _formula(text: str) -> str:
-    """A formula between dollars on one line that no table takes for several cells; what is none as plain text."""
+    """A formula between dollars on one line, without bars that would split a table cell; other text as plain text."""
     if not is_formula(text):
         return _plain(text)
     written = standing_alone(text).replace(r"\|", r"\Vert ").replace("|", r"\vert ")

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import groupby
 
-from symcheck.ledger.record import Record
+from symcheck.ledger.record import Record, by_paper
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, standing_alone
 from symcheck.views.model import Fault, Relation, counted, errata
@@ -43,7 +42,7 @@ def _lines(records: Sequence[Record]) -> Iterator[str]:
     for group, lists in errata(records):
         yield rf"\section*{{{str(group).capitalize()}}}"
         yield from (_fault(fault) for each in lists for fault in each.faults)
-    for paper, rows in groupby(records, lambda record: record.paper):
+    for paper, rows in by_paper(records).items():
         yield rf"\section*{{{paper}}}"
         for relation in map(Relation, rows):
             said = _formula(relation.statement, relation.record.line)

@@ -66,7 +66,7 @@ def differences(name: str, executed: NotebookNode) -> list[str]:
 
 
 def write(name: str, executed: NotebookNode) -> None:
-    """Commit what was executed; a picture whose cell shows the same otherwise stays as it was, and no byte changes."""
+    """Commit what was executed; a picture is kept, byte for byte, if everything else in its cell is the same."""
     import nbformat
 
     file = folder() / f"{name}.ipynb"

@@ -1,11 +1,11 @@
-"""A refutation evaluated anew, exactly: both sides of every equality that tells, at the certificate's point."""
+"""A refutation evaluated anew, exactly: both sides of each relation that decides, at the certificate's point."""
 
 from __future__ import annotations
 
-import operator as op
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from symcheck.coq.meaning import RELATIONS, Evaluator, Values
 from symcheck.core.calculus import substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.lazy import lazy
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 sp = lazy("sympy")
 
-_HOLDS = {"=": op.eq, "!=": op.ne, "<": op.lt, "<=": op.le, ">": op.gt, ">=": op.ge}
 _SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le", ">": ">", ">=": r"\ge"}
 _DENIED = {"=": r"\ne", "!=": "=", "<": r"\not<", "<=": r"\not\le", ">": r"\not>", ">=": r"\not\ge"}
 SHORT = 24  # signs of a value that is shown exactly
@@ -38,10 +37,11 @@ class Compared(NamedTuple):
     holds: bool
 
 
-class Evaluation:
-    """The claim of a refuting certificate at its point."""
+class Evaluation(Evaluator):
+    """The claim of a refuting certificate at its point, in exact numbers of SymPy."""
 
     def __init__(self, certificate: Certificate, notation: Notation) -> None:
+        super().__init__()
         self._notation = notation
         self._claim = certificate["claim"]
         self._meaning = Reader()  # of terms in which definitions are unfolded
@@ -55,53 +55,43 @@ class Evaluation:
         """The relations that show why the claim is false at the point."""
         return list(self._why(self._claim))
 
-    def holds(self) -> bool:
-        """Whether the claim holds at the point, as evaluated here."""
-        return self._truth(self._claim)
+    def holds(self, formula: Any = None) -> bool:
+        """Whether the claim, or a part of it, holds at the point, as evaluated here."""
+        return bool(self.truth(formula or self._claim, {}))
 
-    def _truth(self, formula: Any) -> bool:
-        head, *parts = formula
-        if head in _HOLDS:
-            return self._compare(formula).holds
-        truths = [self._truth(part) for part in parts]
-        match head:
-            case "and":
-                return all(truths)
-            case "or":
-                return any(truths)
-            case "=>":
-                return truths[1] or not truths[0]
-            case "<=>":
-                return truths[0] == truths[1]
-        raise SymcheckError(f"a counterexample to {in_words(formula)} cannot be evaluated; look at its certificate")
+    def term(self, node: JSON, at: Values) -> Expr:
+        """The exact value of a term: definitions unfolded, functions with their certified values."""
+        at_point = substituted(self._meaning.term(node), self._letters)
+        return sp.expand_trig(to_sympy(self._known(at_point)))
+
+    def sign(self, relation: Any, at: Values) -> int:
+        left, right = (self.term(side, at) for side in relation[1:])
+        difference = left - right
+        if not difference.is_Rational:
+            difference = 0 if sp.simplify(difference) == 0 else sp.N(difference, _DIGITS)
+        return int(sp.sign(difference))
+
+    def quantified(self, node: JSON, at: Values) -> bool:
+        raise SymcheckError(f"a counterexample to {in_words(node)} cannot be evaluated; look at its certificate")
 
     def _why(self, formula: Any) -> Iterator[Compared]:
         """What is compared to see that the formula has the truth value it has."""
         head, *parts = formula
-        if head in _HOLDS:
-            yield self._compare(formula)
+        if head in RELATIONS:
+            yield self._compared(formula)
             return
-        deciding = {("and", False): False, ("or", True): True}.get((head, self._truth(formula)))
+        deciding = {("and", False): False, ("or", True): True}.get((head, self.holds(formula)))
         if deciding is not None:  # one part alone decides
-            parts = [next(part for part in parts if self._truth(part) is deciding)]
+            parts = [next(part for part in parts if self.holds(part) is deciding)]
         for part in parts:
             yield from self._why(part)
 
-    def _compare(self, formula: Any) -> Compared:
-        head, *sides = formula
-        left, right = (self._value(side) for side in sides)
-        difference = left - right
-        exact = difference.is_Rational or sp.simplify(difference) == 0
-        number = difference if difference.is_Rational else sp.Integer(0) if exact else sp.N(difference, _DIGITS)
-        holds = bool(_HOLDS[head](number, 0))
-        shown = (letters.expression(_plain(Reader().term(side)), self._notation) for side in sides)
-        stated = f" {_SIGNS[head]} ".join(shown)
+    def _compared(self, relation: Any) -> Compared:
+        head, *sides = relation
+        left, right = (self.term(side, {}) for side in sides)
+        holds = self.holds(relation)
+        stated = f" {_SIGNS[head]} ".join(letters.expression(_plain(Reader().term(s)), self._notation) for s in sides)
         return Compared(stated, _SIGNS[head] if holds else _DENIED[head], left, right, holds)
-
-    def _value(self, term: JSON) -> Expr:
-        """The exact value of a term: definitions unfolded, functions with their certified values."""
-        at_point = substituted(self._meaning.term(term), self._letters)
-        return sp.expand_trig(to_sympy(self._known(at_point)))
 
     def _known(self, term: Term) -> Term:
         if term in self._functions:

@@ -1,4 +1,4 @@
-"""Steps of a derivation as cells show them: a function is called, what it returns stands beside the printed form."""
+"""Steps of a derivation as cells show them: what a function returns, next to the printed form."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from symcheck.views.notebook.relations import evidence, statement, title, verdic
 
 
 def step(derivation: Callable[..., object], *arguments: object, only: Sequence[str] = (), beside: str = "") -> Output:
-    """What a function of a paper's derivation computes, beside the printed relation that is compared with it.
+    """What a function of a paper's derivation computes, next to the printed relation that is compared with it.
 
     only    names among the expressions, where there are many
     beside  the id of a relation

@@ -70,5 +70,7 @@ def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda 
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):
             if output.output_type != "execute_result":
-                raise SymcheckError(f"cell {cell.id} writes besides what it shows: {output.get('text', output)}")
+                raise SymcheckError(
+                    f"cell {cell.id} prints something in addition to what it shows: {output.get('text', output)}"
+                )
     return notebook

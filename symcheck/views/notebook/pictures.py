@@ -5,9 +5,8 @@ from __future__ import annotations
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from symcheck.numeric import figures
+from symcheck.numeric.drawing import figure_of
 from symcheck.views.notebook.output import Output, Picture
 
 if TYPE_CHECKING:
@@ -23,7 +22,7 @@ def figure(name: str) -> Output:
 
 def drawing(axes: Any, caption: str) -> Output:
     """What a function of the numeric layer has drawn: its axes, or an array of them."""
-    return _picture(np.ravel(np.array(axes, dtype=object))[0].get_figure(root=True), caption)
+    return _picture(figure_of(axes), caption)
 
 
 def _picture(drawn: Figure, caption: str) -> Output:

@@ -11,6 +11,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, Verdict
 from symcheck.ledger.digests import digest_of
+from symcheck.ledger.lemmas import lemmas_of
 from symcheck.ledger.record import Record
 from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
@@ -47,7 +48,7 @@ def title(record: Record, whole: bool = False) -> str:
 
 
 def verdicts(chain: Sequence[Record]) -> str:
-    """The verdict of each link in Markdown, of links that are alike once."""
+    """The verdict of each link in Markdown; a verdict that several links share is written once."""
     told: dict[str, list[str]] = {}
     for record in chain:
         told.setdefault(_verdict(record), []).append(letter(record))
@@ -108,8 +109,8 @@ def digests(certificates: Sequence[Certificate]) -> str:
     """The first digits of the digests of some certificates, how many there are, and their lemmas."""
     named = ", ".join(digest_of(each)[:_DIGEST] for each in certificates[:_FEW])
     more = f" and {len(certificates) - _FEW} more" if len(certificates) > _FEW else ""
-    lemmas = sorted({lemma for each in certificates for lemma, _ in each.get("lemmas", ())})
-    return f"sha256 {named}{more}" + (f", from {', '.join(lemmas)}" if lemmas else "")
+    resting = sorted(lemmas_of(certificates))
+    return f"sha256 {named}{more}" + (f", from {', '.join(resting)}" if resting else "")
 
 
 def proof(id: str) -> Output:
@@ -149,9 +150,8 @@ def checked(certificates: Sequence[Certificate]) -> str:
 
 
 def _faults(certificate: Certificate) -> Iterator[str]:
-    named = dict(certificate.get("lemmas", ()))
-    lemmas = [each for id in named for record in records(id) for each in record.certificates]
-    yield from filter(None, reasons((certificate, *lemmas)))
+    needed = [each for id in lemmas_of([certificate]) for record in records(id) for each in record.certificates]
+    yield from filter(None, reasons((certificate, *needed)))
 
 
 def rows(id: str, only_wrong: bool = False) -> Output:

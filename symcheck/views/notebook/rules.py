@@ -40,7 +40,7 @@ def faults_of_code(text: str) -> Iterator[str]:
     try:
         tree = ast.parse(text)
     except SyntaxError as error:
-        yield f"is no Python ({error.msg})"
+        yield f"is not valid Python ({error.msg})"
         return
     imported = {name for statement in tree.body for name in _imported(statement)}
     for statement in tree.body:

@@ -7,7 +7,7 @@ from difflib import SequenceMatcher
 
 # an element of MathML that holds signs: its name, attributes and signs
 _LEAF = re.compile(r"<(mi|mn|mo|mtext)\b([^>]*)>([^<]*)</\1>")
-_UNSEEN = "\u2061\u200b\u00a0\u22c5 ,;.:"  # what may differ and says nothing: function application, spaces, dots
+_UNSEEN = "\u2061\u200b\u00a0\u22c5 ,;.:"  # differences without meaning: function application, spaces, dots
 _KIND = re.compile(r'\s(?:class|lspace|rspace|form|fence|stretchy|separator|style)="[^"]*"')  # attributes of layout
 
 

@@ -1,4 +1,4 @@
-"""One record with what stands beside it on the page, and the formulas that may be typeset."""
+"""One record with everything that the page shows with it, and the formulas that may be typeset."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from symcheck.views.page.sources import Excerpt, Publication
 
 @dataclass(frozen=True)
 class Entry(Relation):
-    """A record with all that stands beside it."""
+    """A record with its paper, its kernels, and the notebook cells that show it."""
 
     paper: Publication
     kernels: Sequence[Excerpt]

@@ -6,10 +6,9 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group
 from symcheck.ledger.record import Record
-from symcheck.views.model import errata, place
+from symcheck.views.model import errata, listing
 
 _MOMENTA = re.compile(r"\\mathbf\{H\}\s*=\s*\[([^\]]*)\]")  # the momenta at a vertex or edge: "\mathbf{H} = [1, -1, u]"
 _LABEL = re.compile(r"([VF])(')?_\{?(\d+)\}?(')?")  # a vertex or a face, with a prime on either side of the index
@@ -22,7 +21,7 @@ def marks(envelope: Mapping[str, Any], records: Iterable[Record]) -> list[dict[s
     A cell is "v", "e" or "f" with its number; rows about a list as a whole have none and are left out.
     """
     lists = {f"{envelope['paper']}:{each}" for each in envelope["lists"]}
-    own = [record for record in records if record.corrected and place_of_row(record) in lists]
+    own = [record for record in records if record.corrected and listing(record) in lists]
     known = _cells(envelope)
     found = [
         {
@@ -37,11 +36,6 @@ def marks(envelope: Mapping[str, Any], records: Iterable[Record]) -> list[dict[s
         if (cell := known.get(_momenta(fault.first.record)) or known.get(_label(fault.first.record)))
     ]
     return list({(each["cell"], each["id"]): each for each in found}.values())
-
-
-def place_of_row(record: Record) -> str:
-    """The list or table that a record of a row belongs to, whether it is corrected as a row or as a statement."""
-    return place(record) if record.is_row else str(Id.parse(record.id).listing)
 
 
 def _momenta(record: Record) -> str:

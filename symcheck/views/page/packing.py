@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import base64
 import json
-import zlib
-from typing import Any
 
 import deflate
 from markupsafe import Markup
@@ -31,20 +29,8 @@ def packed(data: object) -> Markup:
         for _ in range(-(-8 * len(part) // BITS)):
             parts.append(PAIRS[number & (1 << BITS) - 1])
             number >>= BITS
-    surplus = BITS * len(parts) // 8 - len(deflated)  # a byte of zeros, which a single digit tells to leave out
+    surplus = BITS * len(parts) // 8 - len(deflated)  # a byte of zeros; a single digit at the end marks it as padding
     return Markup("".join(parts) + DIGITS[0] * surplus)
-
-
-def unpacked(text: str) -> Any:
-    """The inverse of `packed`; zeros behind the end are left alone."""
-    values = {digit: value for value, digit in enumerate(DIGITS)}
-    number, found = 0, bytearray()
-    for k in range(0, len(text) & ~1, 2):
-        number |= (values[text[k]] + 91 * values[text[k + 1]]) << BITS * (k // 2 % 8)
-        if k // 2 % 8 == 7 or k + 2 == len(text) & ~1:
-            found += number.to_bytes(BITS, "little")
-            number = 0
-    return json.loads(zlib.decompressobj().decompress(bytes(found)))
 
 
 def address(kind: str, data: bytes) -> Markup:

@@ -150,7 +150,7 @@ def _slot(name: str, data: str) -> str:
 
 
 def _proofs(relations: Iterable[Relation]) -> dict[str, Any]:
-    """The proofs of a paper field by field: likes beside likes fold into half as much."""
+    """The proofs of a paper field by field: similar values next to each other compress to half the size."""
     found = [proof for relation in relations for proof in relation.proofs]
     written = [proof.certificate for proof in found]
     keys = sorted({key for each in written for key in each})

@@ -15,7 +15,7 @@ from symcheck.views.page.packing import address
 
 WIDTH, HEIGHT, LEFT, BELOW, ABOVE = 560, 340, 52, 46, 10  # of a drawing, in pixels
 TICKS = 6  # about so many on an axis
-COLOURS = 64  # more are not told apart
+COLOURS = 64  # more cannot be distinguished
 PALE, MIDDLE, DARK = (254, 217, 118), (240, 59, 32), (103, 0, 31)  # of a small growth rate, of a middle, of the largest
 
 Scale = Callable[[float], float]

@@ -1,11 +1,11 @@
-"""What lies beside the records and shows a claim too: papers, the kernels that rest on it, cells of notebooks."""
+"""What else shows a claim: its paper, the kernels that rest on it, and cells of notebooks."""
 
 from __future__ import annotations
 
 import ast
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,10 +13,9 @@ from symcheck.audit import kernels as declared
 from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen.kernel import Kernel
 
 _ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")  # an id of a claim: "mirer2009:2.1a"
-# what every generated docstring says alike, and its example: the file itself has them
-_ALIKE = re.compile(r'    out : ndarray, optional\n.*?\n(?=\n)|\n    Arguments broadcast\..*?(?=    """)', re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -50,10 +49,10 @@ def kernels(papers: Mapping[str, Paper], folder: Path) -> dict[str, list[Excerpt
     """By claim ("mirer2009:2.12") the functions generated from it, as they stand in `folder`."""
     found: dict[str, list[Excerpt]] = {}
     for key in papers:
-        texts = _functions(folder / f"{key}.py")
-        for name, kernel in declared.declared(key).items():
-            for number in kernel.claims if name in texts else ():
-                found.setdefault(str(Id(key, number)), []).append(Excerpt(name, f"generated/{key}.py", texts[name]))
+        texts = _functions(folder / f"{key}.py", declared.declared(key))
+        for name, text in texts.items():
+            for number in declared.declared(key)[name].claims:
+                found.setdefault(str(Id(key, number)), []).append(Excerpt(name, f"generated/{key}.py", text))
     return found
 
 
@@ -77,10 +76,19 @@ def of_record(excerpts: Mapping[str, Iterable[Excerpt]], id: str) -> list[Excerp
     return list({excerpt: None for name in (id, str(Id.parse(id).declaration)) for excerpt in excerpts.get(name, ())})
 
 
-def _functions(file: Path) -> dict[str, str]:
-    """The text of the functions of a module, without what their docstrings say alike."""
+def _functions(file: Path, declared: Mapping[str, Kernel]) -> dict[str, str]:
+    """The generated functions of a module, each with what is declared of it in the place of its docstring."""
     if not file.is_file():
         return {}
-    text = file.read_text(encoding="utf-8")
-    functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
-    return {node.name: _ALIKE.sub("", ast.get_source_segment(text, node) or "") for node in functions}
+    lines = file.read_text(encoding="utf-8").splitlines()
+    functions = [node for node in ast.parse("\n".join(lines)).body if isinstance(node, ast.FunctionDef)]
+    return {node.name: _shown(node, lines, declared[node.name]) for node in functions if node.name in declared}
+
+
+def _shown(function: ast.FunctionDef, lines: Sequence[str], kernel: Kernel) -> str:
+    accuracy = f"{kernel.ulp} ulp. {kernel.condition} {kernel.degenerate}"
+    said = [kernel.says, *(f"{x.name}: {x.meaning}, {x.unit}; {x.domain}" for x in kernel.arguments)]
+    said += [*(f"{x.name}: {x.meaning}, {x.unit}" for x in kernel.outputs), " ".join(accuracy.split())]
+    _, first, *_ = function.body
+    body = lines[first.lineno - 1 : function.end_lineno]
+    return "\n".join([lines[function.lineno - 1], *(f"    # {line}" for line in said), *body])
