@@ -113,7 +113,7 @@ FORBIDDEN = {
     "__import__('sympy')": "reaches for __import__",
     "x = show.claim('mirer2009:2.12')": "shows nothing",
     "": "shows nothing",
-    "(": "is no Python",
+    "(": "is not valid Python",
     "f'{a}'": "joinedstr",
     "show.numbers(y := 1)": "namedexpr",
 }

@@ -121,7 +121,7 @@ def test_a_kernel_of_single_precision_stays_so() -> None:
 
 def test_plain_arrays_and_data_arrays_do_not_mix() -> None:
     moments, axes = (arguments(FUNCTIONS["inertia.axial_moments"]))[:2]
-    with pytest.raises(ValueError, match=r"shape \(30, 20, 3, 3\) beside DataArrays must be one too"):
+    with pytest.raises(ValueError, match=r"shape \(30, 20, 3, 3\) together with DataArrays must be one too"):
         FUNCTIONS["inertia.axial_moments"](as_named(moments, "i"), axes)
 
 

@@ -18,7 +18,7 @@ import numpy as np
 import sympy as sp
 
 from symcheck.kernels.codegen.expression import MATH
-from symcheck.kernels.codegen.program import UNARY
+from symcheck.kernels.codegen.program import UNARY, order_of
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.selftest.kernel_truth import Case, Truth
 
@@ -80,9 +80,7 @@ class Forms:
         }
         self._trees = {form: tree for form, tree in trees.items() if tree}
         self._inputs = [argument.name for argument in case.kernel.arguments]
-        values = list(case.compiled.program.outputs.values())
-        firsts = list(dict.fromkeys(values))
-        self._order = [firsts.index(value) for value in values]
+        self._order = order_of(case.compiled.program)
 
     @property
     def forms(self) -> list[str]:

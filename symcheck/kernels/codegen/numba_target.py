@@ -23,7 +23,7 @@ from symcheck.kernels.codegen import numba_calls, numba_functions
 from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import number
 from symcheck.kernels.codegen.numpy_target import KIND, calls, out_of
-from symcheck.kernels.codegen.program import INFIX, Operation, Program, Ref
+from symcheck.kernels.codegen.program import INFIX, Operation, Program, distinct, order_of
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.runtime import fitting
 
@@ -164,8 +164,8 @@ def _constants(functions: list[FunctionType]) -> Iterator[str]:
 def source(name: str, compiled: CompiledKernel) -> str:
     """The text of one kernel."""
     program = compiled.pointwise
-    inputs, results = ", ".join(program.inputs), _results(program)
-    order = [list(results).index(value) for value in program.outputs.values()]
+    inputs, results = ", ".join(program.inputs), distinct(program)
+    order = order_of(program)
     taken = sorted({_passed(operation.function) for operation in program.operations} - {""})
     library = [f"math.{LIBRARY.get(function, function)}" for function in taken]
     types = " is ".join(f"type({x})" for x in program.inputs)
@@ -199,14 +199,6 @@ callable_by_name({name}, _{name}_point)
 """
 
 
-def _results(program: Program) -> dict[Ref, str]:
-    """The values that differ, each with the first output that has it, in the order of these."""
-    first: dict[Ref, str] = {}
-    for name, value in program.outputs.items():
-        first.setdefault(value, name)
-    return first
-
-
 def _passed(function: str) -> str:
     """The function that a loop and a number take from different places, "" where there is none."""
     return BUILT_ON.get(function, function if function in DOUBLE else "")
@@ -228,7 +220,7 @@ def _assignment(operation: Operation) -> str:
 
 def _loop(name: str, program: Program, taken: list[str], library: list[str]) -> Iterator[str]:
     """The lines of the loop over points."""
-    results, count = _results(program), len(program.inputs)
+    results, count = distinct(program), len(program.inputs)
     numbers = [f"take(in_{x}, point, {n})" for n, x in enumerate(program.inputs)]
     new = [f"new_{x}" for x in results.values()]
     puts = [f"put(out_{x}, point, {n}, new_{x})" for n, x in enumerate(results.values(), count)]

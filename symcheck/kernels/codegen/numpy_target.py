@@ -14,7 +14,7 @@ from fractions import Fraction
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.docstring import docstring, example, numpydoc
 from symcheck.kernels.codegen.expression import bare, body, number
-from symcheck.kernels.codegen.program import Program, Ref, is_number, registers
+from symcheck.kernels.codegen.program import Program, Ref, distinct, is_number, order_of, registers
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.specification import Argument, Output, Specification
@@ -191,7 +191,8 @@ def paths(name: str, compiled: CompiledKernel) -> Iterator[str]:
     )
     count, _ = block_lines(program, numbers(program))
     small = f"_{name}_few" if few else f"_{name}"
-    further = f"{count}, ({_order(program)},), {fewest}"
+    order = ", ".join(map(str, order_of(program)))
+    further = f"{count}, ({order},), {fewest}"
     yield f"""def {name}(formula):
     \"\"\"The function of numbers and arrays that a formula becomes.\"\"\"
     alike, others = on_arrays(formula, _{name}, {further})
@@ -224,8 +225,8 @@ def block(name: str, program: Program) -> str:
         raise SymcheckError(f"the kernel {name}: {fixed[0]} is an argument or a number; leave it to the caller")
     used = numbers(program)
     count, lines = block_lines(program, used)
-    outs = sorted(distinct(program).values(), key=list(program.outputs).index)
-    rows = "".join(f", {row}=None" for row in [*(f"out_{x}" for x in outs), *(f"r{k}" for k in range(count))])
+    outs = (f"out_{x}" for x in distinct(program).values())
+    rows = "".join(f", {row}=None" for row in [*outs, *(f"r{k}" for k in range(count))])
     taken = "".join(f", {text}=array({bare(number(x))})" for x, text in used.items())
     return f"def _{name}({', '.join(program.inputs)}{rows}{taken}):\n" + textwrap.indent("\n".join(lines), "    ")
 
@@ -258,11 +259,6 @@ def numbers(program: Program) -> dict[Ref, str]:
     return {x: re.sub(r"\W+", "_", f"n{x}" if isinstance(x, Fraction) else x).strip("_") for x in used if is_number(x)}
 
 
-def distinct(program: Program) -> dict[Ref, str]:
-    """The values that the program puts out, each with the first output that has it."""
-    return {value: name for name, value in reversed(program.outputs.items())}
-
-
 def handful(program: Program) -> int:
     """Up to how many points `math` takes less time for than NumPy."""
     inputs, outputs = len(program.inputs), len(distinct(program))
@@ -281,9 +277,3 @@ def _in_place(program: Program) -> int:
         count += place is not None and place in [held.get(x) for x in operation.operands]
         held[operation.result] = place
     return count
-
-
-def _order(program: Program) -> str:
-    """For each output, which of the distinct ones it is."""
-    firsts = sorted(distinct(program).values(), key=list(program.outputs).index)
-    return ", ".join(str(firsts.index(distinct(program)[value])) for value in program.outputs.values())

@@ -214,6 +214,20 @@ def compiled(inputs: Iterable[str], outputs: Mapping[str, Any], acute: Iterable[
     return program
 
 
+def distinct(program: Program) -> dict[Ref, str]:
+    """The values that the program puts out, each once, with the first output that has it."""
+    first: dict[Ref, str] = {}
+    for name, value in program.outputs.items():
+        first.setdefault(value, name)
+    return first
+
+
+def order_of(program: Program) -> list[int]:
+    """For each output, which of the distinct values it is."""
+    values = [*distinct(program)]
+    return [values.index(value) for value in program.outputs.values()]
+
+
 def under_root(x: Ref) -> Ref | None:
     """What the root is of, if this number is one."""
     if isinstance(x, Fraction) or not x.startswith("sqrt("):

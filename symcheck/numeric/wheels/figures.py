@@ -21,48 +21,43 @@ def _axes(working: int) -> Array:
     return (four_wheels(*FOUR) if working < 5 else six_wheels(*SIX))[:working]
 
 
+def _figure(words: str, draw: Callable[[], object]) -> Callable[[], object]:
+    draw.__doc__ = words
+    return draw
+
+
 def _drawing(plot: Callable[..., object], words: str, working: int, figure: int) -> Callable[[], object]:
     """The function that draws the envelope of so many working wheels, its vertices named as in the paper."""
 
     def draw() -> object:
         return plot(envelope(_axes(working)), names=listed_vertices(working, *(FOUR if working < 5 else SIX)))
 
-    draw.__doc__ = f"{words} of the momentum envelope of {WORDS[working]}: figure {figure}."
-    return draw
-
-
-def _four_axes() -> object:
-    """The axes of four wheels along the side edges of a four-sided pyramid: figure 1."""
-    return plot_axes(_axes(4))
-
-
-def _six_axes() -> object:
-    """The axes of six wheels along the side edges of a regular six-sided pyramid: figure 6."""
-    return plot_axes(_axes(6))
-
-
-def _four_failures() -> object:
-    """The momentum envelope of four wheels after the failure of each of them, inside that of all four."""
-    return plot_failures(_axes(4))
-
-
-def _six_failures() -> object:
-    """The momentum envelope of six wheels after the failure of each of them, inside that of all six."""
-    return plot_failures(_axes(6))
+    return _figure(f"{words} of the momentum envelope of {WORDS[working]}: figure {figure}.", draw)
 
 
 FIGURES: Figures = {
-    "wheels-four-axes": _four_axes,
+    "wheels-four-axes": _figure(
+        "The axes of four wheels along the side edges of a four-sided pyramid: figure 1.", lambda: plot_axes(_axes(4))
+    ),
     "wheels-four-envelope": _drawing(plot_envelope, "View", 4, 2),
     "wheels-four-projections": _drawing(plot_projections, "Projections", 4, 3),
-    "wheels-four-failures": _four_failures,
+    "wheels-four-failures": _figure(
+        "The momentum envelope of four wheels after the failure of each of them, inside that of all four.",
+        lambda: plot_failures(_axes(4)),
+    ),
     "wheels-three-envelope": _drawing(plot_envelope, "View", 3, 4),
     "wheels-three-projections": _drawing(plot_projections, "Projections", 3, 5),
-    "wheels-six-axes": _six_axes,
+    "wheels-six-axes": _figure(
+        "The axes of six wheels along the side edges of a regular six-sided pyramid: figure 6.",
+        lambda: plot_axes(_axes(6)),
+    ),
     "wheels-six-envelope": _drawing(plot_envelope, "View", 6, 7),
     "wheels-six-projections": _drawing(plot_projections, "Projections", 6, 8),
     "wheels-six-projection": _drawing(plot_projection, "Projection on OXY", 6, 9),
-    "wheels-six-failures": _six_failures,
+    "wheels-six-failures": _figure(
+        "The momentum envelope of six wheels after the failure of each of them, inside that of all six.",
+        lambda: plot_failures(_axes(6)),
+    ),
     "wheels-five-envelope": _drawing(plot_envelope, "View", 5, 10),
     "wheels-five-projections": _drawing(plot_projections, "Projections", 5, 11),
     "wheels-five-projection": _drawing(plot_projection, "Projection on OXY", 5, 12),

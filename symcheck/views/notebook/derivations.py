@@ -18,14 +18,14 @@ from symcheck.views.notebook.records import item, notation, paper, recorded, rec
 from symcheck.views.notebook.relations import evidence, statement, title, verdicts
 
 
-def step(derivation: Callable[..., object], *arguments: object, only: Sequence[str] = (), beside: str = "") -> Output:
+def step(derivation: Callable[..., object], *arguments: object, only: Sequence[str] = (), relation: str = "") -> Output:
     """What a function of a paper's derivation computes, next to the printed relation that is compared with it.
 
-    only    names among the expressions, where there are many
-    beside  the id of a relation
+    only      names among the expressions, where there are many
+    relation  its id
     """
-    used = notation(beside) if beside else paper(derivation.__module__.split(".")[-2]).notation
-    found = records(beside) if beside else ()
+    used = notation(relation) if relation else paper(derivation.__module__.split(".")[-2]).notation
+    found = records(relation) if relation else ()
     compared = list(statement(found, reread=False)) if found else []
     formulas = [part for part in compared if isinstance(part, Math)]
     parts: list[Part] = [
@@ -47,7 +47,7 @@ def derived(id: str, only: Sequence[str] = ()) -> Output:
     if declared is None:
         raise SymcheckError(f"{id} declares no derivation; show it with claim")
     function, arguments = (declared.func, declared.args) if isinstance(declared, partial) else (declared, ())
-    return step(function, *arguments, only=only, beside=id)
+    return step(function, *arguments, only=only, relation=id)
 
 
 def _rows(derived: Any, only: Sequence[str], used: Notation) -> list[str]:
