@@ -60,6 +60,9 @@ PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
     r"\int_0^L \sin^2 \frac{n \pi x}{L} dx = \frac{L}{2}": (WHOLE, "n > 0", "L > 0"),
     r"\int_0^x \frac{dt}{\sqrt{1 - t^2}} = \arcsin x": "0 < x, x < 1",
     r"\max(a, b) + \min(a, b) = a + b": "",
+    r"\exists x : x^2 = 2": "",
+    r"\exists x : 2 x = 3": "",
+    r"\exists x : \ln x = 0": "",
     r"\frac{d}{dx} \operatorname{erf}(x) = \frac{2}{\sqrt{\pi}} e^{-x^2}": "",
     r"\int_0^t \sqrt{x}\,dx = \frac{2}{3} t^{3/2}": "",
     r"\int_0^{\pi} \sqrt{2 + \cos x}\,dx = \int_0^{\pi} \sqrt{\cos x + 2}\,dx": "",
@@ -68,6 +71,8 @@ PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
 }
 REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\max(a, b) = a": "",
+    r"\exists x : x^2 = -1": "",
+    r"\exists x : x^2 < 0": "",
     r"\operatorname{erf}(x) = \frac{1}{\sqrt{\pi}} \int_0^x e^{-t^2} dt": "",
     r"\frac{d}{dx}\arctan(ax) = \frac{2a}{1+a^2x^2}": "",
     r"\exp x = 1 + x": "",
@@ -135,6 +140,7 @@ NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about n
     r"\int_0^\infty x\,dx - \int_0^\infty x\,dx = 0": ("", ""),
     r"\sum_{k=1}^\infty k - \sum_{k=1}^\infty k = 0": ("", ""),
     r"0 \int_0^\infty e^x\,dx = 0": ("", ""),
+    r"\exists x : \sqrt{x} = -2": ("", ""),
     "x = 1": ("", "x > 0, x < 0"),
     r"\frac{x^2}{x} = 0": ("", "x = 0"),
     "f(0) = 1": ("f'(x) = f(x)", ""),

@@ -21,11 +21,18 @@ def keyed(
 def _keyed(text: str) -> str:
     from symcheck.papers import FILES, add, load
 
-    path, colon, place = (text, "", "") if Path(text).exists() else text.rpartition(":")
-    folder = Path(path)
-    if not path or not folder.exists() or (os.sep not in path and path in load()):
+    path, colon, place = (text, "", "") if _exists(text) else text.rpartition(":")
+    if not path or not _exists(path) or (os.sep not in path and path in load()):
         return text
+    folder = Path(path)
     return add(folder.parent if folder.name in FILES else folder) + colon + place
+
+
+def _exists(path: str) -> bool:
+    try:
+        return Path(path).exists()
+    except (OSError, ValueError):  # too long, or with a null character
+        return False
 
 
 SELECTION = click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed)

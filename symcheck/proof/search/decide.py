@@ -25,6 +25,7 @@ from symcheck.proof.rules.theorem import Theorem
 from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
 from symcheck.proof.search.number_points import refute_numbers
+from symcheck.proof.search.quantified import decide_alone
 from symcheck.proof.search.values import with_values
 from symcheck.proof.search.wellformed import checked
 from symcheck.proof.search.witnesses import find_witnesses
@@ -42,6 +43,8 @@ def decide(problem: Problem) -> Outcome:
     try:
         problem = checked(problem)
         problem = replace(problem, claim=strict(problem.claim))
+        if (outcome := decide_alone(problem, prove)) is not None:
+            return _complete(problem, outcome)
         point = refute_numbers(problem)
         if point is None:
             if (proof := prove_numbers(problem) or _by_steps(problem)) is not None:
@@ -60,6 +63,16 @@ def decide(problem: Problem) -> Outcome:
     return Outcome(
         Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search"
     )
+
+
+def _complete(problem: Problem, outcome: Outcome) -> Outcome:
+    """The outcome with points, and proofs that all terms have values there."""
+    if outcome.point is not None:
+        point = with_values(problem, outcome.point, prove)
+        return replace(outcome, point=point) if point else Outcome(Verdict.UNDECIDED, reason=VACUOUS)
+    assert outcome.proof is not None
+    complete = with_witnesses(problem, outcome.proof)
+    return proved(problem, complete) if complete else Outcome(Verdict.UNDECIDED, reason=VACUOUS)
 
 
 def proved(problem: Problem, proof: Proof) -> Outcome:
