@@ -730,8 +730,8 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
         claims={
             'poloskov2004:3.4': '1151d266f39f',
             'poloskov2004:3.5': '9b09838828a8',
-            'poloskov2004:4.0.3': 'c717004439c9',
-            'poloskov2004:B.2': '75e272e9ef26',
+            'poloskov2004:4.0.3': 'ab42d552a443',
+            'poloskov2004:B.2': 'e5842dbdec58',
             'poloskov2004:B.3': 'c68c40b1b8ed',
         },
     ),
@@ -770,7 +770,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
-    (sha256 c717004439c9), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.3 (sha256 c68c40b1b8ed).
+    (sha256 ab42d552a443), poloskov2004:B.2 (sha256 e5842dbdec58), poloskov2004:B.3 (sha256 c68c40b1b8ed).
 
     Examples
     --------
@@ -810,8 +810,8 @@ def density_of_amplitude(a, alpha, beta, gamma):
         claims={
             'poloskov2004:3.4.2': '6a0fedfb75dc',
             'poloskov2004:3.5.1': '9ebdaa94d36f',
-            'poloskov2004:4.0.5': 'fedbb5637deb',
-            'poloskov2004:B.5': '5e4b27a1cc3c',
+            'poloskov2004:4.0.5': 'd9e732415424',
+            'poloskov2004:B.5': '3a5d29509c0e',
         },
     ),
 )
@@ -851,7 +851,7 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
-    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 5e4b27a1cc3c).
+    poloskov2004:4.0.5 (sha256 d9e732415424), poloskov2004:B.5 (sha256 3a5d29509c0e).
 
     Examples
     --------
@@ -887,8 +887,8 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33):
         claims={
             'poloskov2004:3.4': '1151d266f39f',
             'poloskov2004:3.5': '9b09838828a8',
-            'poloskov2004:4.0.3': 'c717004439c9',
-            'poloskov2004:B.2': '75e272e9ef26',
+            'poloskov2004:4.0.3': 'ab42d552a443',
+            'poloskov2004:B.2': 'e5842dbdec58',
         },
     ),
 )
@@ -924,7 +924,7 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
-    (sha256 c717004439c9), poloskov2004:B.2 (sha256 75e272e9ef26).
+    (sha256 ab42d552a443), poloskov2004:B.2 (sha256 e5842dbdec58).
 
     Examples
     --------
@@ -957,8 +957,8 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma):
         claims={
             'poloskov2004:3.4.2': '6a0fedfb75dc',
             'poloskov2004:3.5.1': '9ebdaa94d36f',
-            'poloskov2004:4.0.5': 'fedbb5637deb',
-            'poloskov2004:B.5': '5e4b27a1cc3c',
+            'poloskov2004:4.0.5': 'd9e732415424',
+            'poloskov2004:B.5': '3a5d29509c0e',
         },
     ),
 )
@@ -996,7 +996,7 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
-    poloskov2004:4.0.5 (sha256 fedbb5637deb), poloskov2004:B.5 (sha256 5e4b27a1cc3c).
+    poloskov2004:4.0.5 (sha256 d9e732415424), poloskov2004:B.5 (sha256 3a5d29509c0e).
 
     Examples
     --------
@@ -1170,9 +1170,9 @@ def quantile_of_amplitude(q, alpha, beta, gamma):
         condition='The ulp are those of the value times its condition number, (2 + m) (1 + log(1 + m)) nu/(nu - m/2) with nu = |kappa_1| - 1.',
         degenerate='Beyond the domain the moment is infinite, and the formula means nothing.',
         claims={
-            'poloskov2004:4.0.9': '3a73e58c5dd1',
-            'poloskov2004:B.2': '75e272e9ef26',
-            'poloskov2004:B.6': '070b97d8b7fb',
+            'poloskov2004:4.0.9': '2103dcf0e4fd',
+            'poloskov2004:B.2': 'e5842dbdec58',
+            'poloskov2004:B.6': '44044af9cd3e',
         },
     ),
 )
@@ -1210,8 +1210,8 @@ def moment_of_amplitude(m, alpha, beta, gamma):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.9 (sha256 3a73e58c5dd1), poloskov2004:B.2 (sha256 75e272e9ef26), poloskov2004:B.6
-    (sha256 070b97d8b7fb).
+    Rests on poloskov2004:4.0.9 (sha256 2103dcf0e4fd), poloskov2004:B.2 (sha256 e5842dbdec58), poloskov2004:B.6
+    (sha256 44044af9cd3e).
 
     Examples
     --------
@@ -1247,9 +1247,9 @@ def moment_of_amplitude(m, alpha, beta, gamma):
         condition='The ulp are those of the value times its condition number, (2 + m) (1 + log(1 + m)) delta/(delta - m/2) with delta = d_33/g_13^2.',
         degenerate='Beyond the domain the moment is infinite, and the formula means nothing.',
         claims={
-            'poloskov2004:4.0.11': 'e330cba03040',
-            'poloskov2004:B.5': '5e4b27a1cc3c',
-            'poloskov2004:B.7': '67d96b8a092e',
+            'poloskov2004:4.0.11': 'b4ce7a1bf72c',
+            'poloskov2004:B.5': '3a5d29509c0e',
+            'poloskov2004:B.7': '17993c9067b8',
         },
     ),
 )
@@ -1289,8 +1289,8 @@ def moment_of_frequency(m, k, g_13, g_23, d_33):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.11 (sha256 e330cba03040), poloskov2004:B.5 (sha256 5e4b27a1cc3c), poloskov2004:B.7
-    (sha256 67d96b8a092e).
+    Rests on poloskov2004:4.0.11 (sha256 b4ce7a1bf72c), poloskov2004:B.5 (sha256 3a5d29509c0e), poloskov2004:B.7
+    (sha256 17993c9067b8).
 
     Examples
     --------
@@ -1320,7 +1320,7 @@ def moment_of_frequency(m, k, g_13, g_23, d_33):
         ulp=4,
         degenerate='Beyond the domain it is infinite, and the formula means nothing.',
         claims={
-            'poloskov2004:4.0.9': '3a73e58c5dd1',
+            'poloskov2004:4.0.9': '2103dcf0e4fd',
             'poloskov2004:B.8': 'd9698f4ddfc7',
         },
     ),
@@ -1355,7 +1355,7 @@ def mean_square_of_amplitude(alpha, beta, gamma):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.9 (sha256 3a73e58c5dd1), poloskov2004:B.8 (sha256 d9698f4ddfc7).
+    Rests on poloskov2004:4.0.9 (sha256 2103dcf0e4fd), poloskov2004:B.8 (sha256 d9698f4ddfc7).
 
     Examples
     --------
@@ -1385,7 +1385,7 @@ def mean_square_of_amplitude(alpha, beta, gamma):
         condition='The ulp are those of the value times its condition number, (d_33 + g_13^2)/|d_33 - g_13^2|, as g_13^2 is rounded.',
         degenerate='Beyond the domain it is infinite, and the formula means nothing.',
         claims={
-            'poloskov2004:4.0.11': 'e330cba03040',
+            'poloskov2004:4.0.11': 'b4ce7a1bf72c',
             'poloskov2004:B.8': 'd9698f4ddfc7',
         },
     ),
@@ -1424,7 +1424,7 @@ def mean_square_of_frequency(k, g_13, g_23, d_33):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.11 (sha256 e330cba03040), poloskov2004:B.8 (sha256 d9698f4ddfc7).
+    Rests on poloskov2004:4.0.11 (sha256 b4ce7a1bf72c), poloskov2004:B.8 (sha256 d9698f4ddfc7).
 
     Examples
     --------

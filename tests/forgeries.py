@@ -165,6 +165,7 @@ def constant(c: JSON, then: JSON, s: JSON = 0, t: JSON = 1) -> JSON:
 
 
 SQUARED = above(sq("x"))
+NO_CIRCLE = minus(["*", sq(["cos", ["arctan", "x"]]), ["+", 1, sq("x")]], 1)  # zero
 INVERTED: JSON = ["exists", ["z"], ["=", ["*", "z", "x"], 1]]
 NOT_EVEN = implies(absurd([], [here(2), "1"]))
 EULER_NUMBER: JSON = ["/", 2718281828459045235360287471352662497757247093699959, 10**51]
@@ -1586,7 +1587,7 @@ CERTIFICATES: dict[str, Forgery] = {
     "a fraction that vanishes under a binder at a point": Forgery(
         MAY_BE_ZERO,
         refuted(
-            ["=", integral(["/", minus(["sqrt", sq("x")], "x"), minus(["sqrt", sq("x")], "x")]), 2],
+            ["=", integral(["/", NO_CIRCLE, NO_CIRCLE]), 2],
             {},
             proof=constant(1, compute(here())),
         ),
@@ -3649,5 +3650,111 @@ OTHERWISE: dict[str, Forgery] = {
     )
 }
 
-GROUPS = (RULES, ADDITION, BINDERS, ANALYSIS, CERTIFICATES, THEOREMS, TOO_FAR, BEYOND_ONE, OTHERWISE)
+
+def without_value(t: JSON, value: JSON = 1) -> JSON:
+    """A term that counts as a number wherever it has a value."""
+    return ["+", t, ["-", t], value]
+
+
+NO_VALUE = "is not about numbers"  # that all terms have values under a binder, of which there is no proof
+POSITIVE_ROOTS = [
+    "forall",
+    ["x_0"],
+    ["=>", ["and", ["<", 0, "x_0"], ["<", "x_0", 1], ["!=", "x_0", 0]], [">=", "x_0", 0]],
+]
+EASY = {"values": {}, "proof": compute()}
+JUNK = without_value(["sqrt", "x"])
+FLAT = antiderivative(-1, 1, by(here()), JUNK, "x", (), 2)
+NOT_THREE = implies(antiderivative(-1, 1, absurd([], [here(), "-1"], [here(1), "1"]), JUNK, "x", (), 2))
+UNDEFINED: dict[str, Forgery] = {
+    f"{what} under a binder": Forgery(NO_VALUE, proved(claim, proof, witnesses=[EASY]))
+    for what, claim, proof in (
+        ("a root of negative numbers", ["=", integral(JUNK, low=-1), 2], FLAT),
+        (
+            "a logarithm of negative numbers",
+            ["=", integral(without_value(["log", "x"]), low=-1), 2],
+            antiderivative(-1, 1, by(here()), without_value(["log", "x"]), "x", (), 2),
+        ),
+        (
+            "an arcsine beyond one",
+            ["=", integral(without_value(["arcsin", "x"]), low=-2, high=2), 4],
+            antiderivative(-2, 2, by(here()), without_value(["arcsin", "x"]), "x", (), 4),
+        ),
+        ("a power of zero", ["=", ["sum", without_value(["pow", "k", PI]), "k", 0, 1], ["sum", 1, "k", 0, 1]], ID),
+        ("a root of cosines", ["=", ["mean", without_value(["sqrt", COS], 0), "x"], ["mean", 0, "x"]], ID),
+        (
+            "a gamma function",
+            ["=", ["diverges", without_value(["gamma", "x"]), "x", NOO, OO], ["diverges", 1, "x", NOO, OO]],
+            ID,
+        ),
+        (
+            "a root under two binders",
+            ["=", integral(integral(without_value(["sqrt", minus("x", "y")]), "y")), integral(integral(1, "y"))],
+            ID,
+        ),
+        ("a root under a quantifier", ["forall", ["x"], ["=", JUNK, 1]], every(["y"], ID)),
+        (
+            "a root behind an implication",
+            ["forall", ["x"], ["=>", [">", 1, "x"], ["=", JUNK, 1]]],
+            every(["y"], implies(ID)),
+        ),
+        ("a root in a product", ["=", ["product", JUNK, "x", -1, 0], ["product", 1, "x", -1, 0]], ID),
+    )
+}
+UNDEFINED |= {
+    "ends of an integral that are not in order": Forgery(
+        "('<=', 1, 0) is not so",
+        proved(
+            ["=", integral(JUNK, low=1, high=0), integral(1, low=1, high=0)],
+            ID,
+            witnesses=[
+                {
+                    "values": {},
+                    "proof": have(
+                        [
+                            "forall",
+                            ["x_0"],
+                            ["=>", ["and", ["<", 1, "x_0"], ["<", "x_0", 0], ["!=", "x_0", 0]], [">=", "x_0", 0]],
+                        ],
+                        every(["y"], implies(Y_IS_POSITIVE)),
+                        compute(here()),
+                    ),
+                }
+            ],
+        ),
+    ),
+    "an integral that diverges": Forgery(
+        "the digits of ('diverges'",
+        proved(["=", minus(integral("x", high=OO), integral("x", high=OO)), 0], ID, witnesses=[EASY]),
+    ),
+    "a sum that diverges": Forgery(
+        "('or',))",
+        proved(["=", minus(["sum", "k", "k", 1, OO], ["sum", "k", "k", 1, OO]), 0], ID, witnesses=[EASY]),
+    ),
+    "a proof about other letters": Forgery(
+        "is no value",
+        proved(
+            ["=", integral(JUNK, low=-1), integral(1, low=-1)],
+            ID,
+            witnesses=[
+                {
+                    "values": {},
+                    "proof": have(POSITIVE_ROOTS, every(["y"], implies(above("y"))), compute(here())),
+                }
+            ],
+        ),
+    ),
+    "something that exists where it has no value": Forgery(
+        "('>', 0, 0) is not so",
+        proved(["exists", ["x"], ["=", ["*", "x", ["log", "x"]], 0]], witness({"x": 0}, each(ID, compute()))),
+    ),
+    "something that exists, without its value": Forgery(
+        NO_EQUATION, proved(["exists", ["x"], ["=", ["*", "x", ["log", "x"]], 0]], witness({"x": 0}, ID))
+    ),
+    "a refutation of what has no value": Forgery(
+        NO_VALUE, refuted(["=", integral(JUNK, low=-1), 3], {}, proof=each(each(NOT_THREE), compute(), compute()))
+    ),
+}
+
+GROUPS = (RULES, ADDITION, BINDERS, ANALYSIS, CERTIFICATES, THEOREMS, TOO_FAR, BEYOND_ONE, OTHERWISE, UNDEFINED)
 FORGERIES: dict[str, Forgery] = {name: forgery for group in GROUPS for name, forgery in group.items()}

@@ -10,6 +10,7 @@ import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -191,13 +192,21 @@ def reasons(certificates: Sequence[Certificate]) -> list[str | None]:
     return [None if each.get("proof") == PROOF else "it is none of ours" for each in certificates]
 
 
+class StandIn(dict[str, Paper]):
+    """The toy papers as those that come with the package; there are no folders of users."""
+
+    def __init__(self) -> None:
+        super().__init__(papers())
+        self.built_in, self.folders = [*self], dict[str, Path]()
+
+
 def install(patch: Any = setattr) -> None:
     """Put the toy paper and this decider in the place of the real ones."""
     import symcheck.audit.checked
     import symcheck.audit.library
     import symcheck.papers
 
-    patch(symcheck.papers, "load", papers)
+    patch(symcheck.papers, "load", StandIn)
     patch(symcheck.audit, "decide", sys.modules["stand_in"])
     patch(symcheck.audit.checked, "reasons", reasons)
     patch(symcheck.audit.library, "PRELOAD", ())

@@ -66,6 +66,16 @@ EULER = ["pow", ["+", sq("x"), 1], ["-", 1]]
 INTEGRAND = ["*", 1, ["^", "x", 0], ["pow", "x", 0], ["pow", ["+", ["*", 1, sq("x")], 1], ["-", 1]]]
 PARTS = {"p": 1, "q": 1, "r": 1, "k": 0, "u": 0, "c": 1}
 
+BETWEEN_0_AND_1 = [
+    "forall",
+    ["x_0"],
+    ["=>", ["and", ["<", 0, "x_0"], ["<", "x_0", 1], ["!=", "x_0", 0]], [">=", "x_0", 0]],
+]
+FALLEN = integral(FALLING, "x", 0, OO)
+CONVERGES = theorem(
+    "decaying", {"f": of("x", FALLING), "g": of("x", -1), "a": 1, "s": 0}, [above(1), every(["y"], implies(ID))], ID
+)
+
 RIGHT: dict[str, JSON] = {
     "identity": proved(["=", sq(["+", "x", 1]), ["+", sq("x"), ["*", 2, "x"], 1]], ID),
     "identity by a fact": proved(["=", sq("x"), 4], by(hyp(), factor="x + 2"), [["=", "x", 2]], at={"x": 2}),
@@ -177,6 +187,17 @@ RIGHT: dict[str, JSON] = {
     "theorem, an integrand without a bound at an end": proved(
         ["=", integral(["/", 1, ["*", 2, ["sqrt", "x"]]], "x", 0, 1), 1],
         antiderivative(0, 1, by(here()), ["/", 1, ["*", 2, ["sqrt", "x"]]], ["sqrt", "x"], [above("y"), above("y")]),
+        witnesses=[{"values": {}, "proof": have(BETWEEN_0_AND_1, every(["y"], implies(above("y"))), compute(here()))}],
+    ),
+    "compute, by the fact that all terms have values": proved(
+        ["=", integral(["sqrt", "x"]), integral(["sqrt", "x"])],
+        ID,
+        witnesses=[{"values": {}, "proof": have(BETWEEN_0_AND_1, every(["y"], implies(above("y"))), compute(here()))}],
+    ),
+    "compute, by the fact that an integral converges": proved(
+        ["=", minus(FALLEN, FALLEN), 0],
+        ID,
+        witnesses=[{"values": {}, "proof": {**CONVERGES, "then": compute(here(1))}}],
     ),
     "theorem, what an integrand divides by": proved(
         ["=", INVERSES, ["log", 2]],
@@ -565,9 +586,15 @@ THEOREMS: dict[str, JSON] = {
     },
 }
 WITHOUT_A_POINT = {
-    "odd",
-    "sum_of_integrals",
-    "halves",
+    *(
+        "odd",
+        "even",
+        "sum_of_integrals",
+        "halves",
+        "reflected",
+        "beta",
+    ),  # their integrals may diverge
+    *("decaying", "gaussian", "half_gaussian", "gamma_integral", "power_tail", "power_head"),
     *(name for name in THEOREMS if name.startswith(("arctangent", "arcsine", "arccosine"))),
 }
 
@@ -774,6 +801,15 @@ def test_a_failure_is_named_and_the_exit_code_is_one(tmp_path: Path, capsys: pyt
     out = capsys.readouterr().out
     assert "2.12: left - right is not the combination" in out
     assert "2 certificates, 1 do not hold" in out
+
+
+def test_an_outcome_that_cannot_be_written_is_told_in_one_line(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "symcheck.checker", str(written(tmp_path / "c", [RIGHT["identity"]]))]
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False, cwd=ROOT)
+    assert done.returncode == 2
+    assert done.stderr.count("\n") == 1
+    assert "the outcome cannot be written" in done.stderr
 
 
 DAMAGED = {

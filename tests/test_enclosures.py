@@ -377,7 +377,7 @@ UNDECIDED = [
     node("<", node("/", 1, node("sin", PI)), 1),
     node(">", node("sqrt", node("-", 1)), 1),
     node("<", node("tan", node("/", PI, 2)), 1),
-    node("<", node("sin", node("^", 10, 80)), 2),
+    node("<", node("sin", node("^", 10, 80)), node("/", 1, 2)),
     node("<", 0, node("/", PI, node("+", node("^", node("sqrt", 5), 2), node("-", 5)))),
     node("=", node("cos", node("/", PI, 5)), node("/", node("+", 1, node("sqrt", 5)), 4)),
 ]

@@ -59,8 +59,16 @@ PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
     r"\int_{-\pi}^{\pi} x \sin(n x) dx = \frac{2 \pi (-1)^{n + 1}}{n}": (WHOLE, "n > 0"),
     r"\int_0^L \sin^2 \frac{n \pi x}{L} dx = \frac{L}{2}": (WHOLE, "n > 0", "L > 0"),
     r"\int_0^x \frac{dt}{\sqrt{1 - t^2}} = \arcsin x": "0 < x, x < 1",
+    r"\max(a, b) + \min(a, b) = a + b": "",
+    r"\frac{d}{dx} \operatorname{erf}(x) = \frac{2}{\sqrt{\pi}} e^{-x^2}": "",
+    r"\int_0^t \sqrt{x}\,dx = \frac{2}{3} t^{3/2}": "",
+    r"\int_0^{\pi} \sqrt{2 + \cos x}\,dx = \int_0^{\pi} \sqrt{\cos x + 2}\,dx": "",
+    r"\int_0^\infty x e^{-a x} dx = \frac{1}{a^2}": "a > 0",
+    r"\int_0^\infty f(x)\,dx + \int_0^\infty f(x)\,dx = 2 \int_0^\infty f(x)\,dx": "",
 }
 REFUTED: dict[str, str | tuple[str, ...]] = {
+    r"\max(a, b) = a": "",
+    r"\operatorname{erf}(x) = \frac{1}{\sqrt{\pi}} \int_0^x e^{-t^2} dt": "",
     r"\frac{d}{dx}\arctan(ax) = \frac{2a}{1+a^2x^2}": "",
     r"\exp x = 1 + x": "",
     r"\ln x = x": "",
@@ -120,6 +128,13 @@ NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about n
     r"\int_0^{\pi} \frac{1}{\cos^2 x} dx = 0": ("", ""),  # its antiderivative jumps
     r"\sum_{n=1}^{\infty} n = -\frac{1}{12}": ("", ""),
     r"\sum_{n=0}^{\infty} x^n = \frac{1}{1 - x}": ("", ""),  # converges for some x
+    r"\int_{-1}^1 (\sqrt{x} - \sqrt{x} + 1)\,dx = 2": ("", ""),  # no value between -1 and 0
+    r"\int_{-2}^{2} (0 \arcsin x + 1) dx = 4": ("", ""),
+    r"\int_{-1}^{1} \ln x\,dx = \int_{-1}^{1} \ln x\,dx": ("", ""),
+    r"\sum_{k=0}^{n} (1 + 0 \ln k) = n + 1": ("", "n > 0"),
+    r"\int_0^\infty x\,dx - \int_0^\infty x\,dx = 0": ("", ""),
+    r"\sum_{k=1}^\infty k - \sum_{k=1}^\infty k = 0": ("", ""),
+    r"0 \int_0^\infty e^x\,dx = 0": ("", ""),
     "x = 1": ("", "x > 0, x < 0"),
     r"\frac{x^2}{x} = 0": ("", "x = 0"),
     "f(0) = 1": ("f'(x) = f(x)", ""),

@@ -80,7 +80,7 @@ def check(
             papers=papers,
             decide=decide,
             cache=kept,
-            executor=executor(jobs, [f"symcheck.papers.{key}" for key in papers]),
+            executor=executor(jobs, [f"symcheck.papers.{key}" for key in papers.built_in]),
             timeout=timeout,
             weigh=weigh,
             progress=progress,

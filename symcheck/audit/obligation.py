@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache, partial
@@ -68,12 +69,13 @@ def users(key: str) -> dict[str, tuple[str, ...]]:
 @cache
 def _digest_of_sources(key: str) -> str:
     root = Path(__file__).parents[1]
-    listed = [root / source for source in SOURCES] + [root / "papers" / key / "derivation.py"]
+    derivation = papers.load().folders.get(key, root / "papers" / key) / "derivation.py"
+    listed = [root / source for source in SOURCES] + [derivation]
     files = [f for path in listed for f in (sorted(path.rglob("*")) if path.is_dir() else [path])]
     digest = hashlib.sha256()
     for file in files:
         if file.is_file() and file.suffix != ".pyc":
-            digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes())
+            digest.update(os.path.relpath(file, root).encode() + b"\0" + file.read_bytes())
     for library in LIBRARIES:
         digest.update(f"{library} {version(library)}".encode())
     return digest.hexdigest()

@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from types import MappingProxyType
 
-from symcheck import papers
+from symcheck import kernels, papers
 from symcheck.audit.index import Index
 from symcheck.core.certificates import Certificate
 from symcheck.ledger.digests import line
 from symcheck.ledger.record import Record, by_paper
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
 
+GENERATED = "generated"  # in the folder of a user's paper
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 
 
-def files(records: Iterable[Record], kernels: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
-    """Path inside generated/ -> contents, for every paper that has a record; `kernels` by paper."""
+def folder(key: str) -> Path:
+    """Where what is written of a paper lies."""
+    own = papers.load().folders.get(key)
+    return own / GENERATED if own else kernels.folder()
+
+
+def files(records: Iterable[Record], made: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
+    """Path inside generated/ -> contents, for every paper that has a record; `made` of kernels by paper."""
     out: dict[str, bytes] = {}
     for key, rows in sorted(by_paper(records).items()):
-        texts, equalities = kernels.get(key, ({}, ()))
+        texts, equalities = made.get(key, ({}, ()))
         equalities = [*equalities]
         proofs = [*(certificate for row in rows for certificate in row.all_certificates()), *equalities]
         written = dict.fromkeys(line(proof) for proof in proofs)

@@ -79,7 +79,8 @@ def audit(
 
     With `weigh` it is also decided which hypotheses are needed, after all verdicts; that takes half as long again.
     """
-    obligations = _expanded(_papers_named(selection, papers), decide)
+    named = _papers_named(selection, papers) if selection else _sound(papers, cache.say)
+    obligations = _expanded(named, decide)
     wanted = select(selection, list(obligations)) if selection else dict.fromkeys(obligations, EVERY)
     needed = _with_lemmas(wanted, obligations)
     fingerprints = {id: decide.fingerprint(obligations[id]) for id in needed}
@@ -209,13 +210,22 @@ def _matches(text: str, ids: Sequence[str]) -> dict[str, Links]:
 
 
 def _papers_named(selection: Iterable[str], papers: Mapping[str, Paper]) -> list[Paper]:
-    keys = [Id.parse(text).paper for text in selection] or list(papers)
+    keys = [Id.parse(text).paper for text in selection]
     for key in keys:
         if key not in papers:
             near = get_close_matches(key, papers, n=1)
             hint = f"did you mean {near[0]}?" if near else f"known papers: {', '.join(papers)}"
             raise SymcheckError(f"there is no paper {key!r}; {hint}")
     return [papers[key] for key in papers if key in keys]
+
+
+def _sound(papers: Mapping[str, Paper], say: Callable[[str], None]) -> Iterator[Paper]:
+    """All papers but those whose declarations cannot be read, of which it is said why."""
+    for key in papers:
+        try:
+            yield papers[key]
+        except SymcheckError as error:
+            say(str(error))
 
 
 def _expanded(papers: Iterable[Paper], decide: Decider) -> dict[str, Obligation]:

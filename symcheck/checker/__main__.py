@@ -82,9 +82,12 @@ def main(arguments: list[str], end: Callable[[int], int] = int) -> int:
         count, tied = count + number, tied and index is not None
         failures += [f"{path}: {reason}" for reason in wrong]
     summary = f"{len(failures)} do not hold" if failures else "all hold"
-    told = "\n".join([*failures, f"{count} certificates, {summary}"])
-    print(told.encode("utf-8", "backslashreplace").decode())  # a name in a file may be no text that can be written
-    print(TIED if tied else NOT_TIED, flush=True)
+    told = "\n".join([*failures, f"{count} certificates, {summary}", TIED if tied else NOT_TIED])
+    try:  # a name in a file may be no text that can be written
+        print(told.encode("utf-8", "backslashreplace").decode(), flush=True)
+    except OSError as error:
+        print(f"checker: the outcome cannot be written ({error}): {summary}", file=sys.stderr)
+        return end(2)
     return end(bool(failures))
 
 

@@ -9,7 +9,7 @@ from functools import lru_cache
 from symcheck.checker.algebra import Algebra, Known, exact
 from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import Prover, Reference, paired
-from symcheck.core.calculus import Unknown, conditions, domain, functions, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, conditions, domain, functions, letters, nodes, owed, strict, substituted
 from symcheck.core.fields import Fields, by_key, listed, raw, text
 from symcheck.core.formulas import FALSE, conjuncts, contrary
 from symcheck.core.terms import (
@@ -43,7 +43,8 @@ class Context:
         sides = (side for each in self.assumed if isinstance(each, Relation) for side in each.terms)
         self.known = known | unknown(*self.assumed, *sides)
         parts = nodes(*self.assumed)
-        self.conditions, self.binders = conditions(parts), [part for part in parts if part.inside]
+        self.binders = [part for part in parts if part.inside]
+        self.conditions, self.owed = conditions(parts), owed(*self.binders)
         self.points: dict[bytes, tuple[dict[str, Term], Known]] = {}
 
     def point(self, written: bytes) -> tuple[dict[str, Term], Known]:
@@ -97,9 +98,11 @@ class Certificate:
         self.claim = read(step.take("claim", raw))
         self.assumed = [*self.context.assumed, *self.nonzero]
         parts = nodes(*self.nonzero, self.claim)
+        own = [part for part in parts if part.inside]
         self.conditions = dict.fromkeys((*self.context.conditions, *conditions(parts)))
-        parts = [*parts, *nodes(*(formula for _, formula in self.lemmas))]
-        self.binders = [*self.context.binders, *(part for part in parts if part.inside)]
+        self.owed = dict.fromkeys((*self.context.owed, *owed(*own)))
+        parts = nodes(*(formula for _, formula in self.lemmas))
+        self.binders = [*self.context.binders, *own, *(part for part in parts if part.inside)]
 
     def supported(self, proved: Iterable[tuple[str, Certificate]]) -> bool:
         """Whether each lemma is part of a statement that is proved under no more than is assumed here.
@@ -133,8 +136,8 @@ class Certificate:
             prover.learn(name, formula)
         if self.nonzero:
             self.assume(prover)
-        facts = [formula for _, formula in self.lemmas]
-        goal = node("=>", node("and", *facts), self.claim) if facts else self.claim
+        facts, goal = [formula for _, formula in self.lemmas], strict(self.claim)
+        goal = node("=>", node("and", *facts), goal) if facts else goal
         prover.prove(goal, self.step.take("proof", raw))
         prover.finish()
         unused = self.context.hypotheses.keys() - prover.used
@@ -172,7 +175,8 @@ class Certificate:
             require(each in varying or Algebra({}, {}).holds(each), "a term has no value, as {} is not so", each)
         needed = [[*premises, *varying] for premises in supposed(self.claim)]
         points = self.step.take("witnesses", listed(raw), [])
-        require(points or not (self.assumed or needed != [[]]), "no point where all that is assumed holds")
+        rests = self.assumed or self.owed or needed != [[]]
+        require(points or not rests, "no point where all that is assumed holds")
         for formulas, point in paired(needed, points) if points else ():
             self.hold(formulas, Fields(point))
 
@@ -181,16 +185,16 @@ class Certificate:
         require(not self.lemmas, "a point needs no lemmas")
         step = Fields(self.step.take("point", raw))
         shown = step.take("shown", listed(self.context.reader.formula), [])
-        self.hold([contrary(self.claim), *shown], step, refuting=True)
+        self.hold([strict(contrary(strict(self.claim))), *shown], step, refuting=True)
 
-    def hold(self, more: list[Formula], step: Fields, refuting: bool = False) -> None:
+    def hold(self, shown: list[Formula], step: Fields, refuting: bool = False) -> None:
         """Rejects unless all that is assumed, and more, holds at a point: it is computed, or has a proof."""
-        formulas = [*self.assumed, *more]
+        formulas = [*self.assumed, *shown]
         reader, (values, known) = self.context.reader, self.context.point(key(step.take("values", raw, {})))
         if computed := "proof" not in step.data:
             at = Algebra(known, values)
         else:  # the letters that are not mentioned are free for use
-            mentioned = set().union(*map(letters, formulas))
+            mentioned = set().union(*map(letters, (*formulas, *self.owed)))
             require(mentioned <= values.keys(), "no value for {}", ", ".join(sorted(mentioned - values.keys())))
             at = Algebra({}, {x: number for x, number in values.items() if x in mentioned})
         calls = step.take("calls", listed(listed(reader.term, 2)), [])
@@ -212,9 +216,12 @@ class Certificate:
         for each in domain(*formulas, divisors=True) if refuting and not computed else ():
             require(at.holds(each), "a term has no value at the point: {} is not so", each)
         broken = frozenset(x for x, number in values.items() if not isinstance(number, int))
-        ends = (refuting and computed) or summed(*self.binders, *more, broken=broken)  # to compute finds the ends
+        ends = (refuting and computed) or summed(*self.binders, *shown, broken=broken)  # to compute finds the ends
         require(ends, "a sum between ends that may not be whole")
-        prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))  # to compute finds values
+        if not refuting or not computed:  # to compute finds values
+            more = owed(*formulas) if refuting else [*self.owed]
+            formulas = [node("and", *formulas), *more] if more else formulas
+        prover.prove(node("and", *formulas), step.take("proof", raw, {"rule": "compute"}))
         prover.finish()
         step.end()
 

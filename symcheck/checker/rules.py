@@ -296,18 +296,24 @@ class Prover:
         self.branch(self.opened(goal, step), step.take("then", raw))
 
     def compute(self, goal: Formula, step: Fields) -> None:
-        """A formula about numbers, or about letters that have values here; values of functions are facts."""
-        at = self.at or Algebra({}, {})
+        """A formula about numbers, or about letters that have values here; facts are parts of it, or values."""
+        at, parts, granted = self.at or Algebra({}, {}), [goal], list[Formula]()
         if names := step.take("values", LIST, []):
-            settled = at.settled
+            settled, point, parts = at.settled, at.point or {}, conjuncts(goal)
+            shown = [substituted(part, point) for part in parts]
             at = Algebra({}, at.point)
             at.settled, at.asked = {**settled}, True
             for name in names:
-                formula, _ = self.fact(("=",), name, "{} is no value")
-                require(not letters(formula), "{} is no value", formula)
-                function, value = formula.outside
-                at.settled[self.value(function)] = at.value(value) % PRIME
-        require(at.holds(goal), "{} is not so", goal)
+                formula, _ = self.fact(("=", "forall"), name, "{} is no value")
+                here = substituted(formula, point)
+                granted += [part for part, there in zip(parts, shown, strict=True) if there == here]
+                if formula.tag == "=" and not letters(formula):
+                    function, value = formula.outside
+                    at.settled[self.value(function)] = at.value(value) % PRIME
+                else:
+                    require(here in shown, "{} is no value", formula)
+        for part in parts:
+            require(part in granted or at.holds(part), "{} is not so", part)
         if names:
             self.algebra.divisors.update({value: None for value, term in at.divisors.items() if term is None})
 

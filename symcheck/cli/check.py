@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from symcheck.cli.errors import DIFFERS, MAX_LINES, say
+from symcheck.cli.errors import BAD_INPUT, DIFFERS, MAX_LINES, say
 from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited, print_json
 from symcheck.core.verdicts import Verdict
@@ -57,18 +57,21 @@ def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None,
 
 def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -> None:
     """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
-    from symcheck import kernels
+    from symcheck import papers
+    from symcheck.audit import outputs
     from symcheck.ledger import store
     from symcheck.ledger.record import by_paper
 
-    folder, differing = kernels.folder(), []
+    differing = list[str]()
     for key, rows in by_paper(records).items():
         complete = not selection or key in selection
-        differing += store.disagreements(rows, store.expected(folder, key), complete)
+        differing += store.disagreements(rows, store.expected(outputs.folder(key), key), complete)
     for line in differing[:MAX_LINES]:
         say(line)
     if len(differing) > MAX_LINES:
         say(f"and {len(differing) - MAX_LINES} more differences; ask for a smaller selection to see them")
+    if not selection and {*papers.load()} > {record.paper for record in records}:
+        raise click.exceptions.Exit(BAD_INPUT)  # of the others it was said why they cannot be read
     if differing:
         raise click.exceptions.Exit(DIFFERS)
     if not quiet:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
 from symcheck.cli.errors import DIFFERS, say
-from symcheck.cli.options import AuditOptions, audit_options
+from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen import target_names
@@ -30,13 +31,15 @@ CHECKED_IN = "numpy"  # the target whose files stand in generated/
     type=click.Path(file_okay=False, path_type=Path),
     help="Folder for another target than NumPy; default kernels-TARGET.",
 )
+@SELECTION
 @audit_options
-def generate(only_check: bool, name: str, output: Path | None, options: AuditOptions) -> None:
+def generate(selection: Sequence[str], only_check: bool, name: str, output: Path | None, options: AuditOptions) -> None:
     """Write kernels, certificates and recorded verdicts to generated/, or check that they are what would be written.
 
-    With another target write the kernels for Numba, in C, or for any library of the array API.
+    Without a selection: of all papers that come with symcheck. Of the folder of an audit: to generated/ in it. With
+    another target write the kernels for Numba, in C, or for any library of the array API.
     """
-    from symcheck import kernels, papers
+    from symcheck import papers
     from symcheck.audit import kernels as writing
     from symcheck.audit import outputs
     from symcheck.coq import confirmed
@@ -44,15 +47,20 @@ def generate(only_check: bool, name: str, output: Path | None, options: AuditOpt
     from symcheck.ledger import selftested, store
     from symcheck.views import figures
 
-    checked_in = name == CHECKED_IN
+    checked_in, known = name == CHECKED_IN, papers.load()
     if checked_in and output:
         raise SymcheckError("NumPy kernels belong in generated/; leave --output out, or choose another --target")
-    folder = kernels.folder() if checked_in else output or Path(f"kernels-{name}")
-    records, files = audited((), options), target(name).files
-    made = {key: writing.compiled_kernels(paper, records) for key, paper in papers.load().items()}
+    if mixed := [each for each in selection if each not in known.folders]:
+        raise SymcheckError(
+            f"{mixed[0]} is not the folder of an audit; leave it out to write all that is in generated/"
+        )
+    keys, ours = [*selection] or known.built_in, checked_in and not selection
+    folder = outputs.folder(keys[0]) if checked_in else output or Path(f"kernels-{name}")
+    records, files = audited(keys, options), target(name).files
+    made = {key: writing.compiled_kernels(known[key], records) for key in keys}
     texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
     if checked_in:
-        recorded = confirmed.files(folder, records) | selftested.files(folder) | figures.files(folder)
+        recorded = confirmed.files(folder, records) | selftested.files(folder) | figures.files(folder) if ours else {}
         contents = outputs.files(records, texts) | recorded
     else:
         contents = {file: text.encode() for of_paper, _ in texts.values() for file, text in of_paper.items()}
@@ -62,7 +70,7 @@ def generate(only_check: bool, name: str, output: Path | None, options: AuditOpt
     else:
         (store.write if checked_in else store.put)(folder, contents)
     left = differing if only_check else store.differences(folder, contents, alone=checked_in)
-    outdated = selftested.outdated(folder, records) if checked_in else []
+    outdated = selftested.outdated(folder, records) if ours else []
     for line in (*left, *outdated):
         say(f"{folder.name}/{line}")
     if any(not line.endswith(store.UNKNOWN) for line in left):

@@ -6,10 +6,29 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
+from pathlib import Path
 
 import click
 
-SELECTION = click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...")
+
+def keyed(
+    context: click.Context, parameter: click.Parameter, selection: str | tuple[str, ...]
+) -> str | tuple[str, ...]:
+    """What is selected, with the key of a paper in the place of its folder: "audit/" or "audit/:2.1"."""
+    return _keyed(selection) if isinstance(selection, str) else tuple(map(_keyed, selection))
+
+
+def _keyed(text: str) -> str:
+    from symcheck.papers import FILES, add, load
+
+    path, colon, place = (text, "", "") if Path(text).exists() else text.rpartition(":")
+    folder = Path(path)
+    if not path or not folder.exists() or (os.sep not in path and path in load()):
+        return text
+    return add(folder.parent if folder.name in FILES else folder) + colon + place
+
+
+SELECTION = click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed)
 
 
 @dataclass(frozen=True)

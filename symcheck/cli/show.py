@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import click
 
-from symcheck.cli.options import AuditOptions, audit_options
+from symcheck.cli.options import AuditOptions, audit_options, keyed
 from symcheck.cli.records import audited
 
 
 @click.command()
-@click.argument("name", metavar="PAPER:NUMBER|KERNEL")
+@click.argument("name", metavar="PAPER:NUMBER|KERNEL", callback=keyed)
 @click.option("--certificate", is_flag=True, help="Print the whole certificate.")
 @audit_options
 def show(name: str, certificate: bool, options: AuditOptions) -> None:

@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Set
 
-from symcheck.core.terms import Binder, Call, End, Formula, Malformed, Node, Quantified, T, Term, Value, node
+from symcheck.core.formulas import FALSE, conjuncts
+from symcheck.core.terms import (
+    Binder,
+    Call,
+    Connective,
+    End,
+    Formula,
+    Malformed,
+    Node,
+    Quantified,
+    T,
+    Term,
+    Value,
+    mapped,
+    node,
+)
 
 
 def nodes(*trees: Term) -> Iterable[Node]:
@@ -64,7 +79,7 @@ def _substituted(tree: Term, by: Mapping[str, Term], calls: Mapping[str, Lambda]
     new = dict(zip(tree.bound, tree.bound, strict=True))
     for x in put.intersection(tree.bound):
         taken = put.union(inner, new, new.values(), *map(letters, tree.inside))
-        new[x] = next(name for n in range(len(taken) + 1) if (name := f"{x}_{n}") not in taken)
+        new[x] = fresh(x, taken)
     (body,) = [_substituted(each, {**inner, **new}, calls) for each in tree.inside]
     return node(
         tree.tag, *((tuple(new.values()), body) if isinstance(tree, Quantified) else (body, *new.values(), *outside))
@@ -232,3 +247,76 @@ def conditions(parts: Iterable[Node], divisors: bool = False) -> list[Formula]:
             at = {part.letter: part.outside[1]}
             found |= dict.fromkeys(substituted(each, at) for each in domain(part.body, divisors=divisors))
     return [*found]
+
+
+def owed(*trees: Term, under: bool = False) -> list[Formula]:
+    """What must be so lest a part that stands under a binder have no real value, whatever bound letters are.
+
+    Divisors are left to the proof, and what is said to exist to `strict`; unknown functions have the values they need.
+    """
+    found = dict.fromkeys(conditions(nodes(*trees))) if under else {}
+    for part in nodes(*trees):
+        if part.tag == "diff":
+            at = {part.bound[0]: part.outside[1]}
+            found |= dict.fromkeys(owed(*(substituted(body, at) for body in part.inside), under=True))
+        elif part.inside and (endless(part) or partial(*part.inside)):
+            found |= dict.fromkeys(_owed_under(part))
+    return [*found]
+
+
+def partial(*trees: Term) -> bool:
+    """Whether something occurs that has no value for some numbers under it."""
+    return any(part[0] in DOMAINS or endless(part) or partial(*part.inside) for part in nodes(*trees))
+
+
+def endless(part: Node) -> bool:
+    """Whether it is an integral without an end or an endless sum, which may have no value."""
+    return part.tag in ("integral", "sum") and any(isinstance(end, End) for end in part.outside)
+
+
+def _owed_under(binder: Node) -> Iterable[Formula]:
+    """The same of what stands under one binder: for all letters that are bound, with what is so of them.
+
+    Ends of an integral are in order; zero, a single point, does not count between them. What letters are called that
+    are bound there does not depend on what they were called.
+    """
+    new = list[str]()
+    for _ in binder.bound:
+        new.append(fresh("x", letters(binder).union(new)))
+    (body,) = (substituted(each, dict(zip(binder.bound, new, strict=True))) for each in binder.inside)
+    fields = ((*new,), body) if isinstance(binder, Quantified) else (body, *new, *binder.outside)
+    binder = node(binder.tag, *fields)
+    inner, way = owed(*binder.inside, under=True), list[Formula]()
+    match binder:
+        case Quantified(body=Connective(tag="=>", formulas=(premise, _))):
+            way = conjuncts(premise)
+        case Binder(letter=x, outside=(low, high)):
+            less = "<=" if binder.tag in ("sum", "product") else "<"
+            way = [node(less, *pair) for pair in ((low, x), (x, high)) if not any(isinstance(t, End) for t in pair)]
+            if less == "<":
+                way.append(node("!=", x, 0))
+            if inner and len(way) == 3:
+                yield node("<=", low, high)
+    if endless(binder) and not functions(binder):  # no theorem tells that an endless sum has a value
+        yield node("=", node("diverges", *binder[1:]), 0) if binder.tag == "integral" else FALSE
+    for each in inner:
+        if letters(each).isdisjoint(binder.bound):
+            yield each
+        elif functions(each):
+            continue
+        elif each not in way and binder.tag != "exists":
+            yield node("forall", binder.bound, node("=>", node("and", *way), each))
+
+
+def strict(formula: Formula) -> Formula:
+    """The formula, where what is said to exist has to be where all terms have values."""
+    if not isinstance(formula, Connective | Quantified):
+        return formula
+    new, bound = mapped(formula, strict), {*formula.bound}  # type: ignore[arg-type]
+    more = [each for each in owed(*new.inside, under=True) if formula.tag == "exists" and letters(each) & bound]
+    return node("exists", formula.bound, node("and", *new.inside, *more)) if more else new
+
+
+def fresh(x: str, taken: Set[str]) -> str:
+    """A letter like x that is not taken."""
+    return next(name for n in range(len(taken) + 1) if (name := f"{x}_{n}") not in taken)

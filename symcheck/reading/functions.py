@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import reduce
 
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import PI, Term, node
 
 Build = Callable[[Term], Term]
 
@@ -36,6 +37,21 @@ def _shifted_root(shift: int) -> Build:
     return lambda t: node("+", t, node("sqrt", node("+", node("^", t, 2), shift)))
 
 
+def _error_function(t: Term) -> Term:
+    bell = node("exp", node("-", node("^", "t", 2)))
+    return node("*", node("/", 2, node("sqrt", PI)), node("integral", bell, "t", 0, t))
+
+
+def extreme(name: str, terms: Sequence[Term]) -> Term:
+    """The "max" or "min" of numbers: half the sum of two and their distance, or the negative of it."""
+
+    def of_two(a: Term, b: Term) -> Term:
+        gap = node("sqrt", node("^", node("+", a, node("-", b)), 2))
+        return node("/", node("+", a, b, gap if name == "max" else node("-", gap)), 2)
+
+    return reduce(of_two, terms)
+
+
 _SIN, _COS, _SINH, _COSH = _known("sin"), _known("cos"), _half(-1), _half(1)
 REAL: dict[str, Build] = {
     "sin": _SIN, "cos": _COS, "tan": _known("tan"), "cot": _over(_COS, _SIN),
@@ -47,6 +63,7 @@ REAL: dict[str, Build] = {
     "artanh": lambda t: node("/", node("log", node("/", node("+", 1, t), node("+", 1, node("-", t)))), 2),
     "exp": _known("exp"), "ln": _known("log"), "lg": lambda t: node("/", node("log", t), node("log", 10)),
     "lb": lambda t: node("/", node("log", t), node("log", 2)), "Gamma": _known("gamma"),
+    "erf": _error_function, "erfc": lambda t: node("+", 1, node("-", _error_function(t))),
 }  # fmt: skip
 SPELLED = {  # other names of the same functions
     "tg": "tan", "ctg": "cot", "cotan": "cot", "cosec": "csc", "arctg": "arctan", "asin": "arcsin", "acos": "arccos",
@@ -57,7 +74,7 @@ SPELLED = {  # other names of the same functions
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
 OF_MATRICES = ("det", "tr", "Tr", "Re", "Im", "rank", "sign", "max", "min", "log")
 OPAQUE = (  # that are read and have no algebraic form
-    "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "erf", "erfc", "adj", "span", "sgn", "floor", "ceil",
+    "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "adj", "span", "sgn", "floor", "ceil",
 )  # fmt: skip
 NAMES = frozenset(REAL) | frozenset(SPELLED) | frozenset(OF_MATRICES) | frozenset(OPAQUE)
 

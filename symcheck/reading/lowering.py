@@ -53,7 +53,7 @@ from symcheck.reading.components import (
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt
-from symcheck.reading.functions import SPELLED, applied
+from symcheck.reading.functions import SPELLED, applied, extreme
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.limits import equated, tends
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
@@ -945,6 +945,8 @@ class Lowering:
                 return self.exponential(tree, value)
             if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
                 return found
+        if tree.function in ("min", "max") and len(tree.arguments) > 1:
+            return extreme(tree.function, [self.scalar(argument, env) for argument in tree.arguments])
         raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
 
     def applied(self, tree: Call, name: Name, env: Env) -> Value:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from symcheck.core.terms import Term, node
-from symcheck.proof.algebra.flint import Poly, by_powers, fraction
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction, rational
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
 from symcheck.proof.algebra.variables import circle, cosine, sine, table
 
@@ -50,7 +50,24 @@ def positive_form(poly: Poly, known: Knowledge) -> Term | None:
 def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
     """The same, as sin^2 + cos^2 = 1 allows: 1 + 3 cos^2 a for 4 - 3 sin^2 a."""
     forms = (positive_form(written, known) for written in (poly, *_on_the_circle(poly)))
-    return next((form for form in forms if form is not None), None)
+    found = next((form for form in forms if form is not None), None)
+    return _within_one(poly, known) if found is None else found
+
+
+def _within_one(poly: Poly, known: Knowledge) -> Term | None:
+    """The same of 2 + sin x and the like, as 2 (1 + sin x) = (1 + sin x)^2 + cos^2 x."""
+    rest, parts = poly, list[Term]()
+    for name, generator in zip(poly.context().names(), poly.context().gens(), strict=True):
+        ((exponents, _),) = generator.terms()
+        if (turn := circle(name)) is None or not (a := fraction(poly[exponents])):
+            continue
+        rest -= generator * rational(a) + rational(abs(a))
+        other = table().term((cosine if turn[0] == "sin" else sine)(turn[1]))
+        beside = table().term(name) if a > 0 else node("-", table().term(name))
+        squares = node("+", node("^", node("+", 1, beside), 2), node("^", other, 2))
+        parts.append(node("*", number_term(abs(a) / 2), squares))
+    last = positive_form(rest, known) if parts and rest != 0 else 0
+    return node("+", *parts, last) if parts and last is not None else None
 
 
 def _on_the_circle(poly: Poly) -> Iterator[Poly]:

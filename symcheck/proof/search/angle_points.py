@@ -131,7 +131,7 @@ def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
 
 def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point | None:
     """Proofs that at the point no denominator vanishes, the hypotheses hold and the claim does not."""
-    there = _There(problem, dict(sorted(point.items())), prove)
+    there = There(problem, dict(sorted(point.items())), prove)
     given = [formula for _, formula in stated(problem)]
     bottoms = [part for f in (*given, problem.claim) for part in _denominators(f) if _letters([part]) <= point.keys()]
     if not all(there.learn(node("!=", bottom, 0)) for bottom in dict.fromkeys(bottoms)):
@@ -148,7 +148,7 @@ def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point
 
 
 @dataclass
-class _There:
+class There:
     """What is proved at a point; facts about the point are numbered in the order of its letters."""
 
     problem: Problem
@@ -159,7 +159,7 @@ class _There:
 
     def learn(self, claim: Formula, prove: Prover | None = None) -> bool:
         """One more fact, if it has a proof."""
-        if claim not in self.tried:
+        if claim not in self.tried | self.facts.keys():
             self.tried.add(claim)
             if (proof := self.proof(claim, prove)) is not None:
                 self.facts[claim] = proof

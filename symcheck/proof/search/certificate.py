@@ -126,6 +126,6 @@ def _proved(
         points = tuple(find_witnesses(whole, proof.nonzero, whole_proof) or ())
     if len(points) == 1:
         points *= len(implications(whole.claim)) or 1
-    witnesses = [point.where().certificate() for point in points]
+    witnesses = [point.certificate() for point in points]
     listed = {"nonzero": proof.nonzero, "witnesses": witnesses}
     return {"proof": proof.step.mapped(change)} | {name: part for name, part in listed.items() if part}

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from symcheck.checker.theorems import SHOWN
-from symcheck.core.calculus import letters
+from symcheck.core.calculus import letters, strict
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import Formula, Node, Relation, Term, node
 from symcheck.core.verdicts import Verdict
@@ -25,6 +25,7 @@ from symcheck.proof.rules.theorem import Theorem
 from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
 from symcheck.proof.search.number_points import refute_numbers
+from symcheck.proof.search.values import with_values
 from symcheck.proof.search.wellformed import checked
 from symcheck.proof.search.witnesses import find_witnesses
 
@@ -40,12 +41,15 @@ def decide(problem: Problem) -> Outcome:
     """Proved with steps, refuted with a point, or undecided with the reason; no statement raises."""
     try:
         problem = checked(problem)
+        problem = replace(problem, claim=strict(problem.claim))
         point = refute_numbers(problem)
         if point is None:
             if (proof := prove_numbers(problem) or _by_steps(problem)) is not None:
                 complete = with_witnesses(problem, proof)
                 return proved(problem, complete) if complete else Outcome(Verdict.UNDECIDED, reason=VACUOUS)
             point = refute(problem, prove)
+            if point is not None and (point.functions or point.facts or point.proof):
+                point = with_values(problem, point, prove)
             written(point and point.certificate())  # a number may be too long to be written
     except Unsupported as error:
         return Outcome(Verdict.UNDECIDED, reason=str(error))

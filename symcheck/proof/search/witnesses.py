@@ -24,6 +24,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Prover
 from symcheck.proof.search.counterexample import Assignment, Search, Solved, refute
 from symcheck.proof.search.number_points import TRIED, refute_at_first
+from symcheck.proof.search.values import computed, owed_by, with_values
 
 ZERO_IS_ONE: Formula = node("=", 0, 1)
 DRAWS = 3000  # points: the papers' witnesses are among the first 1,900
@@ -67,11 +68,11 @@ def find_witnesses(
     """
     premises = implications(problem.claim)
     together = _witness(problem, nonzero, premises, prove)
-    if together is not None or len(premises) < 2:
-        return None if together is None else [together]
-    each = [_witness(problem, nonzero, [premise], prove) for premise in premises]
-    found = [point for point in each if point is not None]
-    return found if len(found) == len(each) else None
+    points = [together]
+    if together is None and len(premises) > 1:
+        points = [_witness(problem, nonzero, [premise], prove) for premise in premises]
+    found = [whole for point in points if point and (whole := with_values(problem, point, prove)) is not None]
+    return found if len(found) == len(points) else None
 
 
 def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Point | None:
@@ -82,13 +83,13 @@ def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formu
     reached = [term for _, term in problem.definitions]
     conditions = domain(*given, *reached, divisors=True)
     said = tuple(dict.fromkeys((*given, *conditions)))
-    meant = tuple(
-        dict.fromkeys((*said, *domain(problem.claim, divisors=True)))
-    )  # that the claim has a value is often plain
+    under = [each for each in owed_by(problem) if computed(each)]
+    # that the claim has a value is often plain
+    meant = tuple(dict.fromkeys((*said, *domain(problem.claim, divisors=True), *under)))
     if meant != said and (point := _search(problem.definitions, meant, prove)) is not None:
         return point
     point = _witness_of(problem, said, given, prove)
-    own = domain(problem.claim)
+    own = [*domain(problem.claim), *under]
     return point if point is not None and all(_is_met(formula, point, definitions) for formula in own) else None
 
 
