@@ -19,8 +19,7 @@ from msgspec.structs import replace
 from symcheck.checker import check_all
 from symcheck.core.certificates import Certificate
 from symcheck.core.verdicts import Loss, Reading, Verdict
-from symcheck.ledger.lemmas import lemmas_of, reached
-from symcheck.ledger.record import Correction, HypothesisRow, Need, Record
+from symcheck.ledger import Correction, HypothesisRow, Need, Record, lemmas_of, reached
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection

@@ -16,7 +16,7 @@ from symcheck.audit.repair import corrected
 from symcheck.core.claims import Assertion, Declaration, Erratum, Hypothesis
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.papers.places import places
 from symcheck.reading import read, to_latex
 

@@ -19,8 +19,7 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
 from symcheck.kernels.codegen.target import CompiledKernel
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of
 from symcheck.proof import certificate, identity
 from symcheck.reading import from_sympy, lower, read
 

@@ -9,8 +9,7 @@ from types import MappingProxyType
 from symcheck import kernels, papers
 from symcheck.audit.index import Index
 from symcheck.core.certificates import Certificate
-from symcheck.ledger.digests import line
-from symcheck.ledger.record import Record, by_paper
+from symcheck.ledger import Record, by_paper, line
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
 
 GENERATED = "generated"  # in the folder of a user's paper

@@ -13,7 +13,7 @@ from symcheck.cli.records import audited, print_json
 from symcheck.core.verdicts import Verdict
 
 if TYPE_CHECKING:
-    from symcheck.ledger.record import Record
+    from symcheck.ledger import Record
 
 
 @click.command()
@@ -26,7 +26,7 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, options:
 
     Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
     """
-    from symcheck.audit.run import Interrupted
+    from symcheck.audit import Interrupted
 
     try:
         records = audited(selection, options, weigh=as_json)
@@ -43,7 +43,7 @@ def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None,
     if as_json:
         print_json(shown, partial)
         return
-    from symcheck.ledger.record import by_paper
+    from symcheck.ledger import by_paper
     from symcheck.views import terminal
 
     out = terminal.console()
@@ -59,8 +59,7 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
     from symcheck import papers
     from symcheck.audit import outputs
-    from symcheck.ledger import store
-    from symcheck.ledger.record import by_paper
+    from symcheck.ledger import by_paper, store
 
     differing = list[str]()
     for key, rows in by_paper(records).items():

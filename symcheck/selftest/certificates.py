@@ -17,8 +17,7 @@ from symcheck.core.formulas import CONTRARY, conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Reader, node
 from symcheck.core.verdicts import Loss
-from symcheck.ledger.lemmas import lemmas_of, reached
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, lemmas_of, reached
 from symcheck.proof import fails_without, proof_of
 from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn

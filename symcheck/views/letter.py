@@ -17,7 +17,7 @@ from markupsafe import escape
 from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Origin, SymcheckError
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.papers import load
 from symcheck.views.latex import formulas_of, is_formula, split_at_formulas, standing_alone
 from symcheck.views.model import Fault, errata

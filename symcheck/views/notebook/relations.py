@@ -6,13 +6,11 @@ import json
 import re
 from collections.abc import Iterator, Sequence
 
-from symcheck.audit.checked import reasons
+from symcheck.audit import reasons
 from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, Verdict
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.lemmas import lemmas_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of, lemmas_of
 from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
 from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table, Verbatim
