@@ -69,10 +69,10 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
         if outcome.verdict is not Verdict.PROVED:
             why = outcome.reason or outcome.verdict
             raise SymcheckError(f"{problem.id}: the accurate form is not proved equal to the derived one ({why})")
-        shown = certificate(problem, outcome)
-        if refused := reasons([shown])[0]:
+        proof = certificate(problem, outcome)
+        if refused := reasons([proof])[0]:
             raise SymcheckError(f"{problem.id}: {NOT_ACCEPTED} ({refused})")
-        yield shown
+        yield proof
 
 
 def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> Iterator[tuple[str, str]]:

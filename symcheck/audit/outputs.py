@@ -22,11 +22,11 @@ def folder(key: str) -> Path:
     return own / GENERATED if own else kernels.folder()
 
 
-def files(records: Iterable[Record], made: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
-    """Path inside generated/ -> contents, for every paper that has a record; `made` of kernels by paper."""
+def files(records: Iterable[Record], compiled: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
+    """Path inside generated/ -> contents, for every paper that has a record; `compiled` kernels by paper."""
     out: dict[str, bytes] = {}
     for key, rows in sorted(by_paper(records).items()):
-        texts, equalities = made.get(key, ({}, ()))
+        texts, equalities = compiled.get(key, ({}, ()))
         equalities = [*equalities]
         proofs = [*(certificate for row in rows for certificate in row.all_certificates()), *equalities]
         written = dict.fromkeys(line(proof) for proof in proofs)

@@ -39,9 +39,9 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, options:
 
 def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None, partial: bool = False) -> None:
     """The rows of a verdict; a ledger that is partial says so before and after."""
-    shown = [record for record in records if verdict is None or record.verdict == verdict]
+    selected = [record for record in records if verdict is None or record.verdict == verdict]
     if as_json:
-        print_json(shown, partial)
+        print_json(selected, partial)
         return
     from symcheck.ledger import by_paper
     from symcheck.views import terminal
@@ -49,7 +49,7 @@ def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None,
     out = terminal.console()
     note = "PARTIAL: interrupted before all relations were decided" if partial else ""
     out.print(note, end="\n" * partial)
-    for key, rows in by_paper(shown).items():
+    for key, rows in by_paper(selected).items():
         terminal.ledger(out, key, rows)
     terminal.summary(out, records)
     out.print(note, end="\n" * partial)

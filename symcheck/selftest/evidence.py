@@ -80,7 +80,7 @@ def answered(problem: Problem, outcome: object) -> Verdict:
     return outcome.verdict if good else Verdict.UNDECIDED
 
 
-def is_shown(problem: Problem, outcome: Outcome | None) -> bool:
+def is_proved(problem: Problem, outcome: Outcome | None) -> bool:
     """Whether there is a proof, and the checker accepts it."""
     return answered(problem, outcome) is Verdict.PROVED
 

@@ -36,7 +36,7 @@ def slips(key: str) -> Output:
         for letter, each in item.errata.items()
         if (group := group_of(each)) is not Group.STATEMENT
     )
-    table = tuple((*told, str(count)) for told, count in sorted(counts.items()))
+    table = tuple((*kinds, str(count)) for kinds, count in sorted(counts.items()))
     return Output((Table(("group", "kind", "whose", "verdict", "relations"), table),))
 
 
