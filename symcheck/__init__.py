@@ -54,33 +54,25 @@ __all__ = [
 ]
 
 _HOMES = {
-    "symcheck.audit.library": ("check", "errata"),
-    "symcheck.core.claims": ("Declaration", "Erratum", "Hypothesis", "Paper", "Section"),
-    "symcheck.core.verdicts": ("Group", "Origin", "Reading", "Role", "SymcheckError", "Verdict"),
-    "symcheck.document.look": ("Look", "look"),
-    "symcheck.ledger.record": ("Record",),
-    "symcheck.numeric.chunked.kernels": ("kernel",),
-    "symcheck.papers.declare": ("claim", "definition", "exclusion", "ours", "premise"),
-    "symcheck.question.answer": ("Answer",),
-    "symcheck.question.ask": ("decide",),
-    "symcheck.reading": ("Letter", "Notation"),
-    "symcheck.views.show": ("show",),
+    "audit.library": ("check", "errata"),
+    "core.claims": ("Declaration", "Erratum", "Hypothesis", "Paper", "Section"),
+    "core.verdicts": ("Group", "Origin", "Reading", "Role", "SymcheckError", "Verdict"),
+    "document.look": ("Look", "look"),
+    "ledger.record": ("Record",),
+    "numeric.chunked.kernels": ("kernel",),
+    "papers.declare": ("claim", "definition", "exclusion", "ours", "premise"),
+    "question.answer": ("Answer",),
+    "question.ask": ("decide",),
+    "reading": ("Letter", "Notation"),
+    "views.show": ("show",),
 }
 
 
 def __getattr__(name: str) -> object:
     """A public name, imported at its first use."""
-    from importlib import import_module
+    from symcheck.core.lazy import public
 
-    home = next((module for module, names in _HOMES.items() if name in names), None)
-    if home:
-        value: object = getattr(import_module(home), name)
-    elif name in __all__:
-        value = import_module(f"{__name__}.{name}")
-    else:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    globals()[name] = value
-    return value
+    return public(__name__, _HOMES, name)
 
 
 def __dir__() -> list[str]:

@@ -19,10 +19,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from symcheck import kernels
-from symcheck.audit.context import context_of
-from symcheck.audit.executor import Done, Pool
-from symcheck.audit.judge import units
-from symcheck.audit.obligation import obligation_of
+from symcheck.audit import Done, context_of, obligation_of, units
+from symcheck.audit.executor import Pool
 from symcheck.core.problems import Form, Method, Problem
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import Verdict

@@ -18,7 +18,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Claim, Declaration, Definition, Paper, Plan, Section, Source, Statement
 from symcheck.core.problems import Method, Outcome
 from symcheck.core.verdicts import Origin, Reading, Role, Verdict
-from symcheck.ledger.record import Correction, Edit, HypothesisRow, Need, Record, Repair
+from symcheck.ledger import Correction, Edit, HypothesisRow, Need, Record, Repair
 
 PROOF = {
     "rule": "each",

@@ -17,8 +17,9 @@ import pytest
 import stand_in
 from click.testing import CliRunner, Result
 
-from symcheck.audit.cache import FILE, Cache
-from symcheck.ledger.record import Record
+from symcheck.audit import Cache
+from symcheck.audit.cache import FILE
+from symcheck.ledger import Record
 
 RECORDS = stand_in.decide("toy:1.1")
 WRITER = """

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from symcheck.audit.context import context_of
-from symcheck.audit.judge import judge, units
-from symcheck.audit.obligation import obligation_of
+from symcheck.audit import context_of, obligation_of, units
+from symcheck.audit.judge import judge
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Verdict
 from symcheck.reading import read

@@ -11,8 +11,7 @@ import stand_in
 from click.testing import Result
 
 from symcheck.cli import cli
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of
 
 Run = Callable[..., Result]
 

@@ -18,8 +18,7 @@ from unpacked import unpacked
 from symcheck import kernels, papers
 from symcheck.coq import confirmed
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger import store
-from symcheck.ledger.digests import digest, digest_of
+from symcheck.ledger import digest, digest_of, store
 from symcheck.ledger.store import COQ
 from symcheck.views import pictures
 from symcheck.views.page import sources

@@ -10,7 +10,7 @@ from rich.console import Console
 from stand_in import correction
 
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views import terminal
 
 WRONG = Record(

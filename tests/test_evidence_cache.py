@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 import stand_in
 
-from symcheck.audit.cache import FILE, SCHEMA, Cache, location
-from symcheck.ledger.record import Record
+from symcheck.audit import Cache
+from symcheck.audit.cache import FILE, SCHEMA, location
+from symcheck.ledger import Record
 
 ID = "toy:1.1"
 RECORDS = stand_in.decide(ID)

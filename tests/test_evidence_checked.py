@@ -16,12 +16,11 @@ import pytest
 from msgspec.structs import replace
 
 from symcheck import papers
-from symcheck.audit import checked, decide, run
-from symcheck.audit.cache import FILE, Cache
-from symcheck.audit.checked import NOT_ACCEPTED, accepted
-from symcheck.audit.executor import Serial
+from symcheck.audit import Cache, Serial, accepted, checked, decide, run
+from symcheck.audit.cache import FILE
+from symcheck.audit.checked import NOT_ACCEPTED
 from symcheck.core.verdicts import Verdict
-from symcheck.ledger.record import Need, Record
+from symcheck.ledger import Need, Record
 
 REFUTED = "poloskov2004:4.0.27"  # with a correction, and a hypothesis that it needs
 PROVED = "poloskov2004:2.1.2"  # with a proof that does without a hypothesis

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from symcheck.audit.executor import Crash, Done, Executor, Pool, Serial, Timeout
+from symcheck.audit import Crash, Done, Executor, Serial, Timeout
+from symcheck.audit.executor import Pool
 
 EXECUTORS = {"serial": Serial(), "pool of one": Pool(1), "pool of two": Pool(2)}
 

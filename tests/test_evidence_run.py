@@ -10,11 +10,10 @@ from typing import Any
 import pytest
 import stand_in
 
-from symcheck.audit import checked, run
-from symcheck.audit.cache import Cache
-from symcheck.audit.executor import Done, Executor, Pool, Serial
+from symcheck.audit import Cache, Done, Executor, Serial, checked, run
+from symcheck.audit.executor import Pool
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 
 STAND_IN: Any = sys.modules["stand_in"]
 ALL = ["toy:1.1", "toy:1.2a", "toy:1.2b", "toy:1.3", "toy:1.4", "toy:1.5", "toy:1.12"]

@@ -12,8 +12,7 @@ from msgspec.structs import replace
 from symcheck import papers
 from symcheck.audit import outputs
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger import store
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, store
 
 RECORDS = [record for number in stand_in.NUMBERS for record in stand_in.decide(f"toy:{number}")]
 EXPECTED = {record.id: record.verdict for record in RECORDS}

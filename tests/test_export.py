@@ -17,9 +17,9 @@ from click.testing import Result
 from stand_in import correction
 
 from symcheck import papers
-from symcheck.audit.obligation import expand
+from symcheck.audit import expand
 from symcheck.core.verdicts import Origin, Reading, Role, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views import exports as export
 from symcheck.views.exports import Format, format_names, format_of
 from symcheck.views.latex import is_formula

@@ -12,7 +12,7 @@ from formula_grammar import GENERATED, formula
 from limits import Hung, little_memory, within_a_second
 
 from symcheck import papers
-from symcheck.audit.obligation import expand
+from symcheck.audit import expand
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, lower, read, relations
 

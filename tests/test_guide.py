@@ -15,6 +15,7 @@ from symcheck.core.claims import Paper
 from symcheck.core.verdicts import SymcheckError
 from symcheck.views.notebook import committed
 from symcheck.views.notebook.guide import EXAMPLE, Checkout, excerpt
+from symcheck.views.notebook.source import slug
 
 
 @pytest.fixture
@@ -57,6 +58,35 @@ def test_the_guide_names_every_folder_of_the_package() -> None:
     listed = re.findall(r"^  (\w+)/", text, flags=re.MULTILINE)
     folders = {each.name for each in iter_modules(symcheck.__path__) if each.ispkg} - {"generated"}
     assert sorted(listed) == sorted(folders)
+
+
+def test_every_decision_has_a_short_page_that_the_guide_lists() -> None:
+    guide = committed.folder() / "guide"
+    text = (committed.folder() / "sources" / "guide" / "7_decisions.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^- \[(.+)\]\((decisions/.+\.md)\): .+$", text, flags=re.MULTILINE)
+    pages = {file: file.read_text(encoding="utf-8") for file in (guide / "decisions").iterdir()}
+    assert sorted(listed) == sorted(
+        (text.partition("\n")[0][2:], f"decisions/{file.name}") for file, text in pages.items()
+    )
+    assert [file.name for file, text in pages.items() if file.stem != slug(text.partition("\n")[0])] == []
+    parts = ["What", "Why", "Instead"]
+    assert [
+        file for file, text in pages.items() if re.findall(r"^\*\*(\w+)\.\*\* ", text, flags=re.MULTILINE) != parts
+    ] == []
+    assert max(len(text.split()) for text in pages.values()) < 200
+
+
+def test_links_of_notebooks_lead_to_what_is_there() -> None:
+    sources = committed.folder() / "sources"
+    links = {
+        (file, link)
+        for file in sources.rglob("*.md")
+        for link in re.findall(r"\]\(([^)#]+)[^)]*\)", file.read_text(encoding="utf-8"))
+        if "://" not in link
+    }
+    made = {file: committed.folder() / file.relative_to(sources) for file, _ in links}
+    assert [link for file, link in links if not (made[file].parent / link).exists()] == []
+    assert len(links) > 30
 
 
 def test_a_checkout_is_removed_with_its_object() -> None:

@@ -15,9 +15,8 @@ from declarations import errata
 from sympy.physics.units import convert_to, kilogram, meter, newton, second
 
 from symcheck import papers
-from symcheck.audit.context import context_of
+from symcheck.audit import context_of, obligation_of
 from symcheck.audit.decide import decide
-from symcheck.audit.obligation import obligation_of
 from symcheck.core.claims import Claim, Premise
 from symcheck.core.verdicts import Origin, Reading
 from symcheck.mechanics import zonotope

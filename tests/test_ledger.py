@@ -15,14 +15,13 @@ from warm_cache import warm_cache
 
 import symcheck
 from symcheck import kernels, papers
-from symcheck.audit.checked import reason, reasons
+from symcheck.audit import expand, reasons
+from symcheck.audit.checked import reason
 from symcheck.audit.decide import decide
-from symcheck.audit.obligation import expand
 from symcheck.checker import check_all
 from symcheck.checker.__main__ import main
 from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger.digests import line
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, line
 from symcheck.selftest.statements import unguarded
 from symcheck.views.model import condition
 

@@ -21,7 +21,7 @@ from symcheck.audit.decide import decide
 from symcheck.cli import cli
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.latex import is_formula
 from symcheck.views.letter import Form, Letter, letter, plain, written
 

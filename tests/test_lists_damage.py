@@ -12,8 +12,8 @@ import pytest
 from declarations import errata
 
 from symcheck import papers
-from symcheck.audit.context import Context
-from symcheck.audit.judge import judge, units
+from symcheck.audit import Context, units
+from symcheck.audit.judge import judge
 from symcheck.core.claims import Assertion, Declaration
 from symcheck.core.verdicts import Verdict
 from symcheck.papers.ignatov2005 import lists

@@ -8,7 +8,7 @@ from collections import Counter
 import pytest
 
 from symcheck import papers
-from symcheck.audit.obligation import expand
+from symcheck.audit import expand
 from symcheck.core.claims import Assertion
 from symcheck.reading import Edit
 from symcheck.selftest.statements import Proved, proved, slips, status_of

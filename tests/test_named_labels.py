@@ -11,8 +11,8 @@ from itertools import combinations
 import pytest
 
 from symcheck import papers
-from symcheck.audit.context import Context
-from symcheck.audit.judge import judge, units
+from symcheck.audit import Context, units
+from symcheck.audit.judge import judge
 from symcheck.core.claims import Claim
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.papers import listing

@@ -9,7 +9,7 @@ from symcheck.audit.checked import reason
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Loss
-from symcheck.ledger.record import Need
+from symcheck.ledger import Need
 from symcheck.proof import fails_without, refute
 from symcheck.views.model import condition
 

@@ -11,9 +11,7 @@ from declarations import errata
 from test_reading_sensitivity import unnoticed
 
 from symcheck import papers
-from symcheck.audit.context import context_of
-from symcheck.audit.judge import units
-from symcheck.audit.obligation import obligation_of
+from symcheck.audit import context_of, obligation_of, units
 from symcheck.core.terms import Node, Term, mapped
 from symcheck.core.verdicts import Origin
 from symcheck.papers.poloskov2004 import derivation

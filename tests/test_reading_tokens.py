@@ -11,7 +11,7 @@ from declarations import formulas, hypotheses
 from formula_grammar import GENERATED, formula
 
 from symcheck import papers
-from symcheck.audit.obligation import expand
+from symcheck.audit import expand
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Notation, layout, lower, read, relations, split_tag
 from symcheck.reading.tex import Tok, tokenize

@@ -9,7 +9,7 @@ import pytest
 import stand_in
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 
 NUMBERS = ("1.1", "1.2", "1.3", "1.4", "1.5")
 RECORDS = [record for number in NUMBERS for record in stand_in.decide(f"toy:{number}")]

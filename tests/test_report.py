@@ -19,9 +19,9 @@ from stand_in import correction, hypothesis
 from unpacked import unpacked
 
 from symcheck import kernels, papers
-from symcheck.audit.obligation import expand
+from symcheck.audit import expand
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger.record import Need, Record
+from symcheck.ledger import Need, Record
 from symcheck.ledger.selftested import evidence
 from symcheck.views.latex import is_formula
 from symcheck.views.model import errata

@@ -13,13 +13,11 @@ import pytest
 from msgspec import structs
 
 from symcheck import papers
-from symcheck.audit import checked, decide
-from symcheck.audit.executor import Serial
+from symcheck.audit import Serial, checked, decide, expand
 from symcheck.audit.judge import judge
-from symcheck.audit.obligation import expand
 from symcheck.core.claims import Assertion
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.ledger.selftested import STATUSES
 from symcheck.reading import read
 from symcheck.selftest import certificates, engines, forgeries, hypotheses, kernels, methods, statements

@@ -15,8 +15,7 @@ from click.testing import Result as Outcome
 from symcheck import kernels
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.kernels.codegen.target import MARK
-from symcheck.ledger import selftested, store
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, selftested, store
 from symcheck.selftest.run import Result
 from symcheck.selftest.trial import Count, Status
 from symcheck.views import figures

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from symcheck import papers
-from symcheck.audit.context import Context
-from symcheck.audit.judge import units
+from symcheck.audit import Context, units
 from symcheck.core.claims import Assertion, Paper
 from symcheck.core.formulas import conjuncts
 from symcheck.core.terms import Formula, node

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 
 WAIT = 2.0  # seconds for another process to finish writing
 SCHEMA = 2  # of the cache file; one of another format is set aside

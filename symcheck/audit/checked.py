@@ -19,8 +19,7 @@ from msgspec.structs import replace
 from symcheck.checker import check_all
 from symcheck.core.certificates import Certificate
 from symcheck.core.verdicts import Loss, Reading, Verdict
-from symcheck.ledger.lemmas import lemmas_of, reached
-from symcheck.ledger.record import Correction, HypothesisRow, Need, Record
+from symcheck.ledger import Correction, HypothesisRow, Need, Record, lemmas_of, reached
 
 if TYPE_CHECKING:
     from multiprocessing.connection import Connection
@@ -108,9 +107,9 @@ class Answers:
         """Why certificates do not show this verdict of the relation `of`; None if they do, or if it needs none."""
         if verdict not in (Verdict.PROVED, Verdict.REFUTED):
             return None
-        if verdict not in (said := {each.get("verdict") for each in own}):
+        if verdict not in (verdicts := {each.get("verdict") for each in own}):
             return "there is none"
-        if verdict == Verdict.PROVED and said != {verdict}:
+        if verdict == Verdict.PROVED and verdicts != {verdict}:
             return "one of them says otherwise"
         if other := [each for each in own if each.get("id") != of]:
             return f"it is of {other[0].get('id')}"
@@ -120,10 +119,10 @@ class Answers:
 def _accepted(record: Record, answers: Answers) -> Record:
     """A record without what its certificates do not show."""
     fault = answers.fault(record.id, record.verdict, record.certificates)
-    shown = replace(record, erratum=_correction(record, answers))
+    result = replace(record, erratum=_correction(record, answers))
     if fault is not None:
-        shown = replace(shown, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=())
-    return replace(shown, hypotheses=tuple(_need(shown, hypothesis, answers) for hypothesis in record.hypotheses))
+        result = replace(result, verdict=Verdict.UNDECIDED, reason=_reason(fault), certificates=())
+    return replace(result, hypotheses=tuple(_need(result, hypothesis, answers) for hypothesis in record.hypotheses))
 
 
 def _reason(fault: str) -> str:
@@ -144,13 +143,13 @@ def _need(record: Record, row: HypothesisRow, answers: Answers) -> HypothesisRow
     if need is None:
         return row
     if need.needed is None:
-        shown = not need.lost and not need.certificates
+        holds = not need.lost and not need.certificates
     else:
         try:
-            shown = bool(proofs(record)) and (_is_lost if need.needed else _is_needless)(record, row, need, answers)
+            holds = bool(proofs(record)) and (_is_lost if need.needed else _is_needless)(record, row, need, answers)
         except (LookupError, TypeError, AttributeError):  # of a malformed certificate
-            shown = False
-    return row if shown else replace(row, need=Need(needed=None))
+            holds = False
+    return row if holds else replace(row, need=Need(needed=None))
 
 
 def _is_lost(record: Record, row: HypothesisRow, need: Need, answers: Answers) -> bool:

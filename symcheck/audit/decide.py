@@ -16,7 +16,7 @@ from symcheck.audit.repair import corrected
 from symcheck.core.claims import Assertion, Declaration, Erratum, Hypothesis
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.papers.places import places
 from symcheck.reading import read, to_latex
 
@@ -47,9 +47,9 @@ def weigh(declared: tuple[str, Sequence[Record]]) -> tuple[Record, ...]:
 
 def _weighed(context: Context, unit: Unit | None, record: Record) -> Record:
     item, proved = context.item, list[Proved]()
-    if unit and (shown := proofs(record)):
+    if unit and (evidence := proofs(record)):
         given = (*item.statement.given, *_added(item.erratum(unit.letter)))
-        proved = [*zip(problems(context, unit, given), shown, strict=True)]
+        proved = [*zip(problems(context, unit, given), evidence, strict=True)]
     return replace(record, hypotheses=tuple(replace(row, need=need(row, proved, item)) for row in record.hypotheses))
 
 

@@ -16,7 +16,7 @@ from symcheck.audit.obligation import expand
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion, Hypothesis, Paper, for_letter
 from symcheck.core.terms import Formula
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.reading import read
 
 Entry = tuple[str, str, Formula, tuple[Hypothesis, ...]]  # id, what it is, the claim, what is in force

@@ -19,8 +19,7 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.program import Program, compiled
 from symcheck.kernels.codegen.target import CompiledKernel
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of
 from symcheck.proof import certificate, identity
 from symcheck.reading import from_sympy, lower, read
 
@@ -70,10 +69,10 @@ def equalities(paper: Paper, name: str, kernel: Kernel) -> Iterator[Certificate]
         if outcome.verdict is not Verdict.PROVED:
             why = outcome.reason or outcome.verdict
             raise SymcheckError(f"{problem.id}: the accurate form is not proved equal to the derived one ({why})")
-        shown = certificate(problem, outcome)
-        if refused := reasons([shown])[0]:
+        proof = certificate(problem, outcome)
+        if refused := reasons([proof])[0]:
             raise SymcheckError(f"{problem.id}: {NOT_ACCEPTED} ({refused})")
-        yield shown
+        yield proof
 
 
 def _claims(paper: Paper, name: str, kernel: Kernel, known: Mapping[str, Record]) -> Iterator[tuple[str, str]]:

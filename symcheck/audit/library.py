@@ -10,7 +10,7 @@ from symcheck.audit.executor import Executor, Pool, Serial
 
 if TYPE_CHECKING:
     from symcheck.audit.run import Progress
-    from symcheck.ledger.record import Record
+    from symcheck.ledger import Record
 
 PRELOAD = ("sympy", "flint", "lark", "symcheck.audit.decide")  # what takes a worker long to import
 

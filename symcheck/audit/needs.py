@@ -10,7 +10,7 @@ from symcheck.audit.judge import proofs
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion, Hypothesis, Ours
 from symcheck.core.problems import Problem
-from symcheck.ledger.record import HypothesisRow, Need
+from symcheck.ledger import HypothesisRow, Need
 from symcheck.proof import fails_without
 
 Proved = tuple[Problem, Certificate]

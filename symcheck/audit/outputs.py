@@ -9,8 +9,7 @@ from types import MappingProxyType
 from symcheck import kernels, papers
 from symcheck.audit.index import Index
 from symcheck.core.certificates import Certificate
-from symcheck.ledger.digests import line
-from symcheck.ledger.record import Record, by_paper
+from symcheck.ledger import Record, by_paper, line
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
 
 GENERATED = "generated"  # in the folder of a user's paper
@@ -23,11 +22,11 @@ def folder(key: str) -> Path:
     return own / GENERATED if own else kernels.folder()
 
 
-def files(records: Iterable[Record], made: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
-    """Path inside generated/ -> contents, for every paper that has a record; `made` of kernels by paper."""
+def files(records: Iterable[Record], compiled: Mapping[str, Kernels] = MappingProxyType({})) -> dict[str, bytes]:
+    """Path inside generated/ -> contents, for every paper that has a record; `compiled` kernels by paper."""
     out: dict[str, bytes] = {}
     for key, rows in sorted(by_paper(records).items()):
-        texts, equalities = made.get(key, ({}, ()))
+        texts, equalities = compiled.get(key, ({}, ()))
         equalities = [*equalities]
         proofs = [*(certificate for row in rows for certificate in row.all_certificates()), *equalities]
         written = dict.fromkeys(line(proof) for proof in proofs)

@@ -13,7 +13,7 @@ from symcheck.audit.judge import Finding, Unit, judge, proofs
 from symcheck.core.claims import Erratum, Hypothesis
 from symcheck.core.terms import node
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.record import Correction, Edit, Repair
+from symcheck.ledger import Correction, Edit, Repair
 from symcheck.proof import fails_at
 from symcheck.reading import Tree, edits, read, to_latex
 from symcheck.reading.tree import Div, walk

@@ -17,8 +17,7 @@ from symcheck.audit.executor import Answer, Done, Executor, Timeout
 from symcheck.core.claims import Assertion, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.lemmas import reached
-from symcheck.ledger.record import Later, Record
+from symcheck.ledger import Later, Record, reached
 
 if TYPE_CHECKING:
     from symcheck.audit.obligation import Obligation

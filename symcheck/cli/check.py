@@ -13,7 +13,7 @@ from symcheck.cli.records import audited, print_json
 from symcheck.core.verdicts import Verdict
 
 if TYPE_CHECKING:
-    from symcheck.ledger.record import Record
+    from symcheck.ledger import Record
 
 
 @click.command()
@@ -26,7 +26,7 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, options:
 
     Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
     """
-    from symcheck.audit.run import Interrupted
+    from symcheck.audit import Interrupted
 
     try:
         records = audited(selection, options, weigh=as_json)
@@ -39,17 +39,17 @@ def check(selection: Sequence[str], as_json: bool, verdict: str | None, options:
 
 def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None, partial: bool = False) -> None:
     """The rows of a verdict; a ledger that is partial says so before and after."""
-    shown = [record for record in records if verdict is None or record.verdict == verdict]
+    selected = [record for record in records if verdict is None or record.verdict == verdict]
     if as_json:
-        print_json(shown, partial)
+        print_json(selected, partial)
         return
-    from symcheck.ledger.record import by_paper
+    from symcheck.ledger import by_paper
     from symcheck.views import terminal
 
     out = terminal.console()
     note = "PARTIAL: interrupted before all relations were decided" if partial else ""
     out.print(note, end="\n" * partial)
-    for key, rows in by_paper(shown).items():
+    for key, rows in by_paper(selected).items():
         terminal.ledger(out, key, rows)
     terminal.summary(out, records)
     out.print(note, end="\n" * partial)
@@ -59,8 +59,7 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     """Tell how the verdicts differ from those recorded, and exit 1 if they do."""
     from symcheck import papers
     from symcheck.audit import outputs
-    from symcheck.ledger import store
-    from symcheck.ledger.record import by_paper
+    from symcheck.ledger import by_paper, store
 
     differing = list[str]()
     for key, rows in by_paper(records).items():

@@ -134,9 +134,9 @@ def _batch(file: Path, as_json: bool, output: Path | None, resume: bool, jobs: i
     if tty:
         click.echo(err=True)
     faults = sum(bool(record.fault) for record in todo)
-    said = ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items()))
+    counts = ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items()))
     say(
-        f"{len(todo)} records: {said or 'nothing to do'}"
+        f"{len(todo)} records: {counts or 'nothing to do'}"
         + (f"; {faults} could not be read as records" if faults else "")
     )
     raise click.exceptions.Exit(BAD_INPUT if faults else 0)

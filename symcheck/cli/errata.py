@@ -13,7 +13,7 @@ from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited, print_json
 
 if TYPE_CHECKING:
-    from symcheck.ledger.record import Record
+    from symcheck.ledger import Record
 
 
 @click.command()

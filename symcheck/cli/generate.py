@@ -57,8 +57,8 @@ def generate(selection: Sequence[str], only_check: bool, name: str, output: Path
     keys, ours = [*selection] or known.built_in, checked_in and not selection
     folder = outputs.folder(keys[0]) if checked_in else output or Path(f"kernels-{name}")
     records, files = audited(keys, options), target(name).files
-    made = {key: writing.compiled_kernels(known[key], records) for key in keys}
-    texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in made.items()}
+    compiled = {key: writing.compiled_kernels(known[key], records) for key in keys}
+    texts = {key: (files(key, of_paper) if of_paper else {}, proofs) for key, (of_paper, proofs) in compiled.items()}
     if checked_in:
         recorded = confirmed.files(folder, records) | selftested.files(folder) | figures.files(folder) if ours else {}
         contents = outputs.files(records, texts) | recorded

@@ -24,9 +24,9 @@ def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
             found = committed.executed(name, kernel, move)
         if write:
             committed.write(name, found)
-        told = committed.differences(name, found)
-        differing += told
-        click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(told)} differ")
+        differences = committed.differences(name, found)
+        differing += differences
+        click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(differences)} differ")
     for line in differing[:MAX_LINES]:
         say(line)
     if differing:

@@ -14,13 +14,12 @@ from symcheck.cli.errors import say
 from symcheck.cli.options import AuditOptions
 
 if TYPE_CHECKING:
-    from symcheck.ledger.record import Record
+    from symcheck.ledger import Record
 
 
 def audited(selection: Iterable[str], options: AuditOptions, *, weigh: bool = True) -> list[Record]:
     """The records of a selection, with which hypotheses are needed if asked; an interrupt says how far it had come."""
-    from symcheck.audit.library import check
-    from symcheck.audit.run import Interrupted
+    from symcheck.audit import Interrupted, check
 
     done, total = 0, 0
     try:

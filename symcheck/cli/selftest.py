@@ -32,19 +32,19 @@ def selftest(as_json: bool, seed: int, faults: int, recording: bool, options: Au
     modules = [fault_class.places.__module__ for fault_class in classes().values()]
     with progress("planting faults") as move:
         result = run(records, executor(options.jobs, modules), faults, seed, move)
-    told = result.to_json()
+    content = result.to_json()
     if recording:
         from symcheck import kernels
         from symcheck.ledger import selftested
         from symcheck.views import figures
 
-        say(f"{selftested.record(kernels.folder(), told, records)} written")
+        say(f"{selftested.record(kernels.folder(), content, records)} written")
         figures.write(kernels.folder())
     if as_json:
-        click.echo(json.dumps(told, ensure_ascii=False, indent=1))
+        click.echo(json.dumps(content, ensure_ascii=False, indent=1))
     else:
         from symcheck.views.terminal import console
 
-        show(console(), told)
+        show(console(), content)
     if not result.is_sound:
         raise click.exceptions.Exit(DIFFERS)

@@ -14,8 +14,7 @@ from symcheck.coq.statements import Statement, statement
 from symcheck.coq.terms import Certificate, NotExported
 from symcheck.core.calculus import Unknown
 from symcheck.core.terms import Malformed
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of
 
 
 @dataclass

@@ -15,9 +15,7 @@ from typing import Any
 
 from mpmath import mp, mpf
 
-from symcheck.audit.context import Context, context_of
-from symcheck.audit.judge import Unit, equality_claims, units
-from symcheck.audit.obligation import obligation_of
+from symcheck.audit import Context, Unit, context_of, equality_claims, obligation_of, units
 from symcheck.coq.files import manifest
 from symcheck.coq.meaning import Meaning, Number, Smooth, Values
 from symcheck.coq.reader import claims

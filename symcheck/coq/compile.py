@@ -23,7 +23,7 @@ from symcheck.coq import confirmed
 from symcheck.coq.confirmed import Outcome
 from symcheck.coq.files import OURS, Row, manifest
 from symcheck.core.ids import Id
-from symcheck.ledger.digests import digest
+from symcheck.ledger import digest
 
 MISSING = "coqc is not installed; on Debian: apt-get install coq libcoq-coquelicot"
 NO_COQUELICOT = "the Coq library Coquelicot is not installed; on Debian: apt-get install libcoq-coquelicot"

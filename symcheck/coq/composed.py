@@ -59,9 +59,9 @@ def composition(
 def _proof(given: Formula, step: Statement, step_name: str, whole: Statement, used: dict[str, Statement]) -> str:
     context: dict[str, str] = {}
     lines = [f"intros {' '.join(whole.names)}."]
-    for shown in shown_premises(whole):
-        context.setdefault(shown, f"h{len(context)}'")
-        lines.append(f"intros {context[shown]}.")
+    for text in printed_premises(whole):
+        context.setdefault(text, f"h{len(context)}'")
+        lines.append(f"intros {context[text]}.")
     facts: dict[Formula, str] = {}
     for name, lemma in used.items():
         names = _pattern(lemma.conclusion, facts)
@@ -71,7 +71,7 @@ def _proof(given: Formula, step: Statement, step_name: str, whole: Statement, us
     return "\n".join(lines)
 
 
-def shown_premises(statement: Statement) -> list[str]:
+def printed_premises(statement: Statement) -> list[str]:
     """The premises as texts: definitions, hypotheses, denominators."""
     hypotheses = [formula for _, formula in statement.hypotheses]
     return [premise(formula) for formula in (*statement.equations, *hypotheses, *statement.divided)]
@@ -79,7 +79,7 @@ def shown_premises(statement: Statement) -> list[str]:
 
 def _applied(theorem: str, statement: Statement, context: dict[str, str]) -> str:
     try:
-        given = [context[text] for text in shown_premises(statement)]
+        given = [context[text] for text in printed_premises(statement)]
         return f"({' '.join([theorem, *statement.names, *given])})"
     except KeyError as premise:
         raise NotExported(f"an earlier relation needs the premise {premise}") from premise

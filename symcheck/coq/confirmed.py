@@ -16,8 +16,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.files import put
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.digests import digest, digest_of, line
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest, digest_of, line
 from symcheck.ledger.store import COQ, SCHEMA, document, require, stored
 
 CONFIRMED, NOT_TRIED = "yes", "not tried"

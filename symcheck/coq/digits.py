@@ -13,7 +13,7 @@ from mpmath import mp, mpf
 from symcheck.coq.assumptions import State
 from symcheck.coq.printing import ATOM, spelled
 from symcheck.coq.terms import NotExported
-from symcheck.coq.values import number, shown_ratio, value
+from symcheck.coq.values import number, printed_ratio, value
 from symcheck.core.terms import Term, Value, node
 
 PLACES = 12  # behind the point, counted from the first digit of a number below 1
@@ -95,7 +95,7 @@ class Enclosure:
         """One lemma; what it asks of fractions is left to the tactic."""
         own = self.state.anew("w")
         proofs = " ".join(one.proof for one in inner)
-        ends = f"{shown_ratio(low)} {shown_ratio(high)}"
+        ends = f"{printed_ratio(low)} {printed_ratio(high)}"
         self.state.emit(f"assert ({own} : within ({text}) {ends}) by (apply ({lemma} {ends} {proofs}); fractions).")
         return Within(own, low, high)
 

@@ -15,7 +15,7 @@ from symcheck.coq.claims import Claim, claims_of
 from symcheck.coq.statements import WIDTH
 from symcheck.coq.theorems import about_angles, everything
 from symcheck.coq.witnesses import witnesses
-from symcheck.ledger.record import Record, by_paper
+from symcheck.ledger import Record, by_paper
 
 PART = 120_000  # characters of proof scripts in a file: under a minute for Coq
 OURS = ("Symcheck.v", "Digits.v", "Theorems.v")

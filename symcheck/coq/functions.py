@@ -11,7 +11,7 @@ from symcheck.coq.assumptions import State
 from symcheck.coq.printing import ATOM, name, spelled
 from symcheck.coq.signs import not_zero, positive, sign
 from symcheck.coq.terms import NotExported, denominators, factors, fraction, product, subterms
-from symcheck.coq.values import QUARTER, number, quotient, ratio, shown_ratio, turns, value
+from symcheck.coq.values import QUARTER, number, printed_ratio, quotient, ratio, turns, value
 from symcheck.core.calculus import derivative, differentiated, letters
 from symcheck.core.terms import Binder, Node, Term, Value, node
 
@@ -45,21 +45,21 @@ def add_facts(state: State, spoken: Iterable[Term]) -> None:
             _add_angle(state, shown, angle)
 
 
-def _add_angle(state: State, shown_name: str, angle: Term) -> None:
+def _add_angle(state: State, printed: str, angle: Term) -> None:
     """sin^2 + cos^2 = 1, values at a quarter turn; of a sum the addition theorems."""
     counts, rest = turns(angle)
     if quarter := ratio(angle, QUARTER) == 1:
         for function in ("cos", "sin"):
-            state.hint(f"(eq_trans (f_equal {function} (ltac:(field) : {shown_name} = PI / 2)) {function}_PI2)")
+            state.hint(f"(eq_trans (f_equal {function} (ltac:(field) : {printed} = PI / 2)) {function}_PI2)")
     if quarter or isinstance(angle, str) or (rest != 0 and not counts):
-        state.hint(f"(circle {shown_name})")
+        state.hint(f"(circle {printed})")
         return
     parts: list[Term] = [x if n > 0 else node("-", x) for x, n in counts for _ in range(abs(n))]
     parts += [rest] if rest != 0 else []
     total = spelled(node("+", *parts) if parts else 0)
     cosine, sine = reduce(addition, map(circular, parts)) if parts else (1, 0)
     for function, sum_ in (("cos", cosine), ("sin", sine)):
-        by = f"replace {shown_name} with ({total}) by field; turn"
+        by = f"replace {printed} with ({total}) by field; turn"
         _add_equation(state, node(function, angle), sum_, by)
 
 
@@ -131,13 +131,13 @@ def show_nonzero(state: State, term: Term) -> str | None:
     known += [(other, fact) for fact, other in state.nonzero.values()]
     for other, fact in known:
         if (k := ratio(other, term)) is not None:
-            return prove_nonzero(state, term, f"apply (nz_of {shown_ratio(k)} {fact}); {state.algebra}")
+            return prove_nonzero(state, term, f"apply (nz_of {printed_ratio(k)} {fact}); {state.algebra}")
     for signed, lemma in ((term, "pos_nz"), (node("-", term), "neg_nz")):
         if proof := positive(state, signed):
             return prove_nonzero(state, term, f"exact ({lemma} {proof})")
     if exact(term) and (square := number(value(node("^", term, 2)))):
         by = f"intro Z; assert (S : ({spelled(term)}) ^ 2 = 0) by (rewrite Z; ring); "
-        by += f"assert (T : ({spelled(term)}) ^ 2 = {shown_ratio(square)}) by ({state.algebra}); lra"
+        by += f"assert (T : ({spelled(term)}) ^ 2 = {printed_ratio(square)}) by ({state.algebra}); lra"
         return prove_nonzero(state, term, by)
     return None
 

@@ -29,7 +29,7 @@ from symcheck.coq.signs import positive, sign
 from symcheck.coq.statements import Statement
 from symcheck.coq.terms import Certificate, NotExported, denominators, nodes, polynomial, product, subterms
 from symcheck.coq.theorems import Application, missing
-from symcheck.coq.values import ratio, shown_ratio
+from symcheck.coq.values import printed_ratio, ratio
 from symcheck.core import calculus
 from symcheck.core.calculus import substituted
 from symcheck.core.formulas import FALSE, contrary
@@ -151,8 +151,8 @@ def prove(state: State, goal: Formula, proof: Certificate) -> None:
     if "atoms" in proof:
         state.atoms = {x: state.read(term) for x, term in proof["atoms"].items()}
     for term in map(state.read, proof.get("positive", ())):
-        if spelled(term) not in state.nonzero and (shown := positive(state, term)):
-            prove_nonzero(state, term, f"exact (pos_nz {shown})")
+        if spelled(term) not in state.nonzero and (fact := positive(state, term)):
+            prove_nonzero(state, term, f"exact (pos_nz {fact})")
     RULES[proof["rule"]](state, goal, proof)
     state.atoms = kept
 
@@ -193,8 +193,8 @@ def _factor(state: State, data: JSON) -> str:
         case str():
             return _cleared(state, data)
         case ["positive", term]:
-            if shown := positive(state, state.read(term)):
-                return f"(pos_nz {shown})"
+            if fact := positive(state, state.read(term)):
+                return f"(pos_nz {fact})"
             raise NotExported("a factor that is not manifestly positive")
     return state.fact(data, ("!=", ">")).apart
 
@@ -202,15 +202,15 @@ def _factor(state: State, data: JSON) -> str:
 def _cleared(state: State, text: str) -> str:
     """A proof that a polynomial by which the equation is multiplied is not zero."""
     term, _ = polynomial(text, state.atoms)
-    if shown := state.nonzero.get(spelled(term)):
-        return shown[0]
+    if known := state.nonzero.get(spelled(term)):
+        return known[0]
     if proof := show_nonzero(state, term):
         return proof
     for top, below in state.listed:
         if ratio(top, term) is not None:
             for fact, other in list(state.nonzero.values()):
                 if (k := ratio(node("*", other, below), term)) is not None:
-                    factor = f"{shown_ratio(k)} * ({spelled(node('/', 1, below))})"
+                    factor = f"{printed_ratio(k)} * ({spelled(node('/', 1, below))})"
                     return prove_nonzero(state, term, f"apply (nz_of ({factor}) {fact}); {state.algebra}")
     raise NotExported(f"the factor {spelled(term)} is not shown to differ from zero")
 
@@ -248,7 +248,7 @@ def _implies(state: State, goal: Formula, proof: Certificate) -> None:
 
 
 @rule("each")
-def _each(state: State, goal: Formula, proof: Certificate) -> None:
+def _conjunction(state: State, goal: Formula, proof: Certificate) -> None:
     parts = goal.formulas
     if goal.tag == "<=>":
         parts = node("=>", *parts), node("=>", *reversed(parts))

@@ -35,7 +35,7 @@ def quotient(q: Fraction) -> Term:
     return q.numerator if q.denominator == 1 else node("/", q.numerator, q.denominator)
 
 
-def shown_ratio(q: Fraction) -> str:
+def printed_ratio(q: Fraction) -> str:
     """The same as Coq reads it, in brackets where it needs them."""
     return spelled(quotient(q), ATOM)
 

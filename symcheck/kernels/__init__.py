@@ -2,4 +2,4 @@
 
 from symcheck.kernels.loading import find, folder, load, of_paper
 
-__all__ = ["find", "folder", "load", "of_paper"]
+__all__ = ["codegen", "find", "folder", "load", "of_paper", "runtime", "specification"]

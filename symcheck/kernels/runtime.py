@@ -76,12 +76,12 @@ def on_arrays(
     distinct = max(order) + 1
     shared = order if distinct < len(order) else ()
 
-    def alike(*inputs: Array) -> Results:
+    def same_shape(*inputs: Array) -> Results:
         size = inputs[0].size
         if size > SMALL:
             outputs = [np.empty(inputs[0].shape) for _ in range(distinct)]
             _of_one_shape(block, registers, inputs, outputs)
-            return _given([outputs[k] for k in order])
+            return _one_or_tuple([outputs[k] for k in order])
         if 0 < size <= handful:
             try:
                 return _by_formula(formula, inputs, shared)
@@ -92,10 +92,10 @@ def on_arrays(
     def others(inputs: Sequence[Array], out: Out) -> Results:
         return _of_anything(block, registers, order, inputs, out)
 
-    return alike, others
+    return same_shape, others
 
 
-def _given(results: Sequence[Array]) -> Results:
+def _one_or_tuple(results: Sequence[Array]) -> Results:
     return results[0] if len(results) == 1 else tuple(results)
 
 
@@ -123,7 +123,7 @@ def _of_anything(block: Block, registers: int, order: Sequence[int], inputs: Seq
             if each is not result:
                 np.copyto(each, result)
         results = given
-    return _given(results)
+    return _one_or_tuple(results)
 
 
 def _at_once(block: Block, arrays: Sequence[Array], shape: tuple[int, ...], dtype: DType) -> Sequence[Array]:

@@ -228,11 +228,11 @@ class Record(_Part, frozen=True):
         try:
             nested = convert(data, dict[str, object])
             nested["hypotheses"] = [*map(_nested, convert(nested.get("hypotheses", ()), list[dict[str, object]]))]
-            told = {name: nested.pop(name) for name in _DERIVED if name in nested}
+            derived = {name: nested.pop(name) for name in _DERIVED if name in nested}
             record = convert(nested, cls)
         except ValidationError as error:
             raise SymcheckError(f"a record cannot be read ({error}); delete the file and run again") from error
-        if wrong := [name for name, value in record._derived().items() if name in told and told[name] != value]:
+        if wrong := [name for name, value in record._derived().items() if name in derived and derived[name] != value]:
             raise SymcheckError(
                 f"{record.id} has another {wrong[0]} than its certificates; delete the file and run again"
             )

@@ -71,24 +71,24 @@ def differences(folder: Path, contents: Mapping[str, bytes], alone: bool = True)
         _present(folder) if alone else {name for name in contents if (folder / name).is_file()},
         _ours(folder),
     )
-    told = {name: "superfluous" if name in ours else UNKNOWN for name in present - set(contents)}
+    reasons = {name: "superfluous" if name in ours else UNKNOWN for name in present - set(contents)}
     for name, data in contents.items():
         if name not in present:
-            told[name] = "missing"
+            reasons[name] = "missing"
         elif (old := (folder / name).read_bytes()) != data:
-            told[name] = f"differs from line {_first_difference(old, data)} on"
-    return [f"{name}: {told[name]}" for name in sorted(told)]
+            reasons[name] = f"differs from line {_first_difference(old, data)} on"
+    return [f"{name}: {reasons[name]}" for name in sorted(reasons)]
 
 
 def diff(folder: Path, contents: Mapping[str, bytes]) -> str:
     """How the kernels would change, as a unified diff that `git apply` takes; "" if they would not."""
-    told: list[str] = []
+    patch: list[str] = []
     for name in sorted(contents):
         if not name.endswith(".json") and (folder / name).is_file():
             sides = (data.decode(errors="replace") for data in ((folder / name).read_bytes(), contents[name]))
             old, new = (side.splitlines(keepends=True) for side in sides)
-            told += unified_diff(old, new, f"a/{folder.name}/{name}", f"b/{folder.name}/{name}")
-    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in told)
+            patch += unified_diff(old, new, f"a/{folder.name}/{name}", f"b/{folder.name}/{name}")
+    return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in patch)
 
 
 def stored(file: Path, read: Callable[[bytes], T], advice: str) -> T | None:

@@ -17,6 +17,8 @@ from pathlib import Path
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import SymcheckError
 
+__all__ = ["FILES", "Papers", "add", "declare", "key_of", "load", "places"]
+
 VARIABLE = "SYMCHECK_PAPERS"  # folders of users, separated as in PATH; worker processes read it too
 FILES = ("audit.py", "__init__.py")  # one of them binds `paper`
 

@@ -17,10 +17,9 @@ from symcheck.core.formulas import CONTRARY, conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import RELATIONS, Formula, Reader, node
 from symcheck.core.verdicts import Loss
-from symcheck.ledger.lemmas import lemmas_of, reached
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, lemmas_of, reached
 from symcheck.proof import fails_without, proof_of
-from symcheck.selftest.evidence import MALFORMED, holds, is_shown, problem_of
+from symcheck.selftest.evidence import MALFORMED, holds, is_proved, problem_of
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
 
 TURNED = {sign: CONTRARY[sign] for sign in RELATIONS}
@@ -145,7 +144,7 @@ def is_so(original: Certificate, edited: Certificate) -> bool:
 
 def _is_proved(problem: Problem, claim: Formula) -> bool:
     open_ = replace(problem, claim=claim)
-    return is_shown(open_, proof_of(open_))
+    return is_proved(open_, proof_of(open_))
 
 
 def follows(known: Problem, problem: Problem, refuted: bool) -> bool:

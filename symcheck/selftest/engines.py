@@ -16,7 +16,7 @@ import flint
 
 from symcheck.coq.meaning import Evaluator, Meaning, NoValue, Number, Tree, Values
 from symcheck.core.certificates import Certificate
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.selftest.evidence import holds
 
 BITS = 400  # twice those of TINY, so that a value lost by cancellation is still distinguished from zero

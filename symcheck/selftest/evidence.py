@@ -10,17 +10,15 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
-from symcheck.audit.checked import accepted, reasons
-from symcheck.audit.context import Context
-from symcheck.audit.judge import Finding, Unit, lemma
+from symcheck.audit import Context, Finding, Unit, accepted, reasons
+from symcheck.audit.judge import lemma
 from symcheck.core.calculus import letters
 from symcheck.core.certificates import Certificate
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Form, Hint, Outcome, Problem, Witness
 from symcheck.core.terms import JSON, Formula, Node, Reader, Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.lemmas import lemmas_of, reached
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, lemmas_of, reached
 from symcheck.proof import certificate
 
 MALFORMED = (AssertionError, LookupError, TypeError, ValueError, AttributeError, SymcheckError)
@@ -82,7 +80,7 @@ def answered(problem: Problem, outcome: object) -> Verdict:
     return outcome.verdict if good else Verdict.UNDECIDED
 
 
-def is_shown(problem: Problem, outcome: Outcome | None) -> bool:
+def is_proved(problem: Problem, outcome: Outcome | None) -> bool:
     """Whether there is a proof, and the checker accepts it."""
     return answered(problem, outcome) is Verdict.PROVED
 

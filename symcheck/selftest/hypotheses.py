@@ -9,9 +9,9 @@ from itertools import islice
 from random import Random
 
 from symcheck import papers
+from symcheck.audit import expand
 from symcheck.audit.judge import judge
 from symcheck.audit.needs import listed, need
-from symcheck.audit.obligation import expand
 from symcheck.core.claims import Assertion, Hypothesis
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.reading import System, Tree, read, to_latex

@@ -127,7 +127,7 @@ class Forms:
             rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
             yield list(np.array(rows).T)
             return
-        yield [np.broadcast_to(np.asarray(x, float), inputs[0].shape) for x in _each(function(*inputs))]
+        yield [np.broadcast_to(np.asarray(x, float), inputs[0].shape) for x in _as_tuple(function(*inputs))]
         rows = [np.full(inputs[0].shape, np.nan) for _ in self._rows(form)]
         function(*inputs, *rows)
         yield [rows[k] for k in self._order]
@@ -144,10 +144,10 @@ class Forms:
         space: dict[str, Any] = SYMBOLIC | {"math": SYMBOLIC_MATH, "array": lambda x: x}
         if form in (EXPRESSION, CALLED):
             space["formula"] = self._compiled(EXPRESSION, space)
-            return [_exact(x) for x in _each(self._compiled(form, space)(*symbols))]
+            return [_exact(x) for x in _as_tuple(self._compiled(form, space)(*symbols))]
         rows = [_Row(sp.Symbol(f"before_{name}")) for name in self._rows(form)]
         written = {name: partial(_written, function) for name, function in SYMBOLIC.items()}
-        results = _each(self._compiled(form, space | written)(*map(_Row, symbols), *rows))
+        results = _as_tuple(self._compiled(form, space | written)(*map(_Row, symbols), *rows))
         return [_exact(_held(x)) for x in (*results, *(rows[k] for k in self._order))]
 
     def _compiled(self, form: str, space: dict[str, Any]) -> Any:
@@ -220,7 +220,7 @@ def _token(value: Any) -> str:
     return type(value).__name__ if isinstance(value, ast.AST) else str(value)
 
 
-def _each(results: Any) -> tuple[Any, ...]:
+def _as_tuple(results: Any) -> tuple[Any, ...]:
     return results if isinstance(results, tuple) else (results,)
 
 

@@ -32,8 +32,8 @@ def crowded_points(kernel: Kernel, count: int, rng: np.random.Generator) -> Colu
     def moved(argument: Argument, low: End, high: End) -> Array:
         column, kind = _spread(low, high, count, rng), rng.integers(0, 4, count)
         column = np.where(kind == 2, _near_an_end(argument, low, high, count, rng), column)
-        alike = [each.name for each in kernel.arguments if each.unit == argument.unit and each.name in columns]
-        other = columns[str(rng.choice(alike))] * (1 + _closely(count, rng) * rng.choice([-1, 0, 1], count))
+        comparable = [each.name for each in kernel.arguments if each.unit == argument.unit and each.name in columns]
+        other = columns[str(rng.choice(comparable))] * (1 + _closely(count, rng) * rng.choice([-1, 0, 1], count))
         columns[argument.name] = np.where(kind == 3, _inside(argument, other, low, high), column)
         return columns[argument.name]
 

@@ -11,7 +11,7 @@ from random import Random
 
 import numpy as np
 
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.selftest.kernel_mutants import SYMBOLIC, Forms, Mutant
 from symcheck.selftest.kernel_points import crowded_points, random_points
 from symcheck.selftest.kernel_truth import Case, Truth, cases

@@ -22,21 +22,27 @@ from unittest.mock import patch
 from msgspec import structs
 
 from symcheck import papers
-from symcheck.audit import decide, judge, run
-from symcheck.audit.cache import FILE, Cache
-from symcheck.audit.context import Context, context_of
-from symcheck.audit.executor import Serial
-from symcheck.audit.index import Index
-from symcheck.audit.judge import units
-from symcheck.audit.obligation import fingerprint, obligation_of
+from symcheck.audit import (
+    Cache,
+    Context,
+    Index,
+    Serial,
+    context_of,
+    decide,
+    fingerprint,
+    judge,
+    obligation_of,
+    run,
+    units,
+)
+from symcheck.audit.cache import FILE
 from symcheck.checker.statements import Index as StatementIndex
 from symcheck.core.calculus import letters
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
-from symcheck.ledger import store
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, store
 from symcheck.proof import fails_at, identity
 from symcheck.proof.algebra.polynomial import unfold
 from symcheck.proof.rules.compute import Point

@@ -11,14 +11,13 @@ from random import Random
 from typing import Any, NamedTuple
 
 from symcheck import papers
-from symcheck.audit.context import Context
-from symcheck.audit.judge import Unit, judge, units
-from symcheck.audit.obligation import expand
+from symcheck.audit import Context, Unit, expand, units
+from symcheck.audit.judge import judge
 from symcheck.core.claims import Assertion, Ours, Paper, for_letter
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.proof import equivalent
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.reading import Letter, Notation

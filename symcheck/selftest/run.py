@@ -11,8 +11,8 @@ from pkgutil import iter_modules
 from random import Random
 
 from symcheck import selftest
-from symcheck.audit.executor import Crash, Done, Executor, Timeout
-from symcheck.ledger.record import Record
+from symcheck.audit import Crash, Done, Executor, Timeout
+from symcheck.ledger import Record
 from symcheck.selftest.engines import Agreement, agreement
 from symcheck.selftest.statements import places, says_more, unguarded
 from symcheck.selftest.trial import Count, FaultClass, Status, total

@@ -29,11 +29,11 @@ def slips_of(kind: Callable[[Tree], Iterator[Slip]], tree: Tree) -> Iterator[Edi
 def ends(node: Tree) -> Iterator[Slip]:
     """Another strictness or bound of an order, other ends of an interval."""
     if isinstance(node, Chain):
-        shown = to_latex(node)
+        printed = to_latex(node)
         for k, sign in enumerate(node.signs):
             if other := LOOSENED.get(sign):
                 signs = (*node.signs[:k], other, *node.signs[k + 1 :])
-                yield "strictness", f"{sign} -> {other} in {shown}", replace(node, signs=signs)
+                yield "strictness", f"{sign} -> {other} in {printed}", replace(node, signs=signs)
         if len(node.members) == 2 and node.signs[0] in LOOSENED:
             larger = node.signs[0] in ("<", r"\le")
             side = node.members[larger]
@@ -42,12 +42,12 @@ def ends(node: Tree) -> Iterator[Slip]:
                 changed += _moved(side)
             for new in changed:
                 pair = (node.members[0], new) if larger else (new, node.members[1])
-                yield "bound", f"{to_latex(side)} -> {to_latex(new)} in {shown}", replace(node, members=pair)
+                yield "bound", f"{to_latex(side)} -> {to_latex(new)} in {printed}", replace(node, members=pair)
         if len(node.members) > 2 and set(node.signs) <= {"<", r"\le"}:
             for k, end in ((0, node.members[0]), (len(node.members) - 1, node.members[-1])):
                 for new in _moved(end):
                     members = (*node.members[:k], new, *node.members[k + 1 :])
-                    words = f"end {to_latex(end)} -> {to_latex(new)} of {shown}"
+                    words = f"end {to_latex(end)} -> {to_latex(new)} of {printed}"
                     yield "interval end", words, replace(node, members=members)
     elif isinstance(node, Interval):
         for kind in ENDS:
@@ -92,24 +92,24 @@ def connectives(node: Tree) -> Iterator[Slip]:
     """One direction of an equivalence, the converse, `or` for `and`, an order for an equality, and back."""
     if not isinstance(node, (Iff, Implies, And, Or, Chain)):
         return
-    shown = f"in {to_latex(node)}"
+    place = f"in {to_latex(node)}"
     match node:
         case Iff(left, right):
-            yield CONNECTIVE, f"from left to right only {shown}", Implies(left, right)
-            yield CONNECTIVE, f"from right to left only {shown}", Implies(right, left)
+            yield CONNECTIVE, f"from left to right only {place}", Implies(left, right)
+            yield CONNECTIVE, f"from right to left only {place}", Implies(right, left)
         case Implies(left, right):
-            yield CONNECTIVE, f"the converse {shown}", Implies(right, left)
-            yield CONNECTIVE, f"both directions {shown}", Iff(left, right)
+            yield CONNECTIVE, f"the converse {place}", Implies(right, left)
+            yield CONNECTIVE, f"both directions {place}", Iff(left, right)
         case And(parts) | Or(parts):
             word, exchanged = ("part", "or for and") if isinstance(node, And) else ("alternative", "and for or")
-            yield CONNECTIVE, f"{exchanged} {shown}", Or(parts) if isinstance(node, And) else And(parts)
+            yield CONNECTIVE, f"{exchanged} {place}", Or(parts) if isinstance(node, And) else And(parts)
             for k in range(len(parts)):
                 rest = parts[:k] + parts[k + 1 :]
-                yield CONNECTIVE, f"{word} {k + 1} dropped {shown}", rest[0] if len(rest) == 1 else type(node)(rest)
+                yield CONNECTIVE, f"{word} {k + 1} dropped {place}", rest[0] if len(rest) == 1 else type(node)(rest)
         case Chain(signs=signs):
             for k, sign in enumerate(signs):
                 for new in EQUATIONS.get(sign, ()):
-                    words = f"{sign} -> {new} {shown}"
+                    words = f"{sign} -> {new} {place}"
                     yield EQUATED, words, replace(node, signs=(*signs[:k], new, *signs[k + 1 :]))
 
 

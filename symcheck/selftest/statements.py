@@ -13,15 +13,14 @@ from itertools import starmap
 from random import Random
 from typing import NamedTuple
 
-from symcheck.audit.context import Context, context_of
-from symcheck.audit.judge import Finding, Unit, judge, units
-from symcheck.audit.obligation import obligation_of
+from symcheck.audit import Context, Finding, Unit, context_of, obligation_of, units
+from symcheck.audit.judge import judge
 from symcheck.core.claims import Erratum, Hypothesis, for_letter
 from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.proof import fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
 from symcheck.reading.tree import Add, Number, children, replaced, walk

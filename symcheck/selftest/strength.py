@@ -8,7 +8,7 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Connective, Formula, Quantified, Relation, Term, Value, node
 from symcheck.proof import equivalent, proof_of
-from symcheck.selftest.evidence import is_shown
+from symcheck.selftest.evidence import is_proved
 from symcheck.selftest.trial import Status
 
 MIRROR = {">": "<", ">=": "<="}
@@ -103,7 +103,7 @@ class Strength:
     def _is_proved(self, claim: Formula) -> bool:
         """Whether something follows from the hypotheses."""
         problem = replace(self.problem, claim=claim)
-        return is_shown(problem, proof_of(problem))
+        return is_proved(problem, proof_of(problem))
 
 
 def _is_implied(f: Formula, g: Formula) -> bool:

@@ -10,7 +10,7 @@ from itertools import chain, islice, zip_longest
 from random import Random
 from typing import TypeVar
 
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 
 T = TypeVar("T")
 

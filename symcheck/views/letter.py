@@ -17,7 +17,7 @@ from markupsafe import escape
 from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Origin, SymcheckError
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.papers import load
 from symcheck.views.latex import formulas_of, is_formula, split_at_formulas, standing_alone
 from symcheck.views.model import Fault, errata
@@ -98,12 +98,12 @@ def letter(records: Iterable[Record]) -> Letter:
     if len(keys) > 1:
         raise SymcheckError(f"a letter is about one paper, not about {' and '.join(keys)}; select one of them")
     paper = load()[keys[0]]
-    told: dict[Group, list[Fault]] = {group: [] for group in Group}
+    faults_of: dict[Group, list[Fault]] = {group: [] for group in Group}
     for group, lists in errata(wrong):
-        told[group] += [fault for faults in lists for fault in faults.faults]
-    told[Group.STATEMENT] += told[Group.DAMAGED]
+        faults_of[group] += [fault for faults in lists for fault in faults.faults]
+    faults_of[Group.STATEMENT] += faults_of[Group.DAMAGED]
     numbered, rows, slips = (
-        tuple(_correction(paper, fault) for fault in sorted(told[group], key=lambda each: each.first.record.line))
+        tuple(_correction(paper, fault) for fault in sorted(faults_of[group], key=lambda each: each.first.record.line))
         for group in (Group.STATEMENT, Group.ROW, Group.SLIP)
     )
     return Letter(paper.title, numbered, rows, slips)
@@ -122,7 +122,7 @@ def _correction(paper: Paper, fault: Fault) -> Correction:
     first = _FIRST.match(reason)
     short = first[0] if first else reason
     rest = reason if summary else reason.removeprefix(short).strip()
-    evidence = ["" if record.is_row else _shown_wrong(fault), rest]
+    evidence = ["" if record.is_row else _refutation(fault), rest]
     if record.group in (Group.ROW, Group.SLIP):
         short = f"{_capital(record.kind)}. {short}"
     return Correction(
@@ -134,7 +134,7 @@ def _correction(paper: Paper, fault: Fault) -> Correction:
     )
 
 
-def _shown_wrong(fault: Fault) -> str:
+def _refutation(fault: Fault) -> str:
     """Where what is printed fails, in one sentence; the empty text where no point is known."""
     found = fault.first.counterexample
     if not found:
@@ -150,8 +150,8 @@ def _printed(record: Record, fault: Fault, lines: Mapping[str, int]) -> str:
     """The printed formula, or of a chain the one link; a sentence by its first and last word, with what it says."""
     sentence = record.place.partition(": ")[2]
     if sentence and (record.group is not Group.DAMAGED or not record.printed):
-        said = plain(_first_sentence(record.words), lines)
-        return said if _MARKUP.search(sentence) else f"“{sentence}” ({said})"
+        words = plain(_first_sentence(record.words), lines)
+        return words if _MARKUP.search(sentence) else f"“{sentence}” ({words})"
     is_one_link = record.link and record.erratum
     return _as_text(fault.printed if is_one_link else record.printed or fault.printed)
 
@@ -199,8 +199,8 @@ def plain(text: str, lines: Mapping[str, int]) -> str:
         number = match[0].rstrip("abcdefgh") if match[0] not in lines else match[0]
         return "a check of ours" if number[0] in "BCNS" or number not in lines else f"line {lines[number]}"
 
-    told = _NUMBER.sub(placed, _ASIDE.sub("", text))
-    return " ".join(told.replace("OCR", "digitisation").split())
+    prose = _NUMBER.sub(placed, _ASIDE.sub("", text))
+    return " ".join(prose.replace("OCR", "digitisation").split())
 
 
 # --- the three forms
@@ -301,8 +301,8 @@ def _words(text: str) -> str:
     >>> _words("I_1 & 5 %")
     'I\\_1 \\& 5 \\%'
     """
-    told = "".join(_SPECIAL.get(sign, sign) for sign in text)
-    return _CYRILLIC.sub(lambda m: rf"\cyrillicwords{{{m[0]}}}", told)
+    escaped = "".join(_SPECIAL.get(sign, sign) for sign in text)
+    return _CYRILLIC.sub(lambda m: rf"\cyrillicwords{{{m[0]}}}", escaped)
 
 
 def _sentence(text: str) -> str:
@@ -384,7 +384,7 @@ def _math(texts: Iterable[str]) -> Mapping[str, str | None]:
 
 
 def _html_lines(content: Letter, math: Mapping[str, str | None]) -> Iterator[str]:
-    def said(text: str) -> str:
+    def markup(text: str) -> str:
         shown = _displayed(text)
         whole = _parts(
             text, lambda latex: math[latex] or f"<code>{escape(latex)}</code>", lambda words: str(escape(words))
@@ -397,16 +397,16 @@ def _html_lines(content: Letter, math: Mapping[str, str | None]) -> Iterator[str
     yield f"<h1>{title}</h1>\n<p>{escape(GREETING)}</p>\n<ol>"
     for correction in content.corrections:
         yield f"<li><p><b>{escape(_capital(correction.where))}.</b></p>"
-        printed, correct, reason = map(said, (correction.printed, correction.correct, correction.reason))
+        printed, correct, reason = map(markup, (correction.printed, correction.correct, correction.reason))
         yield f"<p>Printed: {printed}</p><p>Correct: {correct}</p><p>{reason}</p>"
         if correction.evidence:
-            yield f"<details><summary>Evidence</summary><p>{said(correction.evidence)}</p></details>"
+            yield f"<details><summary>Evidence</summary><p>{markup(correction.evidence)}</p></details>"
         yield "</li>"
     yield "</ol>"
     for heading, rows in content.tables:
         yield f"<h2>{escape(heading)}</h2>\n<table><thead><tr>{_cells('th', COLUMNS)}</tr></thead><tbody>"
         for number, row in zip(count(1), rows, strict=False):
-            cells = (str(number), str(escape(row.where)), *map(said, (row.printed, row.correct, row.reason)))
+            cells = (str(number), str(escape(row.where)), *map(markup, (row.printed, row.correct, row.reason)))
             yield f"<tr>{_cells('td', cells)}</tr>"
         yield "</tbody></table>"
     yield "</body></html>"

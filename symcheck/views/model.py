@@ -18,7 +18,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Loss, Origin, Verdict
 from symcheck.core.words import term
-from symcheck.ledger.record import HypothesisRow, Record
+from symcheck.ledger import HypothesisRow, Record
 from symcheck.views.steps import compared, coordinates, point, proof_lines, sides
 
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words

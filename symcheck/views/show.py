@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from difflib import get_close_matches
 
-from symcheck.audit import kernels
-from symcheck.audit.library import check
+from symcheck.audit import check, kernels
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.papers import load
 from symcheck.views import terminal
 

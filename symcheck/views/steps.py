@@ -27,7 +27,7 @@ _RULES = {
 }
 _BRANCHES = {"premises": "premise", "proof": "proof", "parts": "part", "cases": "case", "then": "then"}
 _FACTS = ("theorem", "have")  # rules that make one more fact known; what follows them stands below
-_TOLD = ("rule", "of", "with", "formula", *_BRANCHES)
+_IN_FIRST_LINE = ("rule", "of", "with", "formula", *_BRANCHES)
 
 
 def reference(ref: object) -> str:
@@ -60,7 +60,7 @@ def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:
     indent = "  " * depth
     yield indent + _rule(proof)
     for key, value in proof.items():
-        if key not in _TOLD:
+        if key not in _IN_FIRST_LINE:
             own = "product" if proof["rule"] == "split" and key == "form" else key
             yield from (f"{indent}  {line}" for line in _detail(own, value))
     for key, label in _BRANCHES.items():

@@ -20,8 +20,7 @@ from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Group, Verdict
 from symcheck.core.words import term
 from symcheck.kernels.codegen.kernel import Kernel
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of
 from symcheck.views import model
 from symcheck.views.model import FaultList, Relation, blame, counted
 from symcheck.views.steps import proof_lines

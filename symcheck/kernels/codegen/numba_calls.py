@@ -30,12 +30,12 @@ def evaluate(points: Any, order: Sequence[int], inputs: Sequence[Any], out: Any,
     """
     if not isinstance(threads, int) or threads < 1:
         raise ValueError(f"threads = {threads!r} must be a positive whole number")
-    alike = _alike(inputs)
-    if alike and out is None and threads == 1:  # what is asked otherwise takes longer than many a kernel
+    direct = _as_compiled(inputs)
+    if direct and out is None and threads == 1:  # what is asked otherwise takes longer than many a kernel
         results = [np.empty(inputs[0].shape) for _ in range(max(order) + 1)]
         points(*[x.reshape(-1) for x in (*inputs, *results)])
         return results[0] if len(order) == 1 else tuple([results[k] for k in order])
-    if alike:
+    if direct:
         dtype, shape, arrays = DOUBLE, inputs[0].shape, list(inputs)
     else:
         dtype = np.result_type(*inputs)
@@ -57,7 +57,7 @@ def evaluate(points: Any, order: Sequence[int], inputs: Sequence[Any], out: Any,
     return values[0] if len(order) == 1 else tuple(values)
 
 
-def _alike(arrays: Sequence[Any]) -> bool:
+def _as_compiled(arrays: Sequence[Any]) -> bool:
     """Whether these are arrays as the compiled loop takes them, of doubles."""
     for x in arrays:
         if type(x) is not np.ndarray or x.dtype is not DOUBLE or not x.flags.carray or x.shape != arrays[0].shape:

@@ -29,8 +29,8 @@ FIGURES = (  # number, line where it is spoken of, what it is, what the text tel
 )
 
 figures = tuple(
-    exclusion(f"D.{number}", line, words=f"Figure {number}. {shows}.", reason=NO_DRAWING + told)
-    for number, line, shows, told in FIGURES
+    exclusion(f"D.{number}", line, words=f"Figure {number}. {shows}.", reason=NO_DRAWING + facts)
+    for number, line, shows, facts in FIGURES
 )
 
 ONTO = {

@@ -20,7 +20,7 @@ real_base = Hypothesis(
 acute_a = Hypothesis("a acute", "a is an acute angle", r"0 < a < \pi/2", printed=False)
 acute_b = Hypothesis("b acute", "b is an acute angle (line 71)", r"0 < b < \pi/2")
 
-EACH = r"-1 \leq h_i \leq 1"  # the wheels in units of h_max
+WITHIN_LIMITS = r"-1 \leq h_i \leq 1"  # the wheels in units of h_max
 SPACECRAFT_MOMENTS = Hypothesis("spacecraft", "the moments of inertia of line 248", "J_x = 1000, J_y = 1600, J_z = 800")
 MASS = Hypothesis("moments positive", "the body has mass", "J_x > 0, J_y > 0, J_z > 0", printed=False)
 RATES = Hypothesis("rates", "(2.3)", r"w_x = -\frac{H_x}{J_x}, w_y = -\frac{H_y}{J_y}, w_z = -\frac{H_z}{J_z}")

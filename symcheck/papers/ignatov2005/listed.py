@@ -28,7 +28,7 @@ from symcheck.papers.ignatov2005.rows import (
     pattern_of,
     right_row,
     settled,
-    shown,
+    to_latex,
     vector,
 )
 from symcheck.papers.listing import EdgeRow, FaceRow, Label, Row, Unreadable, VertexRow
@@ -189,7 +189,7 @@ def _row(listed: Listed, row: Row, right: Row | None) -> Declaration:
     if wrong:
         origin, reason = origin_of(listed.pattern, row, right)
         kind = kind_of(faults(row, right), origin)
-        wanted, instead = parts(array, names, right, right), shown(right)
+        wanted, instead = parts(array, names, right, right), to_latex(right)
         errata = {chr(FIRST_LETTER + k): Erratum(wanted[k].states, kind, origin, reason, shown=instead) for k in wrong}
     return claim(
         number,
@@ -263,12 +263,12 @@ def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
     rows = [row for row in read if isinstance(row, VertexRow | EdgeRow | FaceRow)]
     letter, names, lattice = listed.letter, listed.names, listed.array.envelope.combinatorics
     cells: Mapping[Signs, object] = {"V": lattice.vertices, "E": lattice.edges, "F": lattice.faces}[letter]
-    yield each_once("l_1", [row.number for row in rows], len(cells))
+    yield permutation("l_1", [row.number for row in rows], len(cells))
     if letter != "E":
         labels = [row.label for row in rows if not isinstance(row, EdgeRow)]
         known = len(names.vertices if letter == "V" else names.faces)
         plain, primed = (
-            each_once(f"l_{1 + prime}", [label.index for label in labels if label.primed == prime], known)
+            permutation(f"l_{1 + prime}", [label.index for label in labels if label.primed == prime], known)
             for prime in (False, True)
         )
         yield Part(plain.states + AND + primed.states, plain.holds and primed.holds)
@@ -285,7 +285,7 @@ def _sums(listed: Listed, read: Sequence[Row]) -> Iterable[Part]:
         yield Part(f"{len(rows)} = {count}", len(rows) == len(cells))
 
 
-def each_once(letter: str, numbers: Sequence[int], count: int) -> Part:
+def permutation(letter: str, numbers: Sequence[int], count: int) -> Part:
     """That the numbers are 1 to `count`, each there once: a geometric series, (l - 1)(l + l^2 + ...) = l^(n + 1) - l."""
     powers = " + ".join(f"{letter}^{{{number}}}" for number in numbers)
     series = f"({letter} - 1)({powers or 0}) = {letter}^{{{count + 1}}} - {letter}"

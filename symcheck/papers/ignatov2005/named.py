@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from symcheck.core.claims import Claim
 from symcheck.papers import listing
 from symcheck.papers.declare import claim
-from symcheck.papers.ignatov2005.listed import Block, Declared, each_once
+from symcheck.papers.ignatov2005.listed import Block, Declared, permutation
 from symcheck.papers.ignatov2005.rows import AND, pattern_of, vector
 from symcheck.papers.listing import Label
 from symcheck.reading import Notation
@@ -120,7 +120,7 @@ def every_one_once(number: str, of: Declared, named: Sequence[Named], words: str
     labels = [label for each in named for label in each.labels]
     known = of.names.vertices if labels[0].letter == "V" else of.names.faces
     parts = [
-        each_once(letter, [label.index for label in labels if label.primed == prime], len(known))
+        permutation(letter, [label.index for label in labels if label.primed == prime], len(known))
         for letter, prime in (("l_1", False), ("l_2", True))
     ]
     return claim(

@@ -511,7 +511,7 @@ def _parts_of_cells(array: Array, names: Names, row: TableRow) -> tuple[Part, ..
 # --- a row as it should be printed
 
 
-def shown(row: Row) -> str:
+def to_latex(row: Row) -> str:
     """The row as it should be printed."""
     match row:
         case VertexRow():

@@ -18,10 +18,10 @@ from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import Scope, claim, ours, premise
 from symcheck.papers.ignatov2005 import derivation, named, wheels
 from symcheck.papers.ignatov2005.hypotheses import (
-    EACH,
     MASS,
     RATES,
     SPACECRAFT_MOMENTS,
+    WITHIN_LIMITS,
     acute_a,
     acute_b,
     lost_pi,
@@ -44,7 +44,7 @@ from symcheck.reading import Notation
 
 OPEN_RANGE = [real_pyramid, real_base]
 craft = Scope(four_wheels_in_spacecraft)
-FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", EACH)
+FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", WITHIN_LIMITS)
 
 
 # --- 2.1: the axes, the momentum, its region
@@ -519,7 +519,7 @@ limits_of_three = three.premise(
     195,
     (r"-h_{\max} \leq h_i \leq h_{\max}", r"i = 1, \dots, 3", r"|h_i| \leq 1"),
     words="The limits of the wheels that work; P' is the region of all H with |h_i| <= 1.",
-    states=EACH,
+    states=WITHIN_LIMITS,
 )
 
 unit_of_momentum_of_three = three.unit_of_momentum(
@@ -919,7 +919,7 @@ units_of_the_rates = ours(
 def where_largest(axis: str, then: list[str]) -> str:
     """What holds where a component has its largest value."""
     value, *_ = LARGEST[axis]
-    return rf"({EACH} \land {value}) \Rightarrow ({AND.join(then)})"
+    return rf"({WITHIN_LIMITS} \land {value}) \Rightarrow ({AND.join(then)})"
 
 
 largest_rate_comes_alone = four.claim(

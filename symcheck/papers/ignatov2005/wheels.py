@@ -15,7 +15,7 @@ from itertools import combinations
 from symcheck.core.claims import Claim, Definition, Exclusion, Hypothesis, Ours, Premise
 from symcheck.papers.declare import Scope
 from symcheck.papers.ignatov2005 import derivation, envelopes, lists
-from symcheck.papers.ignatov2005.hypotheses import EACH, lost_pi, rhombi
+from symcheck.papers.ignatov2005.hypotheses import WITHIN_LIMITS, lost_pi, rhombi
 from symcheck.papers.ignatov2005.notation import five_of_six, four_wheels, six_wheels, three_of_four
 from symcheck.papers.ignatov2005.rows import Array
 from symcheck.proof import cases, identity
@@ -341,7 +341,7 @@ class Wheels(Scope):
             words=f"The largest {component} that the wheels can have, alone.",
             states=(
                 f"[{momenta}] = {ALONG[component[-1]].format(most)}",
-                rf"{EACH} \Rightarrow {component} \leq {most}",
+                rf"{WITHIN_LIMITS} \Rightarrow {component} \leq {most}",
             ),
             given=given,
             by={"a": identity, "b": cases(missing)},

@@ -9,7 +9,7 @@ from pkgutil import iter_modules
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from symcheck.ledger.record import Record
+    from symcheck.ledger import Record
 
 
 @dataclass(frozen=True)

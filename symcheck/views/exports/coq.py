@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.exports import Format
 
 

@@ -7,7 +7,7 @@ import io
 from collections.abc import Sequence
 
 from symcheck.core.verdicts import Role
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.exports import Format
 from symcheck.views.model import Relation
 

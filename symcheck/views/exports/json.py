@@ -6,7 +6,7 @@ import json
 from collections.abc import Sequence
 
 from symcheck.coq.confirmed import confirmed
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.exports import Format
 from symcheck.views.model import errata
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from symcheck.core.verdicts import Group
-from symcheck.ledger.record import Record, by_paper
+from symcheck.ledger import Record, by_paper
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, standing_alone
 from symcheck.views.model import Fault, FaultList, Relation, counted, errata

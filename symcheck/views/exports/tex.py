@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from symcheck.ledger.record import Record, by_paper
+from symcheck.ledger import Record, by_paper
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, standing_alone
 from symcheck.views.model import Fault, Relation, counted, errata

@@ -29,8 +29,8 @@ def differences(executed: NotebookNode, committed: NotebookNode) -> Iterator[str
             yield f"cell {id} is new"
         elif id not in now:
             yield f"cell {id} is not in its source any more"
-        elif told := _difference(now[id], before[id]):
-            yield f"cell {id} {told}"
+        elif difference := _difference(now[id], before[id]):
+            yield f"cell {id} {difference}"
 
 
 def _difference(now: NotebookNode, before: NotebookNode) -> str:

@@ -9,7 +9,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Claim
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, SymcheckError
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.model import Fault, Relation
 from symcheck.views.notebook.counterexample import Evaluation, number, point
 from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table
@@ -36,7 +36,7 @@ def slips(key: str) -> Output:
         for letter, each in item.errata.items()
         if (group := group_of(each)) is not Group.STATEMENT
     )
-    table = tuple((*told, str(count)) for told, count in sorted(counts.items()))
+    table = tuple((*kinds, str(count)) for kinds, count in sorted(counts.items()))
     return Output((Table(("group", "kind", "whose", "verdict", "relations"), table),))
 
 

@@ -37,14 +37,14 @@ def _run(id: str, source: str, namespace: dict[str, object]) -> dict[str, str]:
         raise SymcheckError(f"cell {id} shows nothing; its last line must be what it shows")
     try:
         exec(compile(ast.Module(statements, []), f"<{id}>", "exec"), namespace)
-        shown = eval(compile(ast.Expression(last.value), f"<{id}>", "eval"), namespace)
+        value = eval(compile(ast.Expression(last.value), f"<{id}>", "eval"), namespace)
     except Exception as error:
         raise SymcheckError(f"cell {id} fails with {type(error).__name__}: {error}") from error
-    if not isinstance(shown, Output):
+    if not isinstance(value, Output):
         raise SymcheckError(
-            f"cell {id} ends in a {type(shown).__name__}; end it in a call of symcheck.views.notebook.show"
+            f"cell {id} ends in a {type(value).__name__}; end it in a call of symcheck.views.notebook.show"
         )
-    return shown._repr_mimebundle_()
+    return value._repr_mimebundle_()
 
 
 def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda done, total: None) -> NotebookNode:

@@ -23,8 +23,8 @@ def contents(key: str) -> Output:
     counts: dict[str, Counter[Role]] = {}
     for title, item in declared(key):
         counts.setdefault(title, Counter())[item.role] += 1
-    told = ((title, ", ".join(f"{n} {role}" for role, n in roles.items())) for title, roles in counts.items())
-    return Output((Heading(f"**{paper(key).title}**"), Table(("section", "declarations"), tuple(told))))
+    lines = ((title, ", ".join(f"{n} {role}" for role, n in roles.items())) for title, roles in counts.items())
+    return Output((Heading(f"**{paper(key).title}**"), Table(("section", "declarations"), tuple(lines))))
 
 
 def not_proved(key: str) -> Output:

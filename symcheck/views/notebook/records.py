@@ -5,13 +5,11 @@ from __future__ import annotations
 from functools import cache
 
 from symcheck import kernels, papers
-from symcheck.audit.library import check
-from symcheck.audit.obligation import expand, obligation_of
+from symcheck.audit import check, expand, obligation_of
 from symcheck.core.claims import Claim, Declaration, Erratum, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SLIPS, Group, Origin, SymcheckError, Verdict
-from symcheck.ledger import store
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, store
 from symcheck.reading import Notation
 
 

@@ -6,13 +6,11 @@ import json
 import re
 from collections.abc import Iterator, Sequence
 
-from symcheck.audit.checked import reasons
+from symcheck.audit import reasons
 from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, Verdict
-from symcheck.ledger.digests import digest_of
-from symcheck.ledger.lemmas import lemmas_of
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record, digest_of, lemmas_of
 from symcheck.views.model import Relation, condition
 from symcheck.views.notebook.letters import aligned, split
 from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose, Table, Verbatim
@@ -49,12 +47,12 @@ def title(record: Record, whole: bool = False) -> str:
 
 def verdicts(chain: Sequence[Record]) -> str:
     """The verdict of each link in Markdown; a verdict that several links share is written once."""
-    told: dict[str, list[str]] = {}
+    links_of: dict[str, list[str]] = {}
     for record in chain:
-        told.setdefault(_verdict(record), []).append(letter(record))
-    if len(told) == 1:
-        return next(iter(told))
-    return "; ".join(f"{', '.join(links)} {said}" for said, links in told.items())
+        links_of.setdefault(_verdict(record), []).append(letter(record))
+    if len(links_of) == 1:
+        return next(iter(links_of))
+    return "; ".join(f"{', '.join(links)} {verdict}" for verdict, links in links_of.items())
 
 
 def letter(record: Record) -> str:
@@ -119,8 +117,8 @@ def proof(id: str) -> Output:
     for record in records(id):
         parts.append(Heading(f"{title(record)} — {_verdict(record)}"))
         for each in record.certificates:
-            told = list(proof_lines(each)) or ["refuted at a point"]
-            parts += [Verbatim("", "\n".join(_cut(told))), Prose("checker", checked([each]))]
+            lines = list(proof_lines(each)) or ["refuted at a point"]
+            parts += [Verbatim("", "\n".join(_cut(lines))), Prose("checker", checked([each]))]
     return Output(tuple(parts))
 
 
@@ -156,12 +154,12 @@ def _faults(certificate: Certificate) -> Iterator[str]:
 
 def rows(id: str, only_wrong: bool = False) -> Output:
     """The rows of a list or table, "ignatov2005:2.1V", each as printed with its verdict; or those that are wrong."""
-    told = []
+    lines = []
     for found in list_rows(id):
         wrong = next((record for record in found if record.corrected), None)
         if wrong or not only_wrong:
-            told.append(_row(found, wrong))
-    return Output((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(told)),))
+            lines.append(_row(found, wrong))
+    return Output((Table(("row", "as printed; below it what is right", "verdict", "fault"), tuple(lines)),))
 
 
 def _row(chain: Sequence[Record], wrong: Record | None) -> tuple[str, ...]:

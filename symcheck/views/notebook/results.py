@@ -21,8 +21,8 @@ def numbers(unit: str = "", **values: object) -> Output:
 def fields(result: NamedTuple, **units: str) -> Output:
     """The fields of a named tuple with these units, or all fields."""
     chosen = units or dict.fromkeys(result._fields, "")
-    told = tuple((name.replace("_", " "), _text(getattr(result, name)), unit) for name, unit in chosen.items())
-    return Output((Table(("", "value", "unit"), told),))
+    rows = tuple((name.replace("_", " "), _text(getattr(result, name)), unit) for name, unit in chosen.items())
+    return Output((Table(("", "value", "unit"), rows),))
 
 
 def _text(value: object) -> str:

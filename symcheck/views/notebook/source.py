@@ -29,10 +29,10 @@ def notebook(source: Path) -> NotebookNode:
     import jupytext
     from nbformat import from_dict
 
-    made = jupytext.reads(source.read_text(encoding="utf-8"), fmt=MARKDOWN)
-    made.metadata, counts, section = from_dict(METADATA), Counter[str](), "top"
+    built = jupytext.reads(source.read_text(encoding="utf-8"), fmt=MARKDOWN)
+    built.metadata, counts, section = from_dict(METADATA), Counter[str](), "top"
     rules = {"code": faults_of_code, "markdown": faults_of_prose}
-    for cell in made.cells:
+    for cell in built.cells:
         first = cell.source.partition("\n")[0]
         for fault in rules[cell.cell_type](cell.source):
             raise SymcheckError(f"{source.name}: {fault}: {first}")
@@ -40,7 +40,7 @@ def notebook(source: Path) -> NotebookNode:
             section = slug(first)
         counts[section] += 1
         cell.id = f"{section}-{counts[section]}"
-    return made
+    return built
 
 
 def slug(heading: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.latex import formulas_of
 from symcheck.views.model import Fault, Relation
 from symcheck.views.page.formulas import Formulas

@@ -31,7 +31,7 @@ class Formulas:
         math = self._math.get(text)
         return -1 if math is None else self._number(math)
 
-    def shown(self, text: str, fallback: bool = False) -> Markup:
+    def markup(self, text: str, fallback: bool = False) -> Markup:
         """Where a formula is to be seen; `fallback`: with its LaTeX, for a page without its program."""
         math = self._math.get(text)
         return self._plain(text) if math is None else self._place(math, text if fallback else "")
@@ -39,13 +39,13 @@ class Formulas:
     def sentence(self, text: str) -> Markup:
         """Words with formulas between dollar signs; each with its LaTeX, for a page without its program."""
         pieces = enumerate(split_at_formulas(text))
-        return Markup("").join(self.shown(piece, fallback=True) if n % 2 else escape(piece) for n, piece in pieces)
+        return Markup("").join(self.markup(piece, fallback=True) if n % 2 else escape(piece) for n, piece in pieces)
 
     def pair(self, before: str, after: str, fallback: bool = False) -> tuple[Markup, Markup]:
         """Both formulas with their differences marked."""
         one, other = self._math.get(before), self._math.get(after)
         if one is None or other is None:
-            return self.shown(before, fallback), self.shown(after, fallback)
+            return self.markup(before, fallback), self.markup(after, fallback)
         one, other = marked(one, other)
         return self._place(one, before if fallback else ""), self._place(other, after if fallback else "")
 

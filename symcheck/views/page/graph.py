@@ -9,7 +9,7 @@ from textwrap import shorten
 
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.model import Relation
 
 STEP, LEFT, WIDEST = 17, 310, 400  # of the drawing, in pixels: between two claims, before the line, the largest arc

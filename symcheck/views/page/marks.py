@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from symcheck.core.verdicts import Group
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.views.model import errata, listing
 
 _MOMENTA = re.compile(r"\\mathbf\{H\}\s*=\s*\[([^\]]*)\]")  # the momenta at a vertex or edge: "\mathbf{H} = [1, -1, u]"

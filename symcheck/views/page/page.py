@@ -15,7 +15,7 @@ from markupsafe import Markup
 from symcheck.coq.confirmed import CONFIRMED, confirmed
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Reading, Role, Verdict
-from symcheck.ledger.record import Record
+from symcheck.ledger import Record
 from symcheck.ledger.selftested import evidence, rows
 from symcheck.views.model import Relation, blame, errata
 from symcheck.views.page import entry as entries

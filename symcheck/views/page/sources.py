@@ -82,13 +82,13 @@ def _functions(file: Path, declared: Mapping[str, Kernel]) -> dict[str, str]:
         return {}
     lines = file.read_text(encoding="utf-8").splitlines()
     functions = [node for node in ast.parse("\n".join(lines)).body if isinstance(node, ast.FunctionDef)]
-    return {node.name: _shown(node, lines, declared[node.name]) for node in functions if node.name in declared}
+    return {node.name: _listing(node, lines, declared[node.name]) for node in functions if node.name in declared}
 
 
-def _shown(function: ast.FunctionDef, lines: Sequence[str], kernel: Kernel) -> str:
+def _listing(function: ast.FunctionDef, lines: Sequence[str], kernel: Kernel) -> str:
     accuracy = f"{kernel.ulp} ulp. {kernel.condition} {kernel.degenerate}"
-    said = [kernel.says, *(f"{x.name}: {x.meaning}, {x.unit}; {x.domain}" for x in kernel.arguments)]
-    said += [*(f"{x.name}: {x.meaning}, {x.unit}" for x in kernel.outputs), " ".join(accuracy.split())]
+    comments = [kernel.says, *(f"{x.name}: {x.meaning}, {x.unit}; {x.domain}" for x in kernel.arguments)]
+    comments += [*(f"{x.name}: {x.meaning}, {x.unit}" for x in kernel.outputs), " ".join(accuracy.split())]
     _, first, *_ = function.body
     body = lines[first.lineno - 1 : function.end_lineno]
-    return "\n".join([lines[function.lineno - 1], *(f"    # {line}" for line in said), *body])
+    return "\n".join([lines[function.lineno - 1], *(f"    # {line}" for line in comments), *body])
