@@ -76,7 +76,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\sqrt{a+b} = \sqrt a + \sqrt b": "a > 0, b > 0",
     r"\mathbf{A}\mathbf{B} = \mathbf{B}\mathbf{A}": "",
     r"e^x + e^y = e^{x + y}": "",
-    r"e^x > 1": "",
+    r"e^x > 1": "x < 1",
     r"\cosh^2 x + \sinh^2 x = 1": "",
     r"\ln(x + y) = \ln x + \ln y": "",
     r"\sqrt{x^2} = -x": "x > 0",
@@ -94,7 +94,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\vec a \times \vec b = \vec b \times \vec a": "",
     r"\det(A + B) = \det A + \det B": SQUARE,
     r"e^{i x} = \cos x - i \sin x": "",
-    r"\delta_{11} x + x = x": "",
+    r"\delta_{11} x + x = x + 2 \delta_{11} x": "",
     r"\int_{-\pi}^{\pi} x \sin(n x) dx = \frac{2 \pi (-1)^n}{n}": (WHOLE, "n > 0"),
     r"\int_0^\infty \frac{1}{1 + x^2} dx = \pi": "",
 }

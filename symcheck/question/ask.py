@@ -13,7 +13,7 @@ from symcheck.checker import check
 from symcheck.core.calculus import functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import JSON, Node, Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
@@ -24,12 +24,13 @@ from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
-from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held, spelled_function
+from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
-from symcheck.question.repairs import repairs
+from symcheck.question.repairs import EVERYWHERE, repairs
 from symcheck.question.solutions import with_solutions
+from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
 from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
@@ -44,6 +45,7 @@ _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
+ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
@@ -117,6 +119,8 @@ def answered(
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
     if open_ and asked and (at := _of_some_size(asked)):
+        several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
+        at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
         return replace(at, seconds=time.perf_counter() - started)
     if not found:
         return replace(other, seconds=time.perf_counter() - started)
@@ -126,6 +130,8 @@ def answered(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
+        if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
+            return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
@@ -215,6 +221,21 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons.append(EQUATION)
             continue
+        at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
+        slips: tuple[dict[str, str], ...] | None = None
+        if verdict is Verdict.REFUTED and wanted and may_be_solved(problem, reading):
+            slips = repairs(reading, at)
+            if all(slip["edit"].endswith(EVERYWHERE) for slip in slips):
+                status = Status.UNDECIDED
+                reasons.append(EQUATION)
+                continue
+        if verdict is Verdict.REFUTED and is_condition(problem, reading):
+            status = Status.UNDECIDED
+            reasons.append(EQUATION)
+            continue
+        if verdict is Verdict.REFUTED and (letters_ := _holds_for_positive(reading, problem, at)):
+            reason = f"is it meant for positive {', '.join(letters_)}? say so"
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if verdict is Verdict.REFUTED and (letter := _perhaps_for_all(problem)):
             reason = f"is what is given meant for all {letter}, or for one? write the equations of its coefficients"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
@@ -223,7 +244,6 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
         valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
         used += map(term, [*valued, *(["!=", divisor, 0] for divisor in made.get("nonzero", ()))])
         if verdict is Verdict.REFUTED:
-            at = made["point"]["values"]
             return replace(
                 base,
                 verdict=Status.REFUTED,
@@ -231,7 +251,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 values=tuple(map(term, made["point"].get("shown", ()))),
                 used=tuple(dict.fromkeys(used)),
                 certificate=(made,),
-                repairs=repairs(reading, at) if wanted else (),
+                repairs=() if not wanted else repairs(reading, at) if slips is None else slips,
             )
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
@@ -281,6 +301,25 @@ def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> l
     if all(isinstance(value := values[x], int) and value > 0 for x in usual):
         return []
     return usual if _refuted_at_whole_numbers(problem, usual, SIZES)[0] is None else []
+
+
+def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSON]) -> list[str]:
+    """The letters of a relation that stands alone, if it is proved where all are positive, as they often are in print.
+
+    One letter alone is hardly meant to be positive, as in a root of its square.
+    """
+    names, asked = sorted(at), reading.source[0]
+    if asked.where or asked.given or len(names) < 2 or not any(map(_is_root, nodes(problem.claim))):
+        return []
+    positive = tuple(node(">", x, 0) for x in names)
+    stricter = replace(problem, hypotheses=(*problem.hypotheses, ("positive", positive)))
+    return names if _decided_one(stricter)[0] is Verdict.PROVED else []
+
+
+def _is_root(part: Node) -> bool:
+    """Is it a root or a logarithm, and no absolute value?"""
+    inner = part.outside[0] if part.tag in ROOTS else 0
+    return part.tag in ROOTS and not (isinstance(inner, Node) and inner.tag == "^")
 
 
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:
