@@ -415,3 +415,62 @@ def test_an_integral_is_expanded_and_differentiated_by_a_letter() -> None:
     for right, verdict in (("f(x)", "proved"), ("f(x) - f(0)", "refuted")):
         answer = decide(rf"\frac{{d}}{{dx}} \int_0^x f(t) dt = {right}", letters={"f": "function of x"})
         assert answer.verdict == verdict
+
+
+INERTIA = (
+    r"H = \sum_{k=1}^n p_k \dot q_k - L",
+    "L = T - V",
+    r"T = \frac12 \sum_{k=1}^n m_k \dot q_k^2",
+    r"p_k = m_k \dot q_k",
+)
+OF_ANY_NUMBER = {  # of sums to a letter: what is so for each number of addends, and what is not
+    r"\sum_{i=1}^n m_i \dot x_i (\dot x_i + a)": (
+        (),
+        r"\sum_{i=1}^n m_i \dot x_i^2 + a \sum_{i=1}^n m_i \dot x_i",
+        r"\sum_{i=1}^n m_i \dot x_i^2 - a \sum_{i=1}^n m_i \dot x_i",
+    ),
+    r"\frac{d}{dt} \left(\sum_{i=1}^n x_i^2\right)": (
+        (),
+        r"2 \sum_{i=1}^n x_i \dot x_i",
+        r"\sum_{i=1}^n x_i \dot x_i",
+    ),
+    r"\frac{dT}{dt}": (
+        (r"T = \frac12 \sum_{i=1}^n m_i \dot x_i^2",),
+        r"\sum_{i=1}^n m_i \dot x_i \ddot x_i",
+        r"\sum_{i=1}^n m_i \dot x_i^2",
+    ),
+    r"\sum_{k=1}^n y_k": (("y_k = a x_k + b",), r"a \sum_{k=1}^n x_k + n b", r"a \sum_{k=1}^n x_k + b"),
+    "H": (INERTIA, "T + V", "T - V"),
+}
+
+
+def test_sums_of_vectors_to_a_letter_are_taken_apart() -> None:
+    apart = r"\sum_{i=1}^n m_i (\mathbf{r}_i \times \mathbf{a}) %s \sum_{i=1}^n m_i (\mathbf{r}_i \times \mathbf{v}_i)"
+    for sign, verdicts in (("+", ("proved",)), ("-", ("refuted", "undecided"))):
+        relation = rf"\sum_{{i=1}}^n m_i (\mathbf{{r}}_i \times (\mathbf{{a}} + \mathbf{{v}}_i)) = {apart % sign}"
+        assert decide(relation).verdict in verdicts
+
+
+@pytest.mark.parametrize("left", OF_ANY_NUMBER)
+def test_sums_to_a_letter_of_what_depends_on_time_are_decided(left: str) -> None:
+    where, *rights = OF_ANY_NUMBER[left]
+    for right, verdict in zip(rights, ("proved", "refuted"), strict=True):
+        answer = decide(f"{left} = {right}", where)
+        assert answer.verdict == verdict, (right, answer.reason)
+        assert certified(answer)
+
+
+ABSOLUTE = {  # values: what is so, and what is not
+    r"|a + b| \le |a| + |b|": "proved",
+    r"|a - b| \ge |a| - |b|": "proved",
+    r"\frac{x}{|x|} = \frac{|x|}{x}": "proved",
+    r"|a + b| = |a| + |b|": "refuted",
+    r"|x - y| < |x| + |y|": "refuted",
+}
+
+
+@pytest.mark.parametrize("relation", ABSOLUTE)
+def test_absolute_values_are_decided_by_cases(relation: str) -> None:
+    answer = decide(relation)
+    assert answer.verdict == ABSOLUTE[relation], answer.reason
+    assert certified(answer)

@@ -29,6 +29,7 @@ from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
 from symcheck.question.repairs import EVERYWHERE, repairs
+from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
@@ -384,6 +385,10 @@ def _refuted_by_digits(numbers: jets.Jets | None) -> tuple[Verdict, Certificate,
     return None
 
 
+def _hinted(problem: Problem) -> Problem:
+    return rooted(hinted(problem))
+
+
 def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
     reasons, numbers = [], None
@@ -393,13 +398,13 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                 if (numbers := way(problem)) is None:
                     continue
                 about = numbers.problem
-                outcome = identity.decide(hinted(about))
+                outcome = identity.decide(_hinted(about))
                 if outcome.verdict is Verdict.REFUTED and numbers.calls:
                     if (stricter := numbers.refutable()) is None:
                         reasons.append("no functions are known that have the values of a counterexample")
                         continue
                     if stricter != about:
-                        about, outcome = stricter, identity.decide(hinted(stricter))
+                        about, outcome = stricter, identity.decide(_hinted(stricter))
                 if outcome.verdict is Verdict.UNDECIDED:
                     reasons.append(outcome.reason)
                     continue

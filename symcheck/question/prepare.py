@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import lcm
 
 from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import Reject
-from symcheck.core.calculus import Unknown, derivative, domain, functions, letters, nodes
+from symcheck.core.calculus import Lambda, Unknown, derivative, domain, functions, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, Value, mapped, node
 from symcheck.core.terms import Call as Applied
@@ -29,7 +29,7 @@ from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
-from symcheck.reading.tree import Limiting, System, walk
+from symcheck.reading.tree import BigSum, Chain, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -262,8 +262,11 @@ def _reading(
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
     terms: dict[str, Term] = {}
+    heads = {name: f"{left} = {right}" for name, (left, _, right) in defined.items()}
+    families = families_of(asked, (*heads.values(), *equations), notation, meant)
+    equations = [text for text in equations if text not in families]
     for name, (left, _, right) in defined.items():
-        if name in functions_:
+        if name in functions_ or heads[name] in families:
             continue
         for formula in algebraic(read(f"{left} = {right}", notation), notation, meant):
             head, value = formula[1], formula[2]
@@ -289,6 +292,11 @@ def _reading(
                     hypotheses.append((_named(stated, f"the derivative of {text}"), (rate,)))
     for text in conditions:
         hypotheses.append((_named(stated, text), algebraic(read(text, notation), notation, meant)))
+    lambdas = {function: term for several in families.values() for function, term in several.items()}
+    for _ in families:  # one may be said by another
+        claims = tuple(substituted(claim, {}, lambdas) for claim in claims)
+        hypotheses = [(name, tuple(substituted(f, {}, lambdas) for f in fs)) for name, fs in hypotheses]
+        terms = {name: substituted(term, {}, lambdas) for name, term in terms.items()}
     if isinstance(tree, System):
         equations_ = [f for _, fs in hypotheses for f in fs if f.tag == "="]
         free = letters(node("and", *claims)).difference(terms, *map(letters, equations_))
@@ -549,6 +557,45 @@ def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tu
         if own:
             found[name] = own, read(right, notation)
     return found
+
+
+def families_of(
+    asked: Asked, texts: Sequence[str], notation: Notation, meant: Mapping[str, tuple[tuple[Tree, ...], Tree]]
+) -> dict[str, dict[str, Lambda]]:
+    """The equations that say what a letter is at each value of an index over which sums run to a letter, as x_k = 2 k.
+
+    Both sides are read under such a sum: there the letter is a function of its index.
+    """
+    found: dict[str, dict[str, Lambda]] = {}
+    if not any(letter.running for letter in notation.letters):
+        return found
+    sums: dict[str, BigSum] = {}
+    for text in (asked.relation, *texts):
+        with suppress(SymcheckError):
+            for _, part in walk(read(text, notation)):
+                if isinstance(part, BigSum) and len(part.indices) == 1 and part.high is not None:
+                    sums.setdefault(part.indices[0], part)
+    for text in texts:
+        with suppress(SymcheckError):
+            found[text] = dict(_family(read(text, notation), sums, notation, meant))
+    return {text: family for text, family in found.items() if family}
+
+
+def _family(
+    tree: Tree, sums: Mapping[str, BigSum], notation: Notation, meant: Mapping[str, tuple[tuple[Tree, ...], Tree]]
+) -> Iterator[tuple[str, Lambda]]:
+    match tree:
+        case Chain((Name(subscripts=(str(index),)), _), ("=",)) if index in sums:
+            summed = Chain(tuple(replace(sums[index], body=each) for each in tree.members), tree.signs)
+            for formula in algebraic(summed, notation, meant):
+                match formula.outside:
+                    case (
+                        Binder(tag="sum", body=Applied() as call, letter=k),
+                        Binder(tag="sum", body=body, letter=same),
+                    ):
+                        own = tuple(x for x in call.terms if isinstance(x, str))
+                        if k == same and own == call.terms and call.function not in functions(body):
+                            yield call.function, (own, body)
 
 
 def _named(stated: dict[str, str], text: str) -> str:

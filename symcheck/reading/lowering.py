@@ -617,16 +617,21 @@ class Lowering:
             return UNIT
         return PI if letter.number == "pi" else node("exp", 1)
 
-    def running(self, letter: Letter, tree: Name, env: Env) -> Term:
-        """A letter whose indices run up to a letter: a function of them."""
-        if letter.kind != "scalar" or tree.primes or tree.dots:
-            raise NoForm(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
-        if letter.depends:  # else its derivatives by these were 0
-            raise NoForm(f"{to_latex(tree)}: no function of {letter.depends} has an index that runs up to a letter")
-        if not self.inside:
-            self.met.setdefault(letter.stem, tree)
+    def running(self, letter: Letter, tree: Name, env: Env) -> Value:
+        """A letter whose indices run up to a letter: a function of them, and of what it depends on."""
+        if letter.kind not in ("scalar", "vector", "matrix") or tree.primes:
+            raise NoForm(f"{to_latex(tree)}: only numbers, vectors and matrices have indices that run up to a letter")
         indices = [self.index(subscript, env) for subscript in tree.subscripts]
-        return node("call", letter.stem, (0,) * len(indices), *indices)
+        if letter.depends:
+            indices += self.arguments(letter, ())
+
+        def entry(place: tuple[int, ...]) -> Term:
+            name = variable(letter.stem, place)
+            if not self.inside:
+                self.met.setdefault(name, tree)
+            return node("call", name, (0,) * len(indices), *indices)
+
+        return self.of_places(letter, entry) if letter.places else entry(())
 
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
         """A variable, or the function it is of the letters that it depends on."""
@@ -1237,7 +1242,8 @@ class Lowering:
         """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
         for name in dict.fromkeys(_free_names(term, held=held)):
             letter = self.notation.owner(name)
-            if name == by or (letter and (letter.named or letter.depends is not None)):
+            index = self.notation.index(name) is not None
+            if name == by or index or (letter and (letter.named or letter.depends is not None)):
                 continue
             shown = letter.latex if letter else name
             by_letter = self.notation.owner(by)

@@ -1,0 +1,30 @@
+"""Hints about roots: that of a square is the number or its negative, and what is not negative has one square."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from symcheck.core.calculus import nodes
+from symcheck.core.problems import Applied, Problem
+from symcheck.core.terms import Relation, Term, Value, node
+
+MOST = 4  # absolute values: each doubles the cases
+
+
+def rooted(problem: Problem) -> Problem:
+    """The problem with hints for absolute values, and for an equation with roots of anything else."""
+    trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
+    roots = [*dict.fromkeys(part for part in nodes(*trees) if part.tag == "sqrt")]
+    hints = [hint for part in roots[:MOST] for hint in _of_square(part)]
+    claim = problem.claim
+    if isinstance(claim, Relation) and claim.tag == "=" and len(hints) < 2 * len(roots):
+        hints.append(Applied("equal_squares", claim.terms, ()))
+    return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
+
+
+def _of_square(root: Term) -> Iterator[Applied[Term]]:
+    match root:
+        case Value(terms=(Value(tag="^", terms=(inner, 2)),)) if not isinstance(inner, int):
+            yield Applied("equal_squares", (root, inner), ())
+            yield Applied("equal_squares", (root, node("-", inner)), ())
