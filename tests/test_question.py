@@ -424,7 +424,7 @@ INERTIA = (
     r"p_k = m_k \dot q_k",
 )
 OF_ANY_NUMBER = {  # of sums to a letter: what is so for each number of addends, and what is not
-    r"\sum_{i=1}^n m_i \dot x_i (\dot x_i + a)": (
+    r"\sum_{i=1}^n m_i (\dot x_i + a) \dot x_i": (
         (),
         r"\sum_{i=1}^n m_i \dot x_i^2 + a \sum_{i=1}^n m_i \dot x_i",
         r"\sum_{i=1}^n m_i \dot x_i^2 - a \sum_{i=1}^n m_i \dot x_i",

@@ -18,7 +18,8 @@ def rooted(problem: Problem) -> Problem:
     roots = [*dict.fromkeys(part for part in nodes(*trees) if part.tag == "sqrt")]
     hints = [hint for part in roots[:MOST] for hint in _of_square(part)]
     claim = problem.claim
-    if isinstance(claim, Relation) and claim.tag == "=" and len(hints) < 2 * len(roots):
+    bound = any(part.bound for part in nodes(*trees))
+    if isinstance(claim, Relation) and claim.tag == "=" and len(hints) < 2 * len(roots) and not bound:
         hints.append(Applied("equal_squares", claim.terms, ()))
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
 
