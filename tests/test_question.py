@@ -474,3 +474,24 @@ def test_absolute_values_are_decided_by_cases(relation: str) -> None:
     answer = decide(relation)
     assert answer.verdict == ABSOLUTE[relation], answer.reason
     assert certified(answer)
+
+
+INCOMPLETE = r"\Gamma(s, z) = \int_z^\infty t^{s-1} e^{-t} \,dt"
+INTEGRALS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the verdict, earlier equations, conditions
+    r"\int_{-1}^1 |t| \,dt = 1": ("proved", (), ()),
+    r"\int_{-1}^1 |t| \,dt = 0": ("refuted", (), ()),
+    r"\int_0^2 |1 - x| \,dx = 1": ("proved", (), ()),
+    r"\int_{-2}^{1} e^{-|x|} \,dx = 2 - e^{-2} - e^{-1}": ("proved", (), ()),
+    r"c = \frac{1}{2\pi^2}": ("proved", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
+    r"c = \frac{1}{3\pi}": ("refuted", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
+    r"\int_1^\infty \frac{e^{-z t}}{t^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("proved", (INCOMPLETE,), ("z > 0",)),
+    r"\int_1^\infty \frac{e^{-z t}}{z^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("refuted", (INCOMPLETE,), ("z > 0",)),
+}
+
+
+@pytest.mark.parametrize("relation", INTEGRALS)
+def test_integrals_in_pieces_and_over_a_scaled_letter_are_decided(relation: str) -> None:
+    verdict, where, given = INTEGRALS[relation]
+    answer = decide(relation, where, given)
+    assert answer.verdict == verdict, answer.reason
+    assert certified(answer)

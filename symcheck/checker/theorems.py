@@ -271,7 +271,7 @@ def _is_continuous(term: Term, x: str) -> bool:
             return _is_continuous(base, x)
         case Value(tag="+" | "*" | "-" | "sin" | "cos" | "exp", terms=parts):
             return all(_is_continuous(part, x) for part in parts)
-    return x not in letters(term)
+    return term == x or x not in letters(term)
 
 
 def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:

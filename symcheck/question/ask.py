@@ -46,6 +46,10 @@ _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
+WORKED_OUT = ("integral", "sum", "product")  # what is simpler where its letters are numbers
+NUMBERS_TRIED = (1, 2, -1)  # exponents too, for which integrals have primitives
+FEW = 3  # letters: of more there are too many numbers to try
+AT_NUMBERS = 3.0  # seconds for all of them
 ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
@@ -193,6 +197,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 verdict, made, found = again
             elif whole:
                 made, found = _refuted_at_whole_numbers(problem, whole)
+        if made is None and verdict is Verdict.UNDECIDED and (at_numbers := _refuted_at_numbers(problem)):
+            verdict, made, found = at_numbers
         if made is not None and verdict is Verdict.REFUTED and (usual := _holds_for_whole(reading, problem, made)):
             reason = f"is it meant for whole numbers {', '.join(usual)} above 0? say so"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
@@ -350,6 +356,18 @@ def _refuted_at_whole_numbers(
             if check(made) is None:
                 return made, used
     return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
+
+
+def _refuted_at_numbers(problem: Problem) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
+    """Refuted with small numbers for all letters, where integrals and sums are simpler than for all numbers."""
+    trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
+    if not any(part.tag in WORKED_OUT for part in nodes(*trees)) or any(map(functions, trees)):
+        return None
+    names = sorted(set().union(*map(letters, trees)).difference(name for name, _ in problem.definitions))
+    with suppress(OutOfTime), limited(AT_NUMBERS):
+        made, used = _refuted_at_whole_numbers(problem, names, NUMBERS_TRIED) if len(names) <= FEW else (None, ())
+        return (Verdict.REFUTED, made, used) if made is not None else None
+    return None
 
 
 def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certificate | None, tuple[str, ...]]:

@@ -283,6 +283,7 @@ def _reading(
                 hypotheses.append((_named(stated, fact), (formula,)))
     for text in equations:
         for formula in algebraic(read(text, notation), notation, meant):
+            formula = _without_factor(formula)
             if (letter := _solved(formula, terms)) is not None:
                 terms[letter] = formula[2]
             else:
@@ -293,7 +294,10 @@ def _reading(
     for text in conditions:
         hypotheses.append((_named(stated, text), algebraic(read(text, notation), notation, meant)))
     lambdas = {function: term for several in families.values() for function, term in several.items()}
-    for _ in families:  # one may be said by another
+    stating = [(name, f) for name, fs in hypotheses for f in fs]
+    lambdas |= {f[1].function: (f[1].terms, f[2]) for _, f in stating if _says_function(f, notation)}  # type: ignore[union-attr, misc]
+    hypotheses = [(name, fs) for name, fs in hypotheses if not any(_says_function(f, notation) for f in fs)]
+    for _ in lambdas:  # one may be said by another
         claims = tuple(substituted(claim, {}, lambdas) for claim in claims)
         hypotheses = [(name, tuple(substituted(f, {}, lambdas) for f in fs)) for name, fs in hypotheses]
         terms = {name: substituted(term, {}, lambdas) for name, term in terms.items()}
@@ -478,6 +482,26 @@ def _solved(formula: Formula, terms: Mapping[str, Term]) -> str | None:
     return None if head in needed else head
 
 
+def _without_factor(formula: Formula) -> Formula:
+    """An equation of a multiple of a letter, with a number that is not 0, solved for the letter."""
+    match formula.outside:
+        case (Value(tag="*", terms=factors), right) if formula.tag == "=":
+            free = [each for each in factors if letters(each)]
+            numbers = [each for each in factors if not letters(each)]
+            plain = all(
+                isinstance(part, Value) and part.tag in ("pi", "/", "^", "*", "sqrt") for part in nodes(*numbers)
+            )
+            if (
+                len(free) == 1
+                and isinstance(free[0], str)
+                and plain
+                and 0 not in numbers
+                and free[0] not in letters(right)
+            ):
+                return node("=", free[0], node("/", right, node("*", *numbers) if len(numbers) > 1 else numbers[0]))
+    return formula
+
+
 def _may_hold(condition: Formula) -> bool:
     """Whether a condition on numbers is so, or cannot be told."""
     try:
@@ -557,6 +581,14 @@ def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tu
         if own:
             found[name] = own, read(right, notation)
     return found
+
+
+def _says_function(formula: Formula, notation: Notation) -> bool:
+    """Does an equation say what a known function is of two letters, as that of the incomplete gamma function does?"""
+    match formula.outside:
+        case (Applied(function=name, terms=(str(), str()) as own), body) if formula.tag == "=":
+            return own[0] != own[1] and notation.owner(name) is None and name not in functions(body)
+    return False
 
 
 def families_of(
