@@ -38,7 +38,7 @@ from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
-DIGITS = 2.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
+DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"

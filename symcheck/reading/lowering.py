@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from symcheck.core.calculus import letters, substituted
+from symcheck.core.calculus import nodes as nodes_of
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
@@ -454,6 +455,8 @@ class Lowering:
         if isinstance(a, Complex) or isinstance(b, Complex):
             real, other = (a, b) if isinstance(b, Complex) else (b, a)
             alone = set() if isinstance(real, Complex) or parts(other)[1] == 0 else letters(real)
+            if not isinstance(real, Complex) and any(part.bound for part in nodes_of(real)):
+                alone = set()  # integrals are real
             if len(alone) == 1 and not alone & set().union(*map(letters, parts(other))):
                 (name,) = alone
                 letter = self.notation.owner(name)
