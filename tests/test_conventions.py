@@ -404,6 +404,7 @@ UNSAID = [
     (r"m\text{-}P = P\text{-}m", []),
     (r"m \ne n \Rightarrow \int_0^\pi \sin(mt) \sin(nt) \,dt = 0", []),
     (r"\sin(n\pi) = 0", []),
+    (r"\int_0^{2\pi} \cos(m x) \cos(n x) \,dx = 0", []),
     (r"\mathrm{i}^2 = \mathrm{j}^2 = \mathrm{k}^2 = \mathrm{i}\mathrm{j}\mathrm{k} = -1", []),
     (r"i = \cos^{-1}(h_Z/h)", []),
     ("gain = -C A^{-1} B + D", []),

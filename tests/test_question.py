@@ -477,6 +477,7 @@ def test_absolute_values_are_decided_by_cases(relation: str) -> None:
 
 
 INCOMPLETE = r"\Gamma(s, z) = \int_z^\infty t^{s-1} e^{-t} \,dt"
+PARTIAL = (r"\gamma(s, z) = \int_0^z t^{s-1} e^{-t} \,dt", INCOMPLETE)
 INTEGRALS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the verdict, earlier equations, conditions
     r"\int_{-1}^1 |t| \,dt = 1": ("proved", (), ()),
     r"\int_{-1}^1 |t| \,dt = 0": ("refuted", (), ()),
@@ -485,6 +486,8 @@ INTEGRALS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the ve
     r"c = \frac{1}{2\pi^2}": ("proved", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
     r"c = \frac{1}{3\pi}": ("refuted", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
     r"\int_1^\infty \frac{e^{-z t}}{t^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("proved", (INCOMPLETE,), ("z > 0",)),
+    r"\Gamma(s) = \gamma(s, z)": ("refuted", PARTIAL, ("s > 0", "z > 0")),
+    r"\frac{\gamma(s, z)}{\Gamma(s)} = \frac{\Gamma(s, z)}{\Gamma(s)}": ("refuted", PARTIAL, ("s > 0", "z > 0")),
     r"\int_1^\infty \frac{e^{-z t}}{z^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("refuted", (INCOMPLETE,), ("z > 0",)),
 }
 

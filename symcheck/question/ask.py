@@ -7,17 +7,18 @@ import time
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import islice, product
+from itertools import islice, permutations, product
+from math import factorial
 
 from symcheck.checker import check
 from symcheck.core.calculus import functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
-from symcheck.core.terms import JSON, Node, Term, node
+from symcheck.core.terms import JSON, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
-from symcheck.proof.algebra.polynomial import Unsupported
+from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.search.number_points import refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
@@ -46,6 +47,7 @@ _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
+FACTORIALS = range(1, 9)  # whole numbers of which the gamma function is worked out
 WORKED_OUT = ("integral", "sum", "product")  # what is simpler where its letters are numbers
 NUMBERS_TRIED = (1, 2, -1)  # exponents too, for which integrals have primitives
 FEW = 3  # letters: of more there are too many numbers to try
@@ -200,7 +202,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
         if made is None and verdict is Verdict.UNDECIDED and (at_numbers := _refuted_at_numbers(problem)):
             verdict, made, found = at_numbers
         if made is not None and verdict is Verdict.REFUTED and (usual := _holds_for_whole(reading, problem, made)):
-            reason = f"is it meant for whole numbers {', '.join(usual)} above 0? say so"
+            reason = f"is it meant for (different) whole numbers {', '.join(usual)} above 0? say so"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
@@ -305,9 +307,10 @@ def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> l
     """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
     values, said = made["point"]["values"], dict(reading.source[0].letters)
     usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
-    if all(isinstance(value := values[x], int) and value > 0 for x in usual):
+    whole = all(isinstance(value := values[x], int) and value > 0 for x in usual)
+    if whole and len({str(values[x]) for x in usual}) == len(usual):
         return []
-    return usual if _refuted_at_whole_numbers(problem, usual, SIZES)[0] is None else []
+    return usual if _refuted_at_whole_numbers(problem, usual, SIZES, distinct=whole)[0] is None else []
 
 
 def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSON]) -> list[str]:
@@ -342,20 +345,34 @@ def _whole_power(reading: Reading, problem: Problem) -> Term | None:
 
 
 def _refuted_at_whole_numbers(
-    problem: Problem, names: list[str], values: Sequence[int] = WHOLE
+    problem: Problem, names: list[str], values: Sequence[int] = WHOLE, *, distinct: bool = False
 ) -> tuple[Certificate | None, tuple[str, ...]]:
     """The certificate that it is false for some small whole numbers, put in for the letters."""
-    for numbers in islice(product(values, repeat=len(names)), MOST_WHOLE):
+    among = permutations(values, len(names)) if distinct else product(values, repeat=len(names))
+    for numbers in islice(among, MOST_WHOLE):
         by = dict(zip(names, numbers, strict=True))
-        hypotheses = tuple((name, tuple(substituted(f, by) for f in fs)) for name, fs in problem.hypotheses)
-        definitions = tuple((x, substituted(t, by)) for x, t in problem.definitions if x not in by)
-        at = replace(problem, claim=substituted(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
+        hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
+        definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
+        at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
         verdict, made, used = _decided_one(at)
         if made is not None and verdict is Verdict.REFUTED:
             made["point"]["values"] |= {x: n for x, n in by.items() if x not in made["point"]["values"]}
             if check(made) is None:
                 return made, used
     return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
+
+
+def _at(tree: T, by: Mapping[str, Term]) -> T:
+    """A term or formula with numbers for letters; the gamma function of whole numbers is worked out."""
+    return _with_factorials(substituted(tree, by))
+
+
+def _with_factorials(tree: T) -> T:
+    if not isinstance(tree, Node):
+        return tree
+    if tree.tag == "gamma" and (n := number_of(tree.outside[0])) is not None and n in FACTORIALS:
+        return factorial(int(n) - 1)  # type: ignore[return-value]
+    return mapped(tree, _with_factorials)  # type: ignore[return-value]
 
 
 def _refuted_at_numbers(problem: Problem) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
