@@ -460,6 +460,13 @@ def test_sums_to_a_letter_of_what_depends_on_time_are_decided(left: str) -> None
         assert certified(answer)
 
 
+def test_what_is_said_for_each_index_is_no_constant_of_time() -> None:
+    slope = r"\frac{d}{dt} \left(\sum_{k=1}^n p_k \dot q_k\right)"
+    for right in (r"\sum_{k=1}^n p_k \ddot q_k", r"\sum_{k=1}^n m_k \dot q_k \ddot q_k"):
+        assert decide(f"{slope} = {right}", r"p_k = m_k \dot q_k").verdict in ("refuted", "undecided")
+    assert decide(rf"{slope} = 2 \sum_{{k=1}}^n m_k \dot q_k \ddot q_k", r"p_k = m_k \dot q_k").verdict == "proved"
+
+
 ABSOLUTE = {  # values: what is so, and what is not
     r"|a + b| \le |a| + |b|": "proved",
     r"|a - b| \ge |a| - |b|": "proved",

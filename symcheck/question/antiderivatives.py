@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
+from functools import lru_cache
 from itertools import permutations
 from typing import TYPE_CHECKING
 
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
 # what SymPy raises for what it cannot do
 FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)
+KEPT = 512  # integrals and sums: what is one slip away from a relation has the same ones
 SECONDS = 2.0  # for one integral: those that SymPy finds at all it finds in one
 
 
@@ -108,7 +110,7 @@ def _in_pieces(binder: Binder, kink: tuple[Value, Term, Term], *_: tuple[Value, 
             if (other := replaced(call, root, side)) != call:
                 yield Applied("congruence", (call, other), ())
         body = replaced(binder.body, root, side)
-        if (closed := _closed(node("integral", body, binder.letter, *ends), body)) is not None:  # type: ignore[arg-type]
+        if (closed := _closed(node("integral", body, binder.letter, *ends), body)) is not None:
             yield Applied("antiderivative", ends, ((own, binder.body), (own, closed)))
 
 
@@ -145,6 +147,7 @@ def _positive(tree: Term) -> Expr:
     return found.subs({symbol: sympy.Symbol(symbol.name, positive=True) for symbol in found.free_symbols})
 
 
+@lru_cache(KEPT)
 def _improper(binder: Binder) -> list[Applied[Term]]:
     import sympy  # noqa: F401 (an import that is interrupted by the limit would leave it broken)
 
@@ -155,6 +158,7 @@ def _improper(binder: Binder) -> list[Applied[Term]]:
         return []
 
 
+@lru_cache(KEPT)
 def _closed(binder: Binder, body: Term) -> Term | None:
     """The antiderivative of a body, or its sum up to a letter, if SymPy finds it."""
     import sympy

@@ -298,9 +298,9 @@ def _reading(
     lambdas |= {f[1].function: (f[1].terms, f[2]) for _, f in stating if _says_function(f, notation)}  # type: ignore[union-attr, misc]
     hypotheses = [(name, fs) for name, fs in hypotheses if not any(_says_function(f, notation) for f in fs)]
     for _ in lambdas:  # one may be said by another
-        claims = tuple(substituted(claim, {}, lambdas) for claim in claims)
-        hypotheses = [(name, tuple(substituted(f, {}, lambdas) for f in fs)) for name, fs in hypotheses]
-        terms = {name: substituted(term, {}, lambdas) for name, term in terms.items()}
+        claims = tuple(_said_at(claim, lambdas) for claim in claims)
+        hypotheses = [(name, tuple(_said_at(f, lambdas) for f in fs)) for name, fs in hypotheses]
+        terms = {name: _said_at(term, lambdas) for name, term in terms.items()}
     if isinstance(tree, System):
         equations_ = [f for _, fs in hypotheses for f in fs if f.tag == "="]
         free = letters(node("and", *claims)).difference(terms, *map(letters, equations_))
@@ -581,6 +581,22 @@ def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tu
         if own:
             found[name] = own, read(right, notation)
     return found
+
+
+def _said_at(tree: T, lambdas: Mapping[str, Lambda]) -> T:
+    """The same with what functions are in their place: it is so at all times, also where there is a derivative by time.
+
+    So what depends on the letter of a derivative is differentiated, though its name says nothing of that letter.
+    """
+    if not isinstance(tree, Node):
+        return tree
+    new = mapped(tree, lambda part: _said_at(part, lambdas))
+    if isinstance(new, Applied) and new.function in lambdas:
+        own, body = lambdas[new.function]
+        if any(new.orders):
+            return substituted(new, {}, lambdas)  # type: ignore[return-value]
+        return substituted(body, dict(zip(own, new.terms, strict=True)))  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
 
 
 def _says_function(formula: Formula, notation: Notation) -> bool:
