@@ -476,6 +476,28 @@ ABSOLUTE = {  # values: what is so, and what is not
 }
 
 
+MOTION = (
+    r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot\theta}\right) - \frac{\partial L}{\partial \theta} = 0",
+    r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta",
+)
+SYSTEMS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the verdict, earlier equations, conditions
+    r"\frac{Y}{R} = \frac{G}{1 + G H}": ("proved", ("Y = G E", "E = R - H Y"), (r"1 + G H \ne 0", r"R \ne 0")),
+    r"\frac{Y}{R} = \frac{G}{1 - G H}": ("refuted", ("Y = G E", "E = R - H Y"), (r"1 + G H \ne 0", r"R \ne 0")),
+    r"|G(j\omega)| = \frac{1}{\sqrt{1 + \omega^2 T^2}}": ("proved", (r"G(s) = \frac{1}{1 + s T}",), ("T > 0",)),
+    r"|G(j\omega)| = \frac{1}{1 + \omega^2 T^2}": ("refuted", (r"G(s) = \frac{1}{1 + s T}",), ("T > 0",)),
+    r"\ddot\theta = -\frac{g}{l} \sin\theta": ("proved", MOTION, ("m > 0", "l > 0")),
+    r"\ddot\theta = \frac{g}{l} \sin\theta": ("refuted", MOTION, ("m > 0", "l > 0")),
+}
+
+
+@pytest.mark.parametrize("relation", SYSTEMS)
+def test_systems_and_motions_are_decided_by_earlier_equations(relation: str) -> None:
+    verdict, where, given = SYSTEMS[relation]
+    answer = decide(relation, where, given, {"j": "imaginary unit"} if "j" in relation else {})
+    assert answer.verdict == verdict, answer.reason
+    assert certified(answer)
+
+
 @pytest.mark.parametrize("relation", ABSOLUTE)
 def test_absolute_values_are_decided_by_cases(relation: str) -> None:
     answer = decide(relation)

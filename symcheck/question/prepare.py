@@ -231,7 +231,8 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
             except NoForm as error:
                 errors.append(_understood(asked, inference, conditions, str(error)))
             except SymcheckError as error:
-                errors.append(error)
+                families = any(x.running and (x.depends or x.kind != "scalar") for x in inference.notation.letters)
+                errors.append(_understood(asked, inference, conditions, str(error)) if families else error)
         if found:
             return found
     raise next((error for error in errors if isinstance(error, Understood)), errors[0])
@@ -270,8 +271,8 @@ def _reading(
             continue
         for formula in algebraic(read(f"{left} = {right}", notation), notation, meant):
             head, value = formula[1], formula[2]
-            if isinstance(head, str) and head not in terms:
-                terms[head] = value
+            if (letter := _solved(formula, terms)) is not None:
+                terms[letter] = value
             elif head != value:  # as it is where the definition is written out
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for fact in inference.facts:
@@ -411,6 +412,8 @@ def _rate(equation: Formula) -> Formula | None:
     """The derivative of an equation between functions of one letter, as that of a constraint by time."""
     calls = [part for part in nodes(equation) if isinstance(part, Applied)]
     places = {call.terms for call in calls}
+    if any(part.tag == "diff" for part in nodes(equation)):
+        return None  # an equation of motion already
     if equation.tag != "=" or len(places) != 1 or any(any(call.orders) for call in calls):
         return None
     ((place, *more),) = places
