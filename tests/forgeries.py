@@ -2047,6 +2047,35 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "what is not scaled": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["exp", ["-", ["*", 2, "x"]]], high=OO), integral(["exp", ["-", "x"]], high=OO)],
+            theorem(
+                "scaled",
+                {
+                    "f": of("x", ["exp", ["-", ["*", 2, "x"]]]),
+                    "g": of("x", ["exp", ["-", "x"]]),
+                    "a": 1,
+                    "c": 1,
+                    "s": 0,
+                },
+                [above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "pieces of what has no integral": Forgery(
+        "may have no integral",
+        proved(
+            [
+                "=",
+                integral(["/", 1, "x"], low=-1, high=1),
+                ["+", integral(["/", 1, "x"], low=-1), integral(["/", 1, "x"])],
+            ],
+            theorem("pieces", {"f": of("x", ["/", 1, "x"]), "r": 0, "s": -1, "t": 1}, [], by(here())),
+        ),
+    ),
     "halves without values": Forgery(
         NOT_EQUAL,
         proved(

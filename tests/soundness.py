@@ -345,6 +345,18 @@ class Forger:
                 given["f"] = {"letter": "x", "term": ["+", given["g"]["term"], given["h"]["term"]]}
             if name == "reflected":
                 given["f"] = {"letter": "x", "term": put(given["g"]["term"], "x", ["-", "x"])}
+        if name == "scaled":
+            given |= {p: self.rng.choice((1, 2, ["/", 1, 2], 3)) for p in "ac"} | {"s": self.rng.choice((0, 1, -1))}
+            bodies = [["exp", ["-", "x"]], ["*", "x", ["exp", ["-", ["^", "x", 2]]]], ["sin", "x"]]
+            bodies.append(["pow", ["+", ["^", "x", 2], 1], -2])
+            given["g"] = {"letter": "x", "term": self.rng.choice(bodies)}
+            inner = put(given["g"]["term"], "x", ["*", given["c"], "x"])
+            given["f"] = {"letter": "x", "term": ["*", given["a"], inner]}
+        if name == "pieces":
+            given |= {p: self.rng.choice((0, 1, -1, 2, ["/", -1, 2], "y")) for p in "rst"}
+            away = ["sqrt", ["^", ["+", "x", self.number()], 2]]
+            shapes = (away, ["*", "x", away], ["sin", away], ["exp", ["-", away]], ["^", ["cos", "x"], 2])
+            given["f"] = {"letter": "x", "term": self.rng.choice(shapes)}
         if name == "sum_of_sums" and all(isinstance(given[p], dict) for p in "gh"):
             given["s"], given["t"] = self.rng.choice(((1, 3), (0, 4), (2, 2), (-1, 2), (3, 1)))
             parts = [["*", given[n], put(given[p]["term"], given[p]["letter"], "x")] for n, p in ("ag", "bh")]

@@ -60,6 +60,7 @@ from symcheck.core.terms import Reader, node
 JSON = Any
 ROOT = Path(__file__).resolve().parent.parent
 DOUBLE = minus(sq(["cos", "y"]), sq(["sin", "y"]))
+SIZE: JSON = ["sqrt", sq("x")]  # an absolute value
 FALLING, BELL = ["exp", ["-", "x"]], ["exp", ["-", sq("x")]]
 NOT_ZERO = implies(absurd([], [here(), "1"]))
 EULER = ["pow", ["+", sq("x"), 1], ["-", 1]]
@@ -475,6 +476,19 @@ THEOREMS: dict[str, JSON] = {
             [every(["y"], implies(ID))],
             by(here()),
         ),
+    ),
+    "scaled": proved(
+        ["=", ["*", 2, integral(["exp", ["-", ["*", 2, "x"]]], "x", 0, OO)], integral(FALLING, "x", 0, OO)],
+        theorem(
+            "scaled",
+            {"f": of("x", ["exp", ["-", ["*", 2, "x"]]]), "g": of("x", FALLING), "a": 1, "c": 2, "s": 0},
+            [above(2), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "pieces": proved(
+        ["=", integral(SIZE, "x", -1, 1), ["+", integral(SIZE, "x", -1, 0), integral(SIZE, "x", 0, 1)]],
+        theorem("pieces", {"f": of("x", SIZE), "r": 0, "s": -1, "t": 1}, [], by(here())),
     ),
     "halves": proved(
         ["=", integral("x", "x", NOO, OO), ["+", integral("x", "x", NOO, 1), integral("x", "x", 1, OO)]],

@@ -337,6 +337,34 @@ EQUATIONS = [
     (r"dx/dt = A x + B u", []),
     (r"\frac{d}{dx} c = 0", []),
     (r"\frac{\text{Viscous forces}}{\text{Surface forces}} = C a", []),
+    # to be solved for what stands on both sides
+    ("3^{2x} = 2^{x+3}", []),
+    (r"\tan\delta = \delta", []),
+    (r"\cos\lambda \cosh\lambda + 1 = 0", []),
+    (r"\sqrt{x + 1} = x - 1", []),
+    ("x^3 = x", []),
+    ("2x + 3 = x - 5", []),
+    (r"x = 1 + \frac{1}{x}", []),
+    (r"x^{*} = (1 - b)(x^* + a) + c x^*", []),
+    (r"X(s) - \frac{1}{s^2} = \frac{1}{s} X(s)", []),
+    ("-9 C \\cos 3t = -C \\cos 3t + \\frac23 \\cos 3t", []),
+    # what is equal to a number
+    ("n! = 120", []),
+    (r"\sum_{k=1}^n k = 55", []),
+    (r"\int_0^a x \,dx = 8", []),
+    (r"\frac{d}{dx}(x^3 - 3x) = 0", []),
+    (r"|\mathbf{n}| = 1", []),
+    (r"e^{i\theta} = 1", []),
+    (r"\int_a^b \delta L \,dt = 0", []),
+    # with letters of which nothing else is said
+    (r"\frac{s^2 + s + 1}{s^3 + s} = \frac{A}{s} + \frac{B s + C}{s^2 + 1}", []),
+    (r"\boldsymbol{M}^T \boldsymbol{J} \boldsymbol{M} = \boldsymbol{J}", []),
+    (r"\boldsymbol{A} = \boldsymbol{B}^{-1} = \boldsymbol{B}^T", []),
+    (r"\mathbf{a} = \frac{1}{\sqrt{a_x^2 + a_y^2}} \begin{bmatrix} a_x & a_y \end{bmatrix}^T", []),
+    # orders that are so of some values
+    ("e^x > 100", []),
+    (r"\frac{m}{M} + \frac{M}{m} \ge 25", []),
+    (r"\left|\frac{x - a}{x + a}\right| < 1 \text{ for } x > 0", []),
 ]
 # one slip in what is meant for all values
 SLIPS = [
@@ -347,7 +375,13 @@ SLIPS = [
     (r"\frac{d}{dt} \sin \omega t = \omega \sin \omega t", []),
     (r"\int_0^\pi \sin(nt) \,dt = 0", []),
     (r"\cos^2 x - \sin^2 x = 1", []),
-    (r"\delta_{11} x + x = x", []),
+    (r"\delta_{11} x + x = x + 2 \delta_{11} x", []),
+    ("x + x = x", []),
+    (r"\sin 3x = 3 \sin x + 4 \sin^3 x", []),
+    (r"e^{i\theta} = \cos\theta - i \sin\theta", []),
+    (r"\ln(x + y) = \ln x + \ln y", []),
+    (r"(\boldsymbol{A} \boldsymbol{B})^T = \boldsymbol{A}^T \boldsymbol{B}^T", []),
+    (r"|a + b| \ge |a| + |b|", []),
 ]
 # what depends on what, what brackets and marks mean: unsaid, and a verdict would rest on it
 UNSAID = [
@@ -370,10 +404,16 @@ UNSAID = [
     (r"m\text{-}P = P\text{-}m", []),
     (r"m \ne n \Rightarrow \int_0^\pi \sin(mt) \sin(nt) \,dt = 0", []),
     (r"\sin(n\pi) = 0", []),
+    (r"\int_0^{2\pi} \cos(m x) \cos(n x) \,dx = 0", []),
     (r"\mathrm{i}^2 = \mathrm{j}^2 = \mathrm{k}^2 = \mathrm{i}\mathrm{j}\mathrm{k} = -1", []),
     (r"i = \cos^{-1}(h_Z/h)", []),
     ("gain = -C A^{-1} B + D", []),
     (r"\sin x y = y \sin x", []),
+    (r"\sqrt{a^2 b} = a \sqrt{b}", []),
+    (
+        r"\underbrace{A \cos(-\pi k) + B \sin(-\pi k)}_{x(-\pi)} = \underbrace{A \cos(\pi k) + B \sin(\pi k)}_{x(\pi)}",
+        [],
+    ),
     (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
 ]
 # letters before brackets that nobody writes around a factor, and that stand without them too

@@ -83,7 +83,7 @@ OPEN = (  # of letters of which too little is known, beside another relation tha
     (r"x[n+1] = a x[n]", r"x[n] = a x[n+1]"),
     (r"x \in \mathbb{R}^n", r"x \in \mathbb{R}^m"),
     (r"y \approx \sum_{i=1}^n w_i f_i", r"y \approx \sum_{i=0}^n w_i f_i"),
-    (r"L = \frac{1}{2} \sum_{i=1}^n m_i \mathbf{v}_i^2", r"L = \frac{1}{2} \sum_{i=1}^n m_i \mathbf{v}_i^3"),
+    (r"L = \sum_{i=1}^n m_i \mathbf{v}_i \mathbf{w}_i", r"L = \sum_{i=1}^n m_i \mathbf{w}_i \mathbf{v}_i"),
     (r"Q = Q^T \succeq 0", r"Q = Q^T \preceq 0"),
     (r"a_1 + \dots + a_n = b", r"a_1 - \dots + a_n = b"),
 )  # fmt: skip

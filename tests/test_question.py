@@ -89,7 +89,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\sqrt{a+b} = \sqrt a + \sqrt b": "a > 0, b > 0",
     r"\mathbf{A}\mathbf{B} = \mathbf{B}\mathbf{A}": "",
     r"e^x + e^y = e^{x + y}": "",
-    r"e^x > 1": "",
+    r"e^x > 1": "x < 1",
     r"\cosh^2 x + \sinh^2 x = 1": "",
     r"\ln(x + y) = \ln x + \ln y": "",
     r"\sqrt{x^2} = -x": "x > 0",
@@ -107,7 +107,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\vec a \times \vec b = \vec b \times \vec a": "",
     r"\det(A + B) = \det A + \det B": SQUARE,
     r"e^{i x} = \cos x - i \sin x": "",
-    r"\delta_{11} x + x = x": "",
+    r"\delta_{11} x + x = x + 2 \delta_{11} x": "",
     r"\int_{-\pi}^{\pi} x \sin(n x) dx = \frac{2 \pi (-1)^n}{n}": (WHOLE, "n > 0"),
     r"\int_0^\infty \frac{1}{1 + x^2} dx = \pi": "",
 }
@@ -436,3 +436,115 @@ def test_an_integral_is_expanded_and_differentiated_by_a_letter() -> None:
     for right, verdict in (("f(x)", "proved"), ("f(x) - f(0)", "refuted")):
         answer = decide(rf"\frac{{d}}{{dx}} \int_0^x f(t) dt = {right}", letters={"f": "function of x"})
         assert answer.verdict == verdict
+
+
+INERTIA = (
+    r"H = \sum_{k=1}^n p_k \dot q_k - L",
+    "L = T - V",
+    r"T = \frac12 \sum_{k=1}^n m_k \dot q_k^2",
+    r"p_k = m_k \dot q_k",
+)
+OF_ANY_NUMBER = {  # of sums to a letter: what is so for each number of addends, and what is not
+    r"\sum_{i=1}^n m_i (\dot x_i + a) \dot x_i": (
+        (),
+        r"\sum_{i=1}^n m_i \dot x_i^2 + a \sum_{i=1}^n m_i \dot x_i",
+        r"\sum_{i=1}^n m_i \dot x_i^2 - a \sum_{i=1}^n m_i \dot x_i",
+    ),
+    r"\frac{d}{dt} \left(\sum_{i=1}^n x_i^2\right)": (
+        (),
+        r"2 \sum_{i=1}^n x_i \dot x_i",
+        r"\sum_{i=1}^n x_i \dot x_i",
+    ),
+    r"\frac{dT}{dt}": (
+        (r"T = \frac12 \sum_{i=1}^n m_i \dot x_i^2",),
+        r"\sum_{i=1}^n m_i \dot x_i \ddot x_i",
+        r"\sum_{i=1}^n m_i \dot x_i^2",
+    ),
+    r"\sum_{k=1}^n y_k": (("y_k = a x_k + b",), r"a \sum_{k=1}^n x_k + n b", r"a \sum_{k=1}^n x_k + b"),
+    "H": (INERTIA, "T + V", "T - V"),
+}
+
+
+def test_sums_of_vectors_to_a_letter_are_taken_apart() -> None:
+    apart = r"\sum_{i=1}^n m_i (\mathbf{r}_i \times \mathbf{a}) %s \sum_{i=1}^n m_i (\mathbf{r}_i \times \mathbf{v}_i)"
+    for sign, verdicts in (("+", ("proved",)), ("-", ("refuted", "undecided"))):
+        relation = rf"\sum_{{i=1}}^n m_i (\mathbf{{r}}_i \times (\mathbf{{a}} + \mathbf{{v}}_i)) = {apart % sign}"
+        assert decide(relation).verdict in verdicts
+
+
+@pytest.mark.parametrize("left", OF_ANY_NUMBER)
+def test_sums_to_a_letter_of_what_depends_on_time_are_decided(left: str) -> None:
+    where, *rights = OF_ANY_NUMBER[left]
+    for right, verdict in zip(rights, ("proved", "refuted"), strict=True):
+        answer = decide(f"{left} = {right}", where)
+        assert answer.verdict == verdict, (right, answer.reason)
+        assert certified(answer)
+
+
+def test_what_is_said_for_each_index_is_no_constant_of_time() -> None:
+    slope = r"\frac{d}{dt} \left(\sum_{k=1}^n p_k \dot q_k\right)"
+    for right in (r"\sum_{k=1}^n p_k \ddot q_k", r"\sum_{k=1}^n m_k \dot q_k \ddot q_k"):
+        assert decide(f"{slope} = {right}", r"p_k = m_k \dot q_k").verdict in ("refuted", "undecided")
+    assert decide(rf"{slope} = 2 \sum_{{k=1}}^n m_k \dot q_k \ddot q_k", r"p_k = m_k \dot q_k").verdict == "proved"
+
+
+ABSOLUTE = {  # values: what is so, and what is not
+    r"|a + b| \le |a| + |b|": "proved",
+    r"|a - b| \ge |a| - |b|": "proved",
+    r"\frac{x}{|x|} = \frac{|x|}{x}": "proved",
+    r"|a + b| = |a| + |b|": "refuted",
+    r"|x - y| < |x| + |y|": "refuted",
+}
+
+
+MOTION = (
+    r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot\theta}\right) - \frac{\partial L}{\partial \theta} = 0",
+    r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta",
+)
+SYSTEMS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the verdict, earlier equations, conditions
+    r"\frac{Y}{R} = \frac{G}{1 + G H}": ("proved", ("Y = G E", "E = R - H Y"), (r"1 + G H \ne 0", r"R \ne 0")),
+    r"\frac{Y}{R} = \frac{G}{1 - G H}": ("refuted", ("Y = G E", "E = R - H Y"), (r"1 + G H \ne 0", r"R \ne 0")),
+    r"|G(j\omega)| = \frac{1}{\sqrt{1 + \omega^2 T^2}}": ("proved", (r"G(s) = \frac{1}{1 + s T}",), ("T > 0",)),
+    r"|G(j\omega)| = \frac{1}{1 + \omega^2 T^2}": ("refuted", (r"G(s) = \frac{1}{1 + s T}",), ("T > 0",)),
+    r"\ddot\theta = -\frac{g}{l} \sin\theta": ("proved", MOTION, ("m > 0", "l > 0")),
+    r"\ddot\theta = \frac{g}{l} \sin\theta": ("refuted", MOTION, ("m > 0", "l > 0")),
+}
+
+
+@pytest.mark.parametrize("relation", SYSTEMS)
+def test_systems_and_motions_are_decided_by_earlier_equations(relation: str) -> None:
+    verdict, where, given = SYSTEMS[relation]
+    answer = decide(relation, where, given, {"j": "imaginary unit"} if "j" in relation else {})
+    assert answer.verdict == verdict, answer.reason
+    assert certified(answer)
+
+
+@pytest.mark.parametrize("relation", ABSOLUTE)
+def test_absolute_values_are_decided_by_cases(relation: str) -> None:
+    answer = decide(relation)
+    assert answer.verdict == ABSOLUTE[relation], answer.reason
+    assert certified(answer)
+
+
+INCOMPLETE = r"\Gamma(s, z) = \int_z^\infty t^{s-1} e^{-t} \,dt"
+PARTIAL = (r"\gamma(s, z) = \int_0^z t^{s-1} e^{-t} \,dt", INCOMPLETE)
+INTEGRALS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the verdict, earlier equations, conditions
+    r"\int_{-1}^1 |t| \,dt = 1": ("proved", (), ()),
+    r"\int_{-1}^1 |t| \,dt = 0": ("refuted", (), ()),
+    r"\int_0^2 |1 - x| \,dx = 1": ("proved", (), ()),
+    r"\int_{-2}^{1} e^{-|x|} \,dx = 2 - e^{-2} - e^{-1}": ("proved", (), ()),
+    r"c = \frac{1}{2\pi^2}": ("proved", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
+    r"c = \frac{1}{3\pi}": ("refuted", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
+    r"\int_1^\infty \frac{e^{-z t}}{t^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("proved", (INCOMPLETE,), ("z > 0",)),
+    r"\Gamma(s) = \gamma(s, z)": ("refuted", PARTIAL, ("s > 0", "z > 0")),
+    r"\frac{\gamma(s, z)}{\Gamma(s)} = \frac{\Gamma(s, z)}{\Gamma(s)}": ("refuted", PARTIAL, ("s > 0", "z > 0")),
+    r"\int_1^\infty \frac{e^{-z t}}{z^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("refuted", (INCOMPLETE,), ("z > 0",)),
+}
+
+
+@pytest.mark.parametrize("relation", INTEGRALS)
+def test_integrals_in_pieces_and_over_a_scaled_letter_are_decided(relation: str) -> None:
+    verdict, where, given = INTEGRALS[relation]
+    answer = decide(relation, where, given)
+    assert answer.verdict == verdict, answer.reason
+    assert certified(answer)

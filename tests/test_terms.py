@@ -214,6 +214,23 @@ def test_a_derivative_without_a_rule_is_unknown() -> None:
 @pytest.mark.parametrize(
     ("data", "rate"),
     [
+        (["sum", ["sin", "y"], "k", 1, "n"], ["sum", ["+", ["cos", "y"]], "k", 1, "n"]),
+        (
+            ["sum", ["call", "f", [0, 1], "k", "y"], "k", 1, 3],
+            ["sum", ["+", ["call", "f", [0, 2], "k", "y"]], "k", 1, 3],
+        ),
+        (["sum", ["call", "f", [0], "k"], "k", 1, "n"], 0),
+        (["sum", "y", "y", 1, 3], 0),
+    ],
+)
+def test_a_sum_of_what_is_smooth_is_differentiated_addend_by_addend(data: JSON, rate: JSON) -> None:
+    found = derivative(Reader().term(data), "y")
+    assert found == rate if isinstance(rate, int) else json.loads(json.dumps(found)) == rate
+
+
+@pytest.mark.parametrize(
+    ("data", "rate"),
+    [
         (["integral", 1, "x", 0, "y"], 1),
         (["integral", ["sin", "x"], "x", "y", 2], ["-", ["sin", "y"]]),
         (["integral", ["+", "x", "y"], "x", 0, 1], ["integral", ["+", 1], "x", 0, 1]),
@@ -229,7 +246,9 @@ def test_an_integral_of_what_is_smooth_is_differentiated_by_its_ends_and_under_i
     "data",
     [
         ["mean", ["*", "x", "y"], "x"],
-        ["sum", "y", "k", 1, 3],
+        ["sum", ["sqrt", "y"], "k", 1, 3],
+        ["sum", "y", "k", 1, ["infinity"]],
+        ["sum", "k", "k", 1, "y"],
         ["integral", ["sqrt", "y"], "x", 0, 1],
         ["integral", ["/", 1, "x"], "x", 1, "y"],
         ["integral", "y", "x", 0, ["infinity"]],

@@ -75,6 +75,8 @@ sum_of_integrals(f, g, h, s): diverges(g(x), x, s, oo) == 0; diverges(h(x), x, s
 reflected(f, g, s): forall(x, implies(x < s, f(x) == g(-x))) |- integral(f(x), x, -oo, s) == integral(g(x), x, -s, oo) and diverges(f(x), x, -oo, s) == diverges(g(x), x, -s, oo)
 halves(f, s): diverges(f(x), x, -oo, s) == 0; diverges(f(x), x, s, oo) == 0 |- integral(f(x), {LINE}) == integral(f(x), x, -oo, s) + integral(f(x), x, s, oo) and diverges(f(x), {LINE}) == 0
 sum_of_sums(f, g, h, a, b, s, t): forall(x, f(x) == a * g(x) + b * h(x)) |- sum(f(x), x, s, t) == a * sum(g(x), x, s, t) + b * sum(h(x), x, s, t)
+scaled(f, g, a, c, s): c > 0; forall(x, implies(x > s, f(x) == a * g(c * x))) |- c * integral(f(x), x, s, oo) == a * integral(g(x), x, c * s, oo)
+pieces(f, r, s, t): |- integral(f(x), x, s, t) == integral(f(x), x, s, r) + integral(f(x), x, r, t)
 even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
 odd(f): forall(x, f(-x) == -f(x)); diverges(f(x), {HALF}) == 0 |- integral(f(x), {LINE}) == 0 and diverges(f(x), {LINE}) == 0
 """  # noqa: E501
@@ -88,7 +90,7 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by their premises integrands are defined between the ends: what these divide by is not zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "power_head", "sum_of_integrals", "reflected", "even", "odd",
+    "power_tail", "power_head", "sum_of_integrals", "reflected", "even", "odd", "scaled",
 )  # fmt: skip
 
 
@@ -236,6 +238,8 @@ def _told_apart(name: str, given: Mapping[str, Argument]) -> tuple[dict[str, Ter
         raise Malformed(
             f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones"
         )
+    if name == "pieces" and not _is_continuous(lambdas["f"][1], lambdas["f"][0][0]):
+        raise Malformed(f"{lambdas['f'][1]!r} may have no integral")
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]
@@ -254,6 +258,20 @@ def _grows(g: Lambda) -> bool:
     inner = [part for part in nodes(body) if x in letters(part)]
     known = all(part.tag in ("+", "*", "-", "/", "^", "pow", "exp") for part in inner)
     return known and not any(part.tag == "pow" and x in letters(part.outside[0]) for part in inner)
+
+
+def _is_continuous(term: Term, x: str) -> bool:
+    """Whether a term is continuous for all values of its letter: of what is smooth everywhere and absolute values."""
+    match term:
+        case Value(tag="sqrt", terms=(Value(tag="^", terms=(inner, 2)),)):
+            return _is_continuous(inner, x)
+        case Value(tag="/", terms=(top, bottom)):
+            return x not in letters(bottom) and _is_continuous(top, x)
+        case Value(tag="^", terms=(base, int(n))) if n >= 0:
+            return _is_continuous(base, x)
+        case Value(tag="+" | "*" | "-" | "sin" | "cos" | "exp", terms=parts):
+            return all(_is_continuous(part, x) for part in parts)
+    return term == x or x not in letters(term)
 
 
 def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:

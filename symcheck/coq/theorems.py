@@ -37,6 +37,8 @@ UNSTATED = {  # theorems without a proof in Theorems.v
             "power_tail",
             "power_head",
             "sum_of_integrals",
+            "scaled",
+            "pieces",
             "reflected",
             "halves",
             "even",

@@ -135,6 +135,12 @@ def _under_integral(term: Binder, x: str) -> Term:
     return node("+", *parts) if len(parts) > 1 else parts[0] if parts else 0
 
 
+def _is_finite_sum(term: Binder, x: str) -> bool:
+    """Is it a sum of what is smooth everywhere, between ends that do not depend on the letter?"""
+    free = term.tag == "sum" and not any(isinstance(end, End) or x in letters(end) for end in term.outside)
+    return free and x != term.letter and is_entire(term.body, x)
+
+
 def derivative(term: Term, x: str) -> Term:
     """The derivative by a letter, all others constant; Unknown for integrals and functions without a rule."""
     if not isinstance(term, Node):
@@ -146,6 +152,8 @@ def derivative(term: Term, x: str) -> Term:
             and not any(isinstance(end, End) for end in term.outside)
         ):
             return _under_integral(term, x)
+        if _is_finite_sum(term, x):
+            return node("sum", rate, term.letter, *term.outside) if (rate := derivative(term.body, x)) != 0 else 0
         if term.tag != "diff" and x in letters(term):
             raise Unknown(f"the derivative of {term!r}")
         return derivative(differentiated(term), x) if term.tag == "diff" else 0

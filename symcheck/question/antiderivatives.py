@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
+from functools import lru_cache
+from itertools import permutations
 from typing import TYPE_CHECKING
 
-from symcheck.core.calculus import is_entire, nodes, substituted
+from symcheck.core.calculus import is_entire, letters, nodes, substituted
 from symcheck.core.problems import Applied, Problem
-from symcheck.core.terms import Binder, End, Node, Term, mapped, node
+from symcheck.core.terms import INFINITY, Binder, End, Node, Term, Value, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.improper import improper
 from symcheck.question.limit import OutOfTime, limited
@@ -20,6 +23,7 @@ if TYPE_CHECKING:
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
 # what SymPy raises for what it cannot do
 FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)
+KEPT = 512  # integrals and sums: what is one slip away from a relation has the same ones
 SECONDS = 2.0  # for one integral: those that SymPy finds at all it finds in one
 
 
@@ -28,6 +32,7 @@ def hinted(problem: Problem) -> Problem:
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
     found = dict.fromkeys(each for tree in trees for each in _binders(tree))
     hints = [hint for each in found for hint in _hints(each)[1]]
+    hints += [hint for pair in permutations(found, 2) for hint in _scaled(*pair)]
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
 
 
@@ -61,6 +66,8 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
     own = (binder.letter,)
     if not _is_finite(binder):
         return binder, [*_improper(binder), *inner]
+    if binder.tag == "integral" and (kinks := _kinks(binder)):
+        return binder, [*_in_pieces(binder, *kinks), *inner]
     if (closed := _closed(binder, body)) is None:
         return binder, [*_improper(binder), *inner]
     names = THEOREMS[binder.tag]
@@ -74,6 +81,73 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
     return value, [*outer, *(_improper(binder) if powers else ()), *inner]
 
 
+def _kinks(binder: Binder) -> list[tuple[Value, Term, Term]]:
+    """The absolute values of increasing linear functions in an integrand, each with the function and its zero."""
+    import sympy
+
+    x, found = sympy.Symbol(binder.letter, real=True), list[tuple[Value, Term, Term]]()
+    for part in dict.fromkeys(nodes(binder.body)):
+        match part:
+            case Value(tag="sqrt", terms=(Value(tag="^", terms=(inner, 2)),)) if binder.letter in letters(inner):
+                with suppress(SymcheckError, *FAULTS):
+                    line = sympy.expand(to_sympy(inner))
+                    slope = sympy.diff(line, x)
+                    if slope.is_positive and not slope.has(x):
+                        found.append((part, inner, from_sympy(sympy.expand(x - line / slope))))
+                    elif slope.is_negative and not slope.has(x):
+                        found.append((part, node("-", inner), from_sympy(sympy.expand(x - line / slope))))
+    return found
+
+
+def _in_pieces(binder: Binder, kink: tuple[Value, Term, Term], *_: tuple[Value, Term, Term]) -> Iterator[Applied[Term]]:
+    """The integral from both sides of where an absolute value has its corner."""
+    root, line, place = kink
+    own, (low, high) = (binder.letter,), binder.outside
+    yield Applied("pieces", (place, low, high), ((own, binder.body),))
+    for ends, side in (((low, place), node("-", line)), ((place, high), line)):
+        yield Applied("equal_squares", (root, side), ())
+        for call in (part for part in nodes(binder.body) if part.tag in ("exp", "sin", "cos")):
+            if (other := replaced(call, root, side)) != call:
+                yield Applied("congruence", (call, other), ())
+        body = replaced(binder.body, root, side)
+        if (closed := _closed(node("integral", body, binder.letter, *ends), body)) is not None:
+            yield Applied("antiderivative", ends, ((own, binder.body), (own, closed)))
+
+
+def replaced(tree: Term, part: Term, new: Term) -> Term:
+    """The same with another term in the place of one."""
+    if tree == part:
+        return new
+    return mapped(tree, lambda inner: replaced(inner, part, new)) if isinstance(tree, Node) else tree
+
+
+def _scaled(wide: Binder, plain: Binder) -> Iterator[Applied[Term]]:
+    """How one integral to infinity is another one, of which the letter is a multiple."""
+    import sympy
+
+    ends = wide.outside, plain.outside
+    if wide.tag != "integral" or plain.tag != "integral" or any(end[1] != INFINITY or end[0] == 0 for end in ends):
+        return
+    with suppress(SymcheckError, OutOfTime, *FAULTS), limited(SECONDS):
+        x = sympy.Symbol(wide.letter, positive=True)
+        f, g, low, high = (_positive(each) for each in (wide.body, plain.body, ends[0][0], ends[1][0]))
+        c = sympy.cancel(high / low)
+        ratio = f / g.subs(sympy.Symbol(plain.letter, positive=True), c * x)
+        a = sympy.simplify(sympy.powsimp(sympy.expand_power_base(ratio)))
+        if not a.has(x):
+            lambdas = ((wide.letter,), wide.body), ((plain.letter,), plain.body)
+            yield Applied("scaled", (from_sympy(a), from_sympy(c), ends[0][0]), lambdas)
+
+
+def _positive(tree: Term) -> Expr:
+    """The same with all letters positive, as they are where powers of them are taken apart."""
+    import sympy
+
+    found = to_sympy(tree)
+    return found.subs({symbol: sympy.Symbol(symbol.name, positive=True) for symbol in found.free_symbols})
+
+
+@lru_cache(KEPT)
 def _improper(binder: Binder) -> list[Applied[Term]]:
     import sympy  # noqa: F401 (an import that is interrupted by the limit would leave it broken)
 
@@ -84,6 +158,7 @@ def _improper(binder: Binder) -> list[Applied[Term]]:
         return []
 
 
+@lru_cache(KEPT)
 def _closed(binder: Binder, body: Term) -> Term | None:
     """The antiderivative of a body, or its sum up to a letter, if SymPy finds it."""
     import sympy

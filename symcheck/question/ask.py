@@ -7,36 +7,39 @@ import time
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import islice, product
+from itertools import islice, permutations, product
+from math import factorial
 
 from symcheck.checker import check
 from symcheck.core.calculus import functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import JSON, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
-from symcheck.proof.algebra.polynomial import Unsupported
+from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.search.number_points import refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
-from symcheck.question.doubts import defines, doubt, doubt_of_proofs, held, spelled_function
+from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
-from symcheck.question.repairs import repairs
+from symcheck.question.repairs import EVERYWHERE, repairs
+from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
+from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
 from symcheck.reading import Tree, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
-DIGITS = 2.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
+DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
@@ -44,6 +47,12 @@ _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
+FACTORIALS = range(1, 9)  # whole numbers of which the gamma function is worked out
+WORKED_OUT = ("integral", "sum", "product")  # what is simpler where its letters are numbers
+NUMBERS_TRIED = (1, 2, -1)  # exponents too, for which integrals have primitives
+FEW = 3  # letters: of more there are too many numbers to try
+AT_NUMBERS = 3.0  # seconds for all of them
+ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
@@ -117,6 +126,8 @@ def answered(
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
     if open_ and asked and (at := _of_some_size(asked)):
+        several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
+        at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
         return replace(at, seconds=time.perf_counter() - started)
     if not found:
         return replace(other, seconds=time.perf_counter() - started)
@@ -126,6 +137,8 @@ def answered(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
+        if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
+            return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
@@ -186,8 +199,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 verdict, made, found = again
             elif whole:
                 made, found = _refuted_at_whole_numbers(problem, whole)
+        if made is None and verdict is Verdict.UNDECIDED and (at_numbers := _refuted_at_numbers(problem)):
+            verdict, made, found = at_numbers
         if made is not None and verdict is Verdict.REFUTED and (usual := _holds_for_whole(reading, problem, made)):
-            reason = f"is it meant for whole numbers {', '.join(usual)} above 0? say so"
+            reason = f"is it meant for (different) whole numbers {', '.join(usual)} above 0? say so"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
@@ -215,6 +230,21 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             status = Status.UNDECIDED
             reasons.append(EQUATION)
             continue
+        at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
+        slips: tuple[dict[str, str], ...] | None = None
+        if verdict is Verdict.REFUTED and wanted and may_be_solved(problem, reading):
+            slips = repairs(reading, at)
+            if all(slip["edit"].endswith(EVERYWHERE) for slip in slips):
+                status = Status.UNDECIDED
+                reasons.append(EQUATION)
+                continue
+        if verdict is Verdict.REFUTED and is_condition(problem, reading):
+            status = Status.UNDECIDED
+            reasons.append(EQUATION)
+            continue
+        if verdict is Verdict.REFUTED and (letters_ := _holds_for_positive(reading, problem, at)):
+            reason = f"is it meant for positive {', '.join(letters_)}? say so"
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if verdict is Verdict.REFUTED and (letter := _perhaps_for_all(problem)):
             reason = f"is what is given meant for all {letter}, or for one? write the equations of its coefficients"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
@@ -223,7 +253,6 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
         valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
         used += map(term, [*valued, *(["!=", divisor, 0] for divisor in made.get("nonzero", ()))])
         if verdict is Verdict.REFUTED:
-            at = made["point"]["values"]
             return replace(
                 base,
                 verdict=Status.REFUTED,
@@ -231,7 +260,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 values=tuple(map(term, made["point"].get("shown", ()))),
                 used=tuple(dict.fromkeys(used)),
                 certificate=(made,),
-                repairs=repairs(reading, at) if wanted else (),
+                repairs=() if not wanted else repairs(reading, at) if slips is None else slips,
             )
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
@@ -278,9 +307,29 @@ def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> l
     """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
     values, said = made["point"]["values"], dict(reading.source[0].letters)
     usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
-    if all(isinstance(value := values[x], int) and value > 0 for x in usual):
+    whole = all(isinstance(value := values[x], int) and value > 0 for x in usual)
+    if whole and len({str(values[x]) for x in usual}) == len(usual):
         return []
-    return usual if _refuted_at_whole_numbers(problem, usual, SIZES)[0] is None else []
+    return usual if _refuted_at_whole_numbers(problem, usual, SIZES, distinct=whole)[0] is None else []
+
+
+def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSON]) -> list[str]:
+    """The letters of a relation that stands alone, if it is proved where all are positive, as they often are in print.
+
+    One letter alone is hardly meant to be positive, as in a root of its square.
+    """
+    names, asked = sorted(at), reading.source[0]
+    if asked.where or asked.given or len(names) < 2 or not any(map(_is_root, nodes(problem.claim))):
+        return []
+    positive = tuple(node(">", x, 0) for x in names)
+    stricter = replace(problem, hypotheses=(*problem.hypotheses, ("positive", positive)))
+    return names if _decided_one(stricter)[0] is Verdict.PROVED else []
+
+
+def _is_root(part: Node) -> bool:
+    """Is it a root or a logarithm, and no absolute value?"""
+    inner = part.outside[0] if part.tag in ROOTS else 0
+    return part.tag in ROOTS and not (isinstance(inner, Node) and inner.tag == "^")
 
 
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:
@@ -296,20 +345,46 @@ def _whole_power(reading: Reading, problem: Problem) -> Term | None:
 
 
 def _refuted_at_whole_numbers(
-    problem: Problem, names: list[str], values: Sequence[int] = WHOLE
+    problem: Problem, names: list[str], values: Sequence[int] = WHOLE, *, distinct: bool = False
 ) -> tuple[Certificate | None, tuple[str, ...]]:
     """The certificate that it is false for some small whole numbers, put in for the letters."""
-    for numbers in islice(product(values, repeat=len(names)), MOST_WHOLE):
+    among = permutations(values, len(names)) if distinct else product(values, repeat=len(names))
+    for numbers in islice(among, MOST_WHOLE):
         by = dict(zip(names, numbers, strict=True))
-        hypotheses = tuple((name, tuple(substituted(f, by) for f in fs)) for name, fs in problem.hypotheses)
-        definitions = tuple((x, substituted(t, by)) for x, t in problem.definitions if x not in by)
-        at = replace(problem, claim=substituted(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
+        hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
+        definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
+        at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
         verdict, made, used = _decided_one(at)
         if made is not None and verdict is Verdict.REFUTED:
             made["point"]["values"] |= {x: n for x, n in by.items() if x not in made["point"]["values"]}
             if check(made) is None:
                 return made, used
     return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
+
+
+def _at(tree: T, by: Mapping[str, Term]) -> T:
+    """A term or formula with numbers for letters; the gamma function of whole numbers is worked out."""
+    return _with_factorials(substituted(tree, by))
+
+
+def _with_factorials(tree: T) -> T:
+    if not isinstance(tree, Node):
+        return tree
+    if tree.tag == "gamma" and (n := number_of(tree.outside[0])) is not None and n in FACTORIALS:
+        return factorial(int(n) - 1)  # type: ignore[return-value]
+    return mapped(tree, _with_factorials)  # type: ignore[return-value]
+
+
+def _refuted_at_numbers(problem: Problem) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
+    """Refuted with small numbers for all letters, where integrals and sums are simpler than for all numbers."""
+    trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
+    if not any(part.tag in WORKED_OUT for part in nodes(*trees)) or any(map(functions, trees)):
+        return None
+    names = sorted(set().union(*map(letters, trees)).difference(name for name, _ in problem.definitions))
+    with suppress(OutOfTime), limited(AT_NUMBERS):
+        made, used = _refuted_at_whole_numbers(problem, names, NUMBERS_TRIED) if len(names) <= FEW else (None, ())
+        return (Verdict.REFUTED, made, used) if made is not None else None
+    return None
 
 
 def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certificate | None, tuple[str, ...]]:
@@ -345,6 +420,10 @@ def _refuted_by_digits(numbers: jets.Jets | None) -> tuple[Verdict, Certificate,
     return None
 
 
+def _hinted(problem: Problem) -> Problem:
+    return rooted(hinted(problem))
+
+
 def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate and what it rests on, or why there is none; about numbers first if it can be."""
     reasons, numbers = [], None
@@ -354,13 +433,13 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                 if (numbers := way(problem)) is None:
                     continue
                 about = numbers.problem
-                outcome = identity.decide(hinted(about))
+                outcome = identity.decide(_hinted(about))
                 if outcome.verdict is Verdict.REFUTED and numbers.calls:
                     if (stricter := numbers.refutable()) is None:
                         reasons.append("no functions are known that have the values of a counterexample")
                         continue
                     if stricter != about:
-                        about, outcome = stricter, identity.decide(hinted(stricter))
+                        about, outcome = stricter, identity.decide(_hinted(stricter))
                 if outcome.verdict is Verdict.UNDECIDED:
                     reasons.append(outcome.reason)
                     continue

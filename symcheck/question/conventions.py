@@ -165,12 +165,13 @@ def _rate(name: Name) -> Rate:
 
 
 def _free(text: str) -> Iterator[Rate]:
-    """The letters of a definition, but for those with an index over which it sums."""
+    """The letters of a definition, but for those with an index over which it sums and no dots."""
     places = occurrences(text)
     indices = {place.word for place in places if place.role == "index"}
     for place in places:
-        if not {*(place.subscript or ())} & indices:
-            yield spelling(place), place.primes, place.dots
+        running = {*(place.subscript or ())} & indices
+        if place.dots or not running:
+            yield place.word if running else spelling(place), place.primes, place.dots
 
 
 def _on(rate: Rate, meant: Mapping[str, Set[Rate]], notation: Notation) -> Iterator[Rate]:

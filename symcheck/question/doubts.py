@@ -57,6 +57,8 @@ _APPLIED = re.compile(
 _FUNCTION = re.compile(r"(?<![A-Za-z\\])(?:a?rc)?(?:sin|cos|tan|cot|exp|log|ln|max|min|det|sqrt)h?(?![A-Za-z])")
 # what opens a name of several letters, or words: "x_{max", "\mathrm{max"
 _NAMED = re.compile(r"(?:_\s*|\\(?:math|text|operator|mbox|rm|begin|end|label|tag)[a-z]*\*?\s*)\{[^{}]*$")
+# a brace below a term with what that is, but for words
+_BRACED = re.compile(r"(\\(?:under|over)brace).*\}\s*[_^]\s*\{(?!\s*\\(?:text|mathrm|mbox))[^{}]*[A-Za-z]")
 _UNIT_VECTOR = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{")  # a bold letter with a hat
 _HAT = re.compile(r"(?:\\(?:mathbf|boldsymbol|bm|pmb)\{)?\\(?:hat|widehat)\{")  # a hat over a letter, bold or not
 _WORD = re.compile(r"(?<![A-Za-z\\])[a-z]{4,}(?![A-Za-z])")  # small letters without a space
@@ -77,6 +79,14 @@ def spelled_function(texts: Iterable[str]) -> str:
             if not _NAMED.search(text[: found.start()]):
                 return f"is {found[0]} the function, or a product of letters? write \\{found[0]}, or spaces"
     return ""
+
+
+def braced(relation: str) -> str:
+    """The doubt whether terms with braces that say what they are, are equal for all values of letters."""
+    found = _BRACED.search(relation)
+    return (
+        f"is what stands at {found[1]} equal by an equation to be solved? write it without the brace" if found else ""
+    )
 
 
 def defines(problem: Problem, *, bare: bool = False) -> bool:

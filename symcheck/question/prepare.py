@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import lcm
 
 from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import Reject
-from symcheck.core.calculus import Unknown, derivative, domain, functions, letters, nodes
+from symcheck.core.calculus import Lambda, Unknown, derivative, domain, functions, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, Value, mapped, node
 from symcheck.core.terms import Call as Applied
@@ -29,7 +29,7 @@ from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
-from symcheck.reading.tree import Limiting, System, walk
+from symcheck.reading.tree import BigSum, Chain, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -231,7 +231,8 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
             except NoForm as error:
                 errors.append(_understood(asked, inference, conditions, str(error)))
             except SymcheckError as error:
-                errors.append(error)
+                families = any(x.running and (x.depends or x.kind != "scalar") for x in inference.notation.letters)
+                errors.append(_understood(asked, inference, conditions, str(error)) if families else error)
         if found:
             return found
     raise next((error for error in errors if isinstance(error, Understood)), errors[0])
@@ -262,13 +263,16 @@ def _reading(
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
     terms: dict[str, Term] = {}
+    heads = {name: f"{left} = {right}" for name, (left, _, right) in defined.items()}
+    families = families_of(asked, (*heads.values(), *equations), notation, meant)
+    equations = [text for text in equations if text not in families]
     for name, (left, _, right) in defined.items():
-        if name in functions_:
+        if name in functions_ or heads[name] in families:
             continue
         for formula in algebraic(read(f"{left} = {right}", notation), notation, meant):
             head, value = formula[1], formula[2]
-            if isinstance(head, str) and head not in terms:
-                terms[head] = value
+            if (letter := _solved(formula, terms)) is not None:
+                terms[letter] = value
             elif head != value:  # as it is where the definition is written out
                 hypotheses.append((_named(stated, f"{left} = {right}"), (formula,)))
     for fact in inference.facts:
@@ -280,6 +284,7 @@ def _reading(
                 hypotheses.append((_named(stated, fact), (formula,)))
     for text in equations:
         for formula in algebraic(read(text, notation), notation, meant):
+            formula = _without_factor(formula)
             if (letter := _solved(formula, terms)) is not None:
                 terms[letter] = formula[2]
             else:
@@ -289,6 +294,14 @@ def _reading(
                     hypotheses.append((_named(stated, f"the derivative of {text}"), (rate,)))
     for text in conditions:
         hypotheses.append((_named(stated, text), algebraic(read(text, notation), notation, meant)))
+    lambdas = {function: term for several in families.values() for function, term in several.items()}
+    stating = [(name, f) for name, fs in hypotheses for f in fs]
+    lambdas |= {f[1].function: (f[1].terms, f[2]) for _, f in stating if _says_function(f, notation)}  # type: ignore[union-attr, misc]
+    hypotheses = [(name, fs) for name, fs in hypotheses if not any(_says_function(f, notation) for f in fs)]
+    for _ in lambdas:  # one may be said by another
+        claims = tuple(_said_at(claim, lambdas) for claim in claims)
+        hypotheses = [(name, tuple(_said_at(f, lambdas) for f in fs)) for name, fs in hypotheses]
+        terms = {name: _said_at(term, lambdas) for name, term in terms.items()}
     if isinstance(tree, System):
         equations_ = [f for _, fs in hypotheses for f in fs if f.tag == "="]
         free = letters(node("and", *claims)).difference(terms, *map(letters, equations_))
@@ -399,6 +412,8 @@ def _rate(equation: Formula) -> Formula | None:
     """The derivative of an equation between functions of one letter, as that of a constraint by time."""
     calls = [part for part in nodes(equation) if isinstance(part, Applied)]
     places = {call.terms for call in calls}
+    if any(part.tag == "diff" for part in nodes(equation)):
+        return None  # an equation of motion already
     if equation.tag != "=" or len(places) != 1 or any(any(call.orders) for call in calls):
         return None
     ((place, *more),) = places
@@ -468,6 +483,26 @@ def _solved(formula: Formula, terms: Mapping[str, Term]) -> str | None:
         needed |= more
         more = set().union(*(letters(terms[x]) for x in more if x in terms)) - needed
     return None if head in needed else head
+
+
+def _without_factor(formula: Formula) -> Formula:
+    """An equation of a multiple of a letter, with a number that is not 0, solved for the letter."""
+    match formula.outside:
+        case (Value(tag="*", terms=factors), right) if formula.tag == "=":
+            free = [each for each in factors if letters(each)]
+            numbers = [each for each in factors if not letters(each)]
+            plain = all(
+                isinstance(part, Value) and part.tag in ("pi", "/", "^", "*", "sqrt") for part in nodes(*numbers)
+            )
+            if (
+                len(free) == 1
+                and isinstance(free[0], str)
+                and plain
+                and 0 not in numbers
+                and free[0] not in letters(right)
+            ):
+                return node("=", free[0], node("/", right, node("*", *numbers) if len(numbers) > 1 else numbers[0]))
+    return formula
 
 
 def _may_hold(condition: Formula) -> bool:
@@ -549,6 +584,69 @@ def functions_of(defined: Definitions, notation: Notation) -> dict[str, tuple[tu
         if own:
             found[name] = own, read(right, notation)
     return found
+
+
+def _said_at(tree: T, lambdas: Mapping[str, Lambda]) -> T:
+    """The same with what functions are in their place: it is so at all times, also where there is a derivative by time.
+
+    So what depends on the letter of a derivative is differentiated, though its name says nothing of that letter.
+    """
+    if not isinstance(tree, Node):
+        return tree
+    new = mapped(tree, lambda part: _said_at(part, lambdas))
+    if isinstance(new, Applied) and new.function in lambdas:
+        own, body = lambdas[new.function]
+        if any(new.orders):
+            return substituted(new, {}, lambdas)  # type: ignore[return-value]
+        return substituted(body, dict(zip(own, new.terms, strict=True)))  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
+
+
+def _says_function(formula: Formula, notation: Notation) -> bool:
+    """Does an equation say what a known function is of two letters, as that of the incomplete gamma function does?"""
+    match formula.outside:
+        case (Applied(function=name, terms=(str(), str()) as own), body) if formula.tag == "=":
+            return own[0] != own[1] and notation.owner(name) is None and name not in functions(body)
+    return False
+
+
+def families_of(
+    asked: Asked, texts: Sequence[str], notation: Notation, meant: Mapping[str, tuple[tuple[Tree, ...], Tree]]
+) -> dict[str, dict[str, Lambda]]:
+    """The equations that say what a letter is at each value of an index over which sums run to a letter, as x_k = 2 k.
+
+    Both sides are read under such a sum: there the letter is a function of its index.
+    """
+    found: dict[str, dict[str, Lambda]] = {}
+    if not any(letter.running for letter in notation.letters):
+        return found
+    sums: dict[str, BigSum] = {}
+    for text in (asked.relation, *texts):
+        with suppress(SymcheckError):
+            for _, part in walk(read(text, notation)):
+                if isinstance(part, BigSum) and len(part.indices) == 1 and part.high is not None:
+                    sums.setdefault(part.indices[0], part)
+    for text in texts:
+        with suppress(SymcheckError):
+            found[text] = dict(_family(read(text, notation), sums, notation, meant))
+    return {text: family for text, family in found.items() if family}
+
+
+def _family(
+    tree: Tree, sums: Mapping[str, BigSum], notation: Notation, meant: Mapping[str, tuple[tuple[Tree, ...], Tree]]
+) -> Iterator[tuple[str, Lambda]]:
+    match tree:
+        case Chain((Name(subscripts=(str(index),)), _), ("=",)) if index in sums:
+            summed = Chain(tuple(replace(sums[index], body=each) for each in tree.members), tree.signs)
+            for formula in algebraic(summed, notation, meant):
+                match formula.outside:
+                    case (
+                        Binder(tag="sum", body=Applied() as call, letter=k),
+                        Binder(tag="sum", body=body, letter=same),
+                    ):
+                        own = tuple(x for x in call.terms if isinstance(x, str))
+                        if k == same and own == call.terms and call.function not in functions(body):
+                            yield call.function, (own, body)
 
 
 def _named(stated: dict[str, str], text: str) -> str:

@@ -8,15 +8,17 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from symcheck.checker import check
+from symcheck.core.calculus import functions
 from symcheck.core.problems import Problem
 from symcheck.core.terms import JSON, Reader, Value
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, fails_at, proof_of
 from symcheck.proof.algebra.polynomial import unfold
 from symcheck.question import jets
-from symcheck.question.antiderivatives import FAULTS
+from symcheck.question.antiderivatives import FAULTS, hinted
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Reading, worded
+from symcheck.question.solutions import with_solutions
 from symcheck.reading import Notation, edits, to_latex, to_sympy, with_brackets
 from symcheck.reading.tree import (
     Add,
@@ -24,6 +26,7 @@ from symcheck.reading.tree import (
     Chain,
     Derivative,
     Div,
+    Integral,
     Mul,
     Name,
     Neg,
@@ -40,8 +43,9 @@ from symcheck.reading.tree import (
 
 SIMPLIFYING = 1.0  # seconds for SymPy to find what is missing
 MISSING = -5.8  # a lost term, where it is known, is as likely as a lost factor
+EVERYWHERE = ", everywhere"  # behind what a slip does that is made more than once
 MOST = 5  # repairs that are shown
-SECONDS = 4.0  # for all of them: nearly all that are found at all are found in one
+SECONDS = 6.0  # for all of them: nearly all that are found at all are found in one, but for those about integrals
 if TYPE_CHECKING:
     from sympy import Expr
 
@@ -107,6 +111,8 @@ def _worked_out(reading: Reading) -> Iterator[Slip]:
         try:
             with limited(SIMPLIFYING):
                 left, right = _sides(problem)
+                if all(_powers(side, reading.inference.notation) is not None for side in (left, right)):
+                    continue  # any product becomes any other
                 ratio, gap = sympy.simplify(left / right), sympy.expand(sympy.simplify(left - right))
         except (*FAULTS, SymcheckError, OutOfTime):
             continue
@@ -201,7 +207,7 @@ def _repeated(tree: Tree, notation: Notation) -> Iterator[Slip]:
     counts = Counter(node for _, node in walk(tree) if not isinstance(node, Name | Number))
     for part in (part for part, count in counts.items() if count > 1):
         for edit in edits(part, notation):
-            yield Slip(edit.kind, f"{edit.description}, everywhere", _everywhere(tree, part, edit.tree), -0.2)
+            yield Slip(edit.kind, edit.description + EVERYWHERE, _everywhere(tree, part, edit.tree), -0.2)
     known = {letter.latex for letter in notation.letters}
     for path, node in reversed([*walk(tree)]):  # what is printed again is wrong at its second place
         if not isinstance(_above(tree, path), Add):
@@ -229,7 +235,7 @@ def _tidied(tree: Tree) -> Tree:
     """The same without factors and divisors 1, and without a factor before a fraction with the numerator 1."""
     tree = with_children(tree, tuple(map(_tidied, children(tree))))
     match tree:
-        case Div(top, Number("1")):
+        case Div(top, Number("1")) | Pow(top, Number("1")):
             return top
         case Mul() if Number("1") in tree.factors:
             kept = tuple(factor for factor in tree.factors if factor != Number("1"))
@@ -240,6 +246,8 @@ def _tidied(tree: Tree) -> Tree:
 
 
 def _is_trivial(tree: Tree) -> bool:
+    if any(isinstance(part, Integral) and part.low == part.high for _, part in walk(tree)):
+        return True
     return isinstance(tree, Chain) and any(tree.members[k] == tree.members[k + 1] for k in range(len(tree.signs)))
 
 
@@ -263,6 +271,15 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
                     )
         if isinstance(node, Neg):
             yield Slip("sign", f"the minus of {to_latex(node.value)} dropped", replaced(tree, path, node.value))
+        if isinstance(node, Add) and not any(isinstance(each, Neg) for each in node.terms):
+            yield Slip("sign", f"{to_latex(node)} for its product", replaced(tree, path, Mul(node.terms)), 1.0)
+        if isinstance(node, Mul) and len(node.factors) == 2 and not node.dotted:
+            yield Slip("sign", f"{to_latex(node)} for its sum", replaced(tree, path, Add(node.factors)), 2.0)
+        if isinstance(node, Call):
+            for letter in notation.letters:
+                if letter.kind == "function" and len((letter.depends or "").split(",")) == len(node.arguments):
+                    call = replace(node, function=Name(letter.latex))
+                    yield Slip("letter", f"{to_latex(call)} for {to_latex(node)}", replaced(tree, path, call))
         if isinstance(node, Call) and isinstance(node.function, str):
             for sister in SISTERS.get(node.function, ()):
                 yield Slip(
@@ -337,9 +354,12 @@ def _is_proved(reading: Reading, tree: Tree, point: dict[str, JSON]) -> bool:
         problems = worded(reading, tree)
     except SymcheckError:
         return False
+    complex_ = any(letter.number == "i" for letter in reading.inference.notation.letters)
     before = {problem.claim for problem in reading.problems}
     return all(
-        _proof_holds(problem, point) for problem in problems if problem.claim not in before or not _is_same(problem)
+        _proof_holds(problem, point, complex_)
+        for problem in problems
+        if problem.claim not in before or not _is_same(problem)
     )
 
 
@@ -348,10 +368,10 @@ def _is_same(problem: Problem) -> bool:
     return problem.claim[1:2] == problem.claim[2:3]
 
 
-def _proof_holds(problem: Problem, point: dict[str, JSON]) -> bool:
+def _proof_holds(problem: Problem, point: dict[str, JSON], complex_: bool) -> bool:
     numbers = jets.of(problem)
     tried = numbers.problem if numbers else problem
-    if _is_same(tried):
+    if _is_same(tried) and not complex_:  # that real parts are the same is what an exponential means
         return False
     reader = Reader()
     try:
@@ -359,5 +379,9 @@ def _proof_holds(problem: Problem, point: dict[str, JSON]) -> bool:
             return False
     except (KeyError, ValueError):
         pass
+    if any(part.tag == "integral" for part in jets.parts(tried.claim)):
+        tried = hinted(tried)
     outcome = proof_of(tried)
+    if outcome is None and (solved := with_solutions(problem) if functions(problem.claim) else None) is not None:
+        tried, outcome = solved, proof_of(solved)
     return outcome is not None and outcome.verdict is Verdict.PROVED and check(certificate(tried, outcome)) is None

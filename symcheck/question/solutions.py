@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import lru_cache
 
 from symcheck.core.calculus import Lambda, Unknown, derivative, functions, is_entire, letters, nodes, substituted
 from symcheck.core.problems import Problem
@@ -96,10 +97,11 @@ def _solved(formulas: Sequence[Formula], known: Mapping[str, Lambda]) -> Iterato
         if len(place) != 1 or not isinstance(x, str) or function in known or not alone:
             continue
         with suppress(SymcheckError, Unknown, Unsupported, Malformed, OutOfTime, *FAULTS), limited(SECONDS):
-            if (body := _determined(equation, function, x, formulas)) is not None:
+            if (body := _determined(equation, function, x, tuple(formulas))) is not None:
                 yield {function: ((x,), body)}
 
 
+@lru_cache(64)  # repairs of one relation have the same equations
 def _determined(equation: Formula, function: str, x: str, formulas: Sequence[Formula]) -> Term | None:
     """The one solution of a linear equation with the values that are given at one place."""
     import sympy

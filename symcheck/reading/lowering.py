@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import Any
 
 from symcheck.core.calculus import letters, substituted
+from symcheck.core.calculus import nodes as nodes_of
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
@@ -454,6 +455,8 @@ class Lowering:
         if isinstance(a, Complex) or isinstance(b, Complex):
             real, other = (a, b) if isinstance(b, Complex) else (b, a)
             alone = set() if isinstance(real, Complex) or parts(other)[1] == 0 else letters(real)
+            if not isinstance(real, Complex) and any(part.bound for part in nodes_of(real)):
+                alone = set()  # integrals are real
             if len(alone) == 1 and not alone & set().union(*map(letters, parts(other))):
                 (name,) = alone
                 letter = self.notation.owner(name)
@@ -617,16 +620,21 @@ class Lowering:
             return UNIT
         return PI if letter.number == "pi" else node("exp", 1)
 
-    def running(self, letter: Letter, tree: Name, env: Env) -> Term:
-        """A letter whose indices run up to a letter: a function of them."""
-        if letter.kind != "scalar" or tree.primes or tree.dots:
-            raise NoForm(f"{to_latex(tree)}: only numbers have indices that run up to a letter")
-        if letter.depends:  # else its derivatives by these were 0
-            raise NoForm(f"{to_latex(tree)}: no function of {letter.depends} has an index that runs up to a letter")
-        if not self.inside:
-            self.met.setdefault(letter.stem, tree)
+    def running(self, letter: Letter, tree: Name, env: Env) -> Value:
+        """A letter whose indices run up to a letter: a function of them, and of what it depends on."""
+        if letter.kind not in ("scalar", "vector", "matrix") or tree.primes:
+            raise NoForm(f"{to_latex(tree)}: only numbers, vectors and matrices have indices that run up to a letter")
         indices = [self.index(subscript, env) for subscript in tree.subscripts]
-        return node("call", letter.stem, (0,) * len(indices), *indices)
+        if letter.depends:
+            indices += self.arguments(letter, ())
+
+        def entry(place: tuple[int, ...]) -> Term:
+            name = variable(letter.stem, place)
+            if not self.inside:
+                self.met.setdefault(name, tree)
+            return node("call", name, (0,) * len(indices), *indices)
+
+        return self.of_places(letter, entry) if letter.places else entry(())
 
     def instance(self, letter: Letter, stem: str, indices: tuple[int, ...], printed: Name | None = None) -> Term:
         """A variable, or the function it is of the letters that it depends on."""
@@ -1239,7 +1247,8 @@ class Lowering:
         """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
         for name in dict.fromkeys(_free_names(term, held=held)):
             letter = self.notation.owner(name)
-            if name == by or (letter and (letter.named or letter.depends is not None)):
+            index = self.notation.index(name) is not None
+            if name == by or index or (letter and (letter.named or letter.depends is not None)):
                 continue
             shown = letter.latex if letter else name
             by_letter = self.notation.owner(by)

@@ -15,8 +15,9 @@ from symcheck.core.calculus import letters as letters_in
 from symcheck.core.formulas import conjuncts, contrary
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import PI, Binder, Formula, Node, Quantified, Term, Value, mapped, node
+from symcheck.proof.algebra.forms import term_of
 from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
-from symcheck.proof.algebra.polynomial import Ring, Unsupported, canonical, subterms, unfold, with_arguments
+from symcheck.proof.algebra.polynomial import Ring, Unsupported, canonical, subterms, unfold, variables, with_arguments
 from symcheck.proof.algebra.variables import circle
 from symcheck.proof.rules.compute import AT_POINT, Point
 from symcheck.proof.rules.enclosure import Numbers, prove_numbers
@@ -141,7 +142,8 @@ def _proved(problem: Problem, point: Mapping[str, Term], prove: Prover) -> Point
     goal = node("and", *given, contrary(problem.claim))
     proof = there.proof(goal, hints=True)
     if proof is None:  # what digits tell need not follow from the theorems that tell the rest
-        parts = dict.fromkeys([*conjuncts(goal), contrary(_told(problem))])
+        other = contrary(_told(problem))
+        parts = dict.fromkeys([*conjuncts(goal), other, *_cleared(other)])
         told = [there.learn(part, prove_numbers) for part in parts]
         proof = there.proof(goal, hints=True) if any(told) else None
     return None if proof is None else Point(there.values, facts=tuple(there.facts.items()), proof=proof)
@@ -201,6 +203,12 @@ def _told(problem: Problem) -> Formula:
         return mapped(tree, told) if isinstance(tree, Node) else tree
 
     return mapped(unfold(problem.claim, definitions), told)
+
+
+def _cleared(formula: Formula) -> Iterator[Formula]:
+    """The same of two fractions without denominators."""
+    if formula.tag == "!=":
+        yield node("!=", term_of(Ring(variables(*formula.terms)).subtract(*formula.terms).num), 0)
 
 
 def _denominators(formula: Formula) -> Iterator[Term]:

@@ -27,6 +27,7 @@ from symcheck.proof.rules.theorem import Instance, Said, applied
 from symcheck.proof.search.functions import expanded, instances, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
+SPLIT = {"beta": ">", "equal_squares": ">="}  # theorems whose premises of this sign may hold in some cases alone
 MAX_CASES = 4  # one inside another, each of which doubles the work: the papers need one
 
 
@@ -184,10 +185,10 @@ class _Search:
         return _Search(below._premise, deeper).prove(formula, known, here, 0) if here else None
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
-        """What a theorem about an integral asks for holds, or it does not."""
-        for instance in (other for other in pending if other.name == "beta"):
-            for premise in _said(instance, known).premises:
-                if premise.tag != ">" or self._premise(premise, known) is not None:
+        """What a theorem about an integral or an absolute value asks for holds, or it does not."""
+        for instance in pending:
+            for premise in _said(instance, known).premises if instance.name in SPLIT else ():
+                if premise.tag != SPLIT[instance.name] or self._premise(premise, known) is not None:
                     continue
                 t = _deciding(known.ring.ratio(premise.terms[0]), known)
                 if known.sign(t)[0] or known.sign(node("-", t))[0]:
