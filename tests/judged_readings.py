@@ -1389,7 +1389,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "y_t (x,t) = \\frac{\\partial}{\\partial t} \\left[ C u\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) \\right] = C u'\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) = C \\delta\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr)",
-        "Chain(Call(y_t; x, t), Derivative(Mul(C, u, Add(t, Neg(Div(x; \\alpha)))); t, 1; True), Mul(C, u', Add(t, Neg(Div(x; \\alpha)))), Mul(C, \\delta, Add(t, Neg(Div(x; \\alpha)))); =, =, =)",
+        "Chain(Call(y_t; x, t), Derivative(Mul(C, Call(u; Add(t, Neg(Div(x; \\alpha))))); t, 1; True), Mul(C, Call(u'; Add(t, Neg(Div(x; \\alpha))))), Mul(C, Call(\\delta; Add(t, Neg(Div(x; \\alpha))))); =, =, =)",
         "jirilebl/diffyqs/ch-laplace.tex",
     ),
     (

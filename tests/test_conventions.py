@@ -309,6 +309,7 @@ def test_an_equation_with_a_factor_before_a_letter_holds_for_all_values(relation
 
 # published without a word: equations, conditions and definitions, which nobody means for all values of their letters
 EQUATIONS = [
+    ("gain = -C A^{-1} B + D", []),
     (r"F_r + F_r^* = 0", []),
     (r"m\ddot{x} = u + f", []),
     (r"\ddot{\xi} + 4\omega_0^2 \xi = 0", []),
@@ -372,7 +373,6 @@ UNSAID = [
     (r"\sin(n\pi) = 0", []),
     (r"\mathrm{i}^2 = \mathrm{j}^2 = \mathrm{k}^2 = \mathrm{i}\mathrm{j}\mathrm{k} = -1", []),
     (r"i = \cos^{-1}(h_Z/h)", []),
-    ("gain = -C A^{-1} B + D", []),
     (r"\sin x y = y \sin x", []),
     (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
 ]

@@ -172,3 +172,11 @@ def test_letters_of_an_abbreviated_number_are_factors_where_they_may_be() -> Non
     for latex in (r"z = R e^{i x}", r"\sum_{i=1}^3 r_i \times v = 0", r"y = \int_0 f \, dx"):
         with pytest.raises(SymcheckError):
             first_reading(latex)
+
+
+SUMS_OVER_NAMES = (r"\sum_{i=1}^2 I_{s_i} = 2 I_{s_i}", r"\sum_{n=1}^2 t_{n-1} = 2 t_{n-1}")
+
+
+@pytest.mark.parametrize("latex", SUMS_OVER_NAMES)
+def test_a_name_with_the_index_of_a_sum_is_no_constant(latex: str) -> None:
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)

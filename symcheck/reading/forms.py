@@ -116,13 +116,14 @@ def _refuse(tree: Tree, notation: Notation) -> None:
 
 def _applied(tree: Mul) -> Tree | None:
     """What may be applied to, or be one name with, what stands behind it: no factor for certain."""
-    lists = [each for each in tree.factors if isinstance(each, Dots | Tuple | Pair | Interval | Given)]
+    row = isinstance(tree.factors[0], Tuple) and tree.factors[0].kind == "[]"
+    lists = [each for each in tree.factors[row:] if isinstance(each, Dots | Tuple | Pair | Interval | Given)]
     if not all(isinstance(each, Tuple) and each.kind == "{}" and len(each.items) == 1 for each in lists):
         return tree.factors[0]
     for factor, after in itertools.pairwise(tree.factors):
         if isinstance(after, Tuple) and isinstance(factor.base if isinstance(factor, Pow) else factor, Name):
             return factor
-        if isinstance(factor, Name) and (factor.letter.startswith(_OPERATORS) or factor.letter in _CHANGES):
+        if isinstance(factor, Name) and _is_operator(factor):
             return factor
         if isinstance(after, Call) and isinstance(after.function, Name) and after.arguments:
             capitals = [
@@ -131,6 +132,11 @@ def _applied(tree: Mul) -> Tree | None:
             if all(capitals):
                 return factor
     return None
+
+
+def _is_operator(name: Name) -> bool:
+    """May this letter be an operator or a sign of a change?"""
+    return name.letter.startswith(_OPERATORS) or (name.letter in _CHANGES and not name.subscripts)
 
 
 def refuse_doubt(tree: Tree, letter: Letter) -> None:
@@ -188,4 +194,9 @@ def _is_place(tree: Tree) -> bool:
 
 
 def _is_plain(tree: Tree) -> bool:
-    return isinstance(tree, Name) and tree.letter.isalpha() and tree.letter.islower() and tree == Name(tree.letter)
+    if not isinstance(tree, Name) or tree != Name(tree.letter):
+        return False
+    return tree.letter in _LAST or (tree.letter.isalpha() and tree.letter.islower())
+
+
+_LAST = frozenset("NMKT")  # places of the last entry of a sequence

@@ -33,7 +33,7 @@ exists: EXISTS NAME (COMMA NAME)* COLON implies
 sum: (MINUS | PM | PLUS)? term ((PLUS | MINUS | PM) term)*
 term: product ((SLASH | TIMES) product | (OPERATOR product)+)?
 product: (item | CDOT)+
-item: primary BANG? (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES | MARK (CARET LB sum RB | TRANSPOSE)?
+item: primary BANG? (CARET LB sum RB TRANSPOSE? | TRANSPOSE | DEGREE | PRIMES | MARK (CARET LB sum RB | TRANSPOSE)?
     | AT LB chain RB (LB sum RB)?)?
 primary: NUMBER | BLANK | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
        | LHALF listing RHALF | LBAR sum RBAR | LNORM sum RNORM | LANGLE sum RANGLE | FRAC LB sum RB LB sum RB

@@ -15,7 +15,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.complex_letters import complexes, equated
 from symcheck.reading.lexer import CLOSE, OPEN
-from symcheck.reading.names import KINDS_OPEN, is_letter, names_of_several_tokens
+from symcheck.reading.names import INDEX_IN_NAME, KINDS_OPEN, is_letter, names_of_several_tokens
 from symcheck.reading.notation import SAID, VALUE, Letter, Notation, instances
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 from symcheck.reading.relatives import Relatives, relatives
@@ -415,15 +415,16 @@ def _opened(of: Evidence, options: list[Guess]) -> list[Guess]:
     if of.said or applied or not unclear:
         return options
     sums = all(map(_is_sum, (place.arguments or () for place in unclear)))
-    if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and not is_letter(letters[0].latex))):
+    named = letters[0].latex[:1] in ("m", "M") or not is_letter(letters[0].latex)  # masses are no functions
+    if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and named)):
         return options
     return [replace(guess, letter=replace(guess.letter, open=True)) for guess in options]
 
 
 def _is_sum(args: Sequence[str]) -> bool:
-    """Is this one sum that does not begin with a usual argument: hardly what a function is applied to?"""
+    """Is this one sum, or a cross, that does not begin with a usual argument: hardly what a function is applied to?"""
     toks = args[0].split() if len(args) == 1 else []
-    return bool({"+", "-"} & {*toks[1:]}) and toks[0] not in _ARGUMENTS
+    return bool({"+", "-", r"\times"} & {*toks[1:]}) and toks[0] not in _ARGUMENTS
 
 
 def _in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -434,7 +435,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     """All letters with their places; those below a sum and those said to be are indices."""
     wholes = names_of_several_tokens(formulas, said)
     places = [place for formula in formulas for place in _paired(occurrences(formula, [*wholes]))]
-    index = {place.word for place in places if place.role == "index"}
+    summed = {place.word for place in places if place.role == "index"}
+    index = summed.copy()
     index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
     ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
     below = {word for place in places if place.role == "subscript" for word in (place.word, *words(place.subscript))}
@@ -452,6 +454,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             continue
         tokens, latex = words(place.subscript), place.word
         family = place.word in families and bool(tokens) and all(t in index or t.isdigit() for t in tokens)
+        family = family and not _is_mixed(place.subscript or ())
         if tokens and not family:
             latex += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
         key = f"{latex} {len(tokens)}" if family else latex
@@ -461,6 +464,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
         own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
+        if tokens and not family and (inside := summed.intersection(tokens)):
+            own.doubt = own.doubt or f"{INDEX_IN_NAME}: {min(inside)}"
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
@@ -472,6 +477,12 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             elif high:
                 own.running = True
     return found
+
+
+def _is_mixed(subscript: Sequence[str]) -> bool:
+    """Do commas part this subscript into indices of which one has several letters: `i1,3`?"""
+    parts = [part.split() for part in " ".join(subscript).split(",")]
+    return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
 # capitals that an equation begins with, which may be one name, and its subscript
@@ -624,17 +635,18 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
     elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
-        yield Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
+        function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
+        yield function
+        if latex[:1] != "\\" and all(map(_FACTORS.match, (args[0] for args in of.arguments))):
+            yield Guess(_letter(of, depends=""), "a number", "it stands before a fraction, or a number, in brackets")
+    elif of.arguments and not of.bare and not of.dotted and _is_function(of, every):
+        yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
     elif of.arguments and not of.bare and not of.dotted and not _face(latex):
-        product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
-        function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
-        factor = all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
-        weight = latex == "g" and any(place.before in _MASSES for place in of.places)
-        coefficient = factor and latex[:1] == "\\" and latex != r"\zeta"  # as in \phi(1.4 - x)
-        typical = latex in _TYPICAL and not weight and not coefficient
-        yield from (function, product) if typical else (product, replace(function, remote=factor))
+        yield from _before_sums(of)
     elif of.bare and not of.dotted and not _is_derived(of) and any(map(_is_lone, of.places)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
+    elif of.bare and not of.dotted and not _is_derived(of) and any(map(_is_listed, of.arguments)):
+        yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.framed:
@@ -668,6 +680,47 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+# what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
+_FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
+
+
+def _before_sums(of: Evidence) -> Iterator[Guess]:
+    """A letter that stands before brackets only, of which some hold sums: a factor, or a function."""
+    product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
+    function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
+    crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
+    factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
+    constant = of.spelling in ("g", "G") and not any(map(_is_shift, of.arguments))  # of gravity
+    weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
+    coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
+    typical = of.spelling in _TYPICAL and not weight and not coefficient
+    yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
+
+
+def _is_shift(args: Sequence[str]) -> bool:
+    """Is this a usual argument alone, or with something added to it?"""
+    toks = args[0].split()
+    return toks[:1] != [] and toks[0] in _ARGUMENTS and toks[1:2] in ([], ["+"], ["-"])
+
+
+def _is_function(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Is a letter that stands before brackets only a function for certain, by its face or by what stands beside it?"""
+    if of.spelling.startswith((r"\mathcal", r"\mathscr")) or _is_primed(of):
+        return True
+    accented = _ACCENT.match(of.spelling)
+    plain = every.get(of.spelling[accented.end() : -1]) if accented else None
+    others = [each for each in every.values() if each.arguments and not each.bare and each is not of]
+    return any(
+        (any(map(_is_lone, each.places)) or _is_primed(each))
+        and (each is plain or bool(set(each.arguments) & set(of.arguments)))
+        for each in others
+    )
+
+
+def _is_primed(of: Evidence) -> bool:
+    return any(place.primes and place.arguments for place in of.places)
 
 
 _SIZED = re.compile(r"(.+)_\{?(\d)\}?")  # a letter with a number below, as I_3
@@ -819,6 +872,13 @@ def _is_lone(place: Occurrence) -> bool:
     (inside,) = place.arguments
     number = all(tok.isdigit() or tok in (".", "{", "}", r"\frac") for tok in inside.split())
     return bool(inside) and (is_letter(inside) or number)
+
+
+def _is_listed(args: Sequence[str]) -> bool:
+    """Are these several arguments, and no components of a vector or factors of a scalar product?"""
+    letters = [bool(arg) and is_letter(arg.removesuffix(" ( t )")) for arg in args]
+    plain = all(letter or arg == r"\dots" or _NUMBER.fullmatch(arg) for letter, arg in zip(letters, args, strict=True))
+    return len(args) > 1 and plain and any(letters) and not all(_STYLED.match(arg.replace(" ", "")) for arg in args)
 
 
 def _is_product(args: Sequence[str]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NoReturn
 
@@ -661,8 +661,11 @@ class Lexer(tex.Reader):
         elif inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
-        elif inside in (["T"], [r"\top"], [r"\intercal"]) and self.transposes():
+        elif inside[-1:] in (["T"], [r"\top"], [r"\intercal"]) and inside[:-1] in ([], ["-"]) and self.transposes():
             self.group()
+            if inside[:-1]:
+                for kind, value in (("CARET", "^"), ("LB", "{"), ("MINUS", "-"), ("NUMBER", "1"), ("RB", "}")):
+                    self.emit(kind, value, at)
             self.emit("TRANSPOSE", None, at)
         else:
             self.emit("CARET", "^", at)
@@ -941,6 +944,7 @@ class Lexer(tex.Reader):
     def joined(self) -> list[Lexeme]:
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
+        self.out = _listed(self.out)
         out: list[Lexeme] = []
         pending: Lexeme | None = None
         for lexeme in self.out:
@@ -965,6 +969,34 @@ class Lexer(tex.Reader):
         if out and out[-1].type in {"COMMA", "SEMI", "FOR"}:
             out.pop()
         return out
+
+
+def _listed(lexemes: Sequence[Lexeme]) -> list[Lexeme]:
+    r"""The same with the commas of the lists `1 \ldots n` and `x_1, \dots x_n`."""
+    if not any(lexeme.type == "DOTS" for lexeme in lexemes):
+        return [*lexemes]
+    out: list[Lexeme] = []
+    for k, lexeme in enumerate(lexemes):
+        comma = Lexeme("COMMA", ",", lexeme.at)
+        before, behind = lexemes[max(k - 1, 0)], lexemes[min(k + 1, len(lexemes) - 1)]
+        if lexeme.type == "DOTS" and behind.type in ("NAME", "NUMBER") and behind is not lexeme and k > 1:
+            low = lexeme.value != r"\cdots"
+            first = before.type == "NUMBER" and lexemes[k - 2].type in ("REL", "COMMA")
+            if (low and first) or _in_row(lexemes, k, low=low):
+                out += [comma, lexeme, comma]
+                continue
+            if low and before.type == "COMMA":
+                out += [lexeme, comma]
+                continue
+        out.append(lexeme)
+    return out
+
+
+def _in_row(lexemes: Sequence[Lexeme], k: int, *, low: bool) -> bool:
+    r"""Are these the dots of two letters in square brackets, as in `[\mathbf{v}_1 \cdots \mathbf{v}_n]`?"""
+    ends = [lexeme.type for lexeme in (*lexemes[k - 2 : k], *lexemes[k + 1 : k + 3])]
+    row = ends == ["LBRA", "NAME", "NAME", "RBRA"]
+    return row and (low or "{" in lexemes[k - 1].value.letter.partition("_")[0])
 
 
 def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:

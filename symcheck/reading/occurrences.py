@@ -15,7 +15,8 @@ from symcheck.reading.notation import undotted
 BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
 SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
 FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
-TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
+# superscripts that transpose a matrix, or its inverse
+TRANSPOSED = frozenset((*minus, sign) for minus in ((), ("-",)) for sign in ("T", r"\top", r"\intercal"))
 INTEGRALS = frozenset({r"\int", r"\iint", r"\iiint", r"\oint"})
 DIFFERENTIALS = frozenset({"d", r"\partial", r"\text{d}"})
 
@@ -389,7 +390,7 @@ class Scan(tex.Reader):
         found, depth, parts = list[str](), 0, list[list[str]]([[]])
         for k in range(ahead, len(self.toks)):
             tok = self.toks[k]
-            depth += (tok.text in OPEN or tok.text == "{") - (tok.text in CLOSE or tok.text == "}")
+            depth += (tok.text in OPEN or tok.text in _ALSO_OPEN) - (tok.text in CLOSE or tok.text in _ALSO_CLOSE)
             if depth == 0:
                 break
             if tok.text == "," and depth == 1:
@@ -401,6 +402,7 @@ class Scan(tex.Reader):
 
 
 _UNPRINTED = SPACES | SIZES
+_ALSO_OPEN, _ALSO_CLOSE = frozenset({"{", r"\langle"}), frozenset({"}", r"\rangle"})
 
 
 def _begins_with_differential(part: Sequence[tex.Tok]) -> bool:

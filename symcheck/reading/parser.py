@@ -705,7 +705,7 @@ class Builder:
             return
         beside = [other for other in (*before, *behind) if other.kind != "dot"]
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
-        if (beside and _REMARK.match(factor.letter)) or function:
+        if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
@@ -713,6 +713,8 @@ class Builder:
         after = rest[0] if rest else None
         if after is None or after.kind == "dot" or not alone:
             return
+        if item.square and isinstance(node, Pow) and isinstance(node.base, Name) and not item.postfix:
+            raise self.fail(item.at, "the coefficient of this power, or idle brackets? leave them out")
         fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
         if fraction and all(isinstance(each, Number) for each in (node, *fraction)):
             raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
@@ -909,8 +911,14 @@ class Builder:
         counted = isinstance(inside, Add) and all(
             isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
         )
-        counts = counted and any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
+        counts = counted and (
+            self.is_sequence(name) or any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
+        )
         return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
+
+    def is_sequence(self, name: Name) -> bool:
+        """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
+        return re.search(rf"{re.escape(name.letter[-1])} ?\}}? ?\[ ?[A-Za-z0-9] ?\]", self.source) is not None
 
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
         """Are these the very letters that the letter is declared to depend on?"""
@@ -1172,6 +1180,9 @@ class Builder:
         if len(nodes) > 2 and nodes[1].type == "MARK":
             marked = Marked(self.atom(item), nodes[1].value.value)
             item, nodes = Item("fraction", item.at, marked), [nodes[0], *nodes[2:]]
+        if len(nodes) == 6 and nodes[5].type == "TRANSPOSE":  # of the inverse
+            inverse = Item("fraction", item.at, Pow(self.atom(item), self.term_of(nodes[3])))
+            item, nodes = inverse, [nodes[0], nodes[5]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
             if item.kind in ("sum", "integral", "antiderivative", "over", "under") or (

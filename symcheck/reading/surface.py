@@ -128,6 +128,10 @@ def _with_words(source: str) -> list[tex.Tok]:
             found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
             k += len(word)
             continue
+        elif tok.text.isalpha() and not scripts and (word := _word_of_letters(toks, k)):
+            found += [tex.Tok(text, tok.at) for text in (r"\text", "{", *word, "}")]
+            k += len(word)
+            continue
         found.append(tok)
         k += 1
     return found
@@ -185,11 +189,31 @@ def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
     word = "".join(tok.text for tok in toks[k:end])
     behind = [tok.text for tok in toks[end : end + 2]]
     brackets = behind[:1] == ["("] or behind == [r"\left", "("]
-    angle = word[-3:] in ("sin", "cos", "tan") and bool(behind) and behind[0] in LETTER_COMMANDS
+    angle = next((tok.text for tok in toks[end : end + 4] if tok.text not in _BEFORE_ANGLE), "") in LETTER_COMMANDS
     whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
-    if word not in _TYPED or k - start > 1 or not (brackets or angle or whole):
-        return ""
-    return word
+    of_angle = angle and word in ("sin", "cos", "tan")
+    return word if of_angle or (word in _TYPED and k - start < 2 and (brackets or whole)) else ""
+
+
+_BEFORE_ANGLE = frozenset({"{", "^", "2", "3"})  # as in cos^2{\theta}
+# words that are typed as letters: operators, and what no product of letters looks like
+_OPERATORS = frozenset({"mod", "res", "rem", "gcd", "lcm", "div", "rot", "curl", "grad", "span", "rank", "sgn", "erf"})
+
+
+def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
+    """The word that is typed here as letters: an operator, one with an o, or a long one that is defined."""
+    end = k
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    inside = k > 0 and (toks[k - 1].at == toks[k].at - 1 and toks[k - 1].text.isalnum())
+    first = not k or toks[k - 1].text in ("&", r"\\")
+    defined = len(word) > 3 and first and end < len(toks) and toks[end].text in ("(", "=")
+    named = len(word) > 2 and (word in _OPERATORS or "o" in word or defined) and not _WITH_FUNCTION.search(word)
+    return word if word.isascii() and named and not inside else ""
+
+
+_WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")
 
 
 def _with_numbers(source: str) -> list[str]:
@@ -261,7 +285,7 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
         empty = isinstance(part, Group) and not part.parts
         start = k + 1 if empty else k
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
-        bare = isinstance(before, str) and before in _NO_BASE
+        bare = isinstance(before, str) and before in _NO_BASE and not (before == "|" and _closes(found))
         if start < len(parts) and parts[start] in ("^", "_") and (empty or bare or _is_apart(parts, start, found)):
             scripts: dict[Part, Part] = {}
             m = start
@@ -280,12 +304,25 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
     return found
 
 
+def _closes(before: Sequence[Part]) -> bool:
+    """Does the bar that comes last close what is between two bars?"""
+    bars = [part for part in before if part == "|"]
+    return before[-2:-1] == [r"\right"] or len(bars) % 2 == 0
+
+
 def _is_apart(parts: list[Part], k: int, before: list[Part]) -> bool:
-    r"""Does a space part the script here from what stands before it, as in `\mathbf{C} \, ^r \mathbf{m}`?"""
-    if not before or before[-1] not in (r"\,", r"\;", r"\:", "\\ ") or k + 1 >= len(parts):
+    r"""Does a space part the script here from what stands before it, as in `\mathbf{C} \, ^r \mathbf{m}`?
+
+    One in a calligraphic letter behind a matrix in brackets is a frame of what follows.
+    """
+    if not before or k + 1 >= len(parts):
         return False
     script = parts[k + 1]
     inside = script.parts if isinstance(script, Group) else [script]
+    if before[-1] == "]" and parts[k] == "^" and inside[:1] == [r"\mathcal"]:
+        return True
+    if before[-1] not in (r"\,", r"\;", r"\:", "\\ "):
+        return False
     return len(inside) == 1 and isinstance(inside[0], str) and inside[0].isalpha() and inside[0] != "T"
 
 
