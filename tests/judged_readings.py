@@ -1602,7 +1602,168 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(D, Mul(50, \\text{mm}); \\ge)",
         "CalebBell/fluids/fluids/flow_meter.py",
     ),
+    (
+        "{\\vphantom{\\Delta_{2/1}}}^{\\mathcal{P}\\!}{\\Delta_{2/1}} \\dot{\\bm{r}}_{S/N} = [PN] ^{\\mathcal{N}} \\Delta_{2/1} \\dot{\\bm{r}}_{S/N}",
+        "Chain(Mul(\\prescript { \\mathcal { P } \\! } { } { \\Delta } _ { 2 / 1 }, Call(\\dot{\\bm{r}}_{S/N})), Mul([ P N ], \\prescript { \\mathcal { N } } { } { \\Delta } _ { 2 / 1 }, Call(\\dot{\\bm{r}}_{S/N})); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secModelDescription.tex",
+    ),
+    (
+        "\\rho \\cdot Vol \\cdot c_p \\dfrac{dT}{dt} = \\dot{Q}_{\\text{absorb}} + \\dot{Q}_{in} - \\dot{Q}_{\\text{emit}}",
+        "Chain(Mul(\\rho, \\text{Vol}, c_p, Derivative(Call(T); t, 1)), Add(Call(\\dot{Q}_{absorb}), Call(\\dot{Q}_{in}), Neg(Call(\\dot{Q}_{emit}))); =)",
+        "AVSLab/basilisk/src/simulation/thermal/sensorThermal/sensorThermal.rst",
+    ),
+    (
+        "E_\\mathrm{mes} = k_1(1-\\langle\\hat{\\mathbf{v}}_a, \\mathbf{v}_a\\rangle) + k_2(1-\\langle\\hat{\\mathbf{v}}_m, \\mathbf{v}_m\\rangle)",
+        "Chain(E_{mes}, Add(Mul(k_1, Add(1, Neg(Pair(\\hat{\\mathbf{v}}_a; \\mathbf{v}_a)))), Mul(k_2, Add(1, Neg(Pair(\\hat{\\mathbf{v}}_m; \\mathbf{v}_m))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "V(r, \\theta, \\phi) = a \\sum_{n=1}^k\\Big(\\frac{a}{r}\\Big)^{n+1}\\sum_{m=0}^{n}\\big(g_n^m \\cos(m\\phi) + h_n^m \\sin(m\\phi)\\big) P_n^m(\\theta)",
+        "Chain(Call(V; r, \\theta, \\phi), Mul(a, BigSum(n; 1; k; Mul(Pow(Div(a; r); Add(n, 1)), BigSum(m; 0; n; Mul(Add(Mul(g _ { n } ^ { m }, Call(cos; Mul(m, \\phi))), Mul(h _ { n } ^ { m }, Call(sin; Mul(m, \\phi)))), Call(P _ { n } ^ { m }; \\theta)))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = -G\\left(m_1 + m_2\\right)\\frac{\\boldsymbol{r}}{r^3}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Neg(Mul(G, Add(m_1, m_2), Div(Call(\\boldsymbol{r}); Pow(Call(r); 3)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\mu = G\\left(m_1 + m_2\\right)",
+        "Chain(\\mu, Mul(G, Add(m_1, m_2)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\bar{f}_h(q_1, q_2, q_3) = 0 \\textrm{ where } \\bar{f}_h \\in \\mathbb{R}^2",
+        "System(Chain(Call(\\bar{f}_h; q_1, q_2, q_3), 0; =), Chain(Call(\\bar{f}_h), Pow(\\mathbb{R}; 2); \\in))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "\\frac{{}^A\\partial \\bar{v}}{\\partial q_r} = \\sum_{i=1}^3 \\frac{\\partial v_i}{\\partial q_r} \\hat{a}_i \\textrm{ for } r=1\\ldots n",
+        "System(Chain(Marked(Derivative(Call(\\bar{v}); q_r, 1; True); _{ A }), BigSum(i; 1; 3; Mul(Derivative(Call(v_i); q_r, 1; True), \\hat{a}_i)); =), Values(r; 1, Dots(), n))",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "\\bar{I}_a := \\int_{\\textrm{solid}} \\rho(\\tau) \\left[ \\bar{r}^{P(\\tau)/O} \\times \\left( \\hat{n}_a \\times \\bar{r}^{P(\\tau)/O} \\right) \\right] d\\tau",
+        "Chain(\\bar{I}_a, Over(\\int; _ { \\text { s o l i d } }; Mul(Call(\\rho; \\tau), Cross(\\bar { r } ^ { P ( \\tau ) / O }; Cross(\\hat{n}_a; \\bar { r } ^ { P ( \\tau ) / O }))); \\tau); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "I_{ab} = \\sum_{i=1}^\\nu m_i \\left( \\bar{r}^{P_i/O} \\times \\hat{n}_a \\right) \\cdot \\left( \\bar{r}^{P_i/O} \\times \\hat{n}_b \\right)\\textrm{.}",
+        "Chain(I_{ab}, BigSum(i; 1; \\nu; Mul(m_i, Cross(\\bar { r } ^ { P _ { i } / O }; \\hat{n}_a), Cross(\\bar { r } ^ { P _ { i } / O }; \\hat{n}_b); 2)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\bar{I}_a = \\hat{n}_a \\cdot \\sum_{i=1}^\\nu m_i \\left( \\left|\\bar{r}^{P_i/O}\\right|^2 \\breve{U} - \\bar{r}^{P_i/O} \\otimes \\bar{r}^{P_i/O} \\right)",
+        "Chain(\\bar{I}_a, Mul(\\hat{n}_a, BigSum(i; 1; \\nu; Mul(m_i, Add(Mul(Pow(Bars(\\bar { r } ^ { P _ { i } / O }); 2), \\breve{U}), Neg(Operated(\\otimes; \\bar { r } ^ { P _ { i } / O }; \\bar { r } ^ { P _ { i } / O })))))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "& \\ddot{x} = \\frac{m(gcos{\\theta} - \\dot{\\theta}^2l)sin{\\theta} + u}{M + m - mcos^2{\\theta}} \\\\ & \\ddot{\\theta} = \\frac{g(M + m)sin{\\theta} - \\dot{\\theta}^2lmsin{\\theta}cos{\\theta} + ucos{\\theta}}{l(M + m - mcos^2{\\theta})}",
+        "System(Chain(Call(\\ddot{x}), Div(Add(Mul(m, Add(Mul(g, Call(cos; Call(\\theta))), Neg(Mul(Pow(Call(\\dot{\\theta}); 2), l))), Call(sin; Call(\\theta))), u); Add(M, m, Neg(Mul(m, Pow(Call(cos; Call(\\theta)); 2))))); =), Chain(Call(\\ddot{\\theta}), Div(Add(Mul(g, Add(M, m), Call(sin; Call(\\theta))), Neg(Mul(Pow(Call(\\dot{\\theta}); 2), l, m, Call(sin; Call(\\theta)), Call(cos; Call(\\theta)))), Mul(u, Call(cos; Call(\\theta)))); Mul(l, Add(M, m, Neg(Mul(m, Pow(Call(cos; Call(\\theta)); 2)))))); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "\\Delta \\mathbf{x}^k = -H^{-1} \\mathbf{b}.",
+        "Chain(\\Delta \\mathbf { x } ^ { k }, Neg(Mul(Pow(H; Neg(1)), \\mathbf{b})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "x_{i}(t+1) = x_{i}(t) + v_{i}(t+1)",
+        "Chain(Call(x_i; Add(t, 1)), Add(Call(x_i; t), Call(v_i; Add(t, 1))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/particleSwarmOptimization/particleSwarmOptimization_main.rst",
+    ),
+    (
+        "x[t+1] &= f(t, x[t], u[t], \\theta), \\\\ y[t] &= h(t, x[t], u[t], \\theta).",
+        "System(Chain(Indexed(x; Add(t, 1)), Call(f; t, Indexed(x; t), Indexed(u; t), \\theta); =), Chain(Indexed(y; t), Call(h; t, Indexed(x; t), Indexed(u; t), \\theta); =))",
+        "python-control/python-control/doc/nlsys.rst",
+    ),
+    (
+        "\\boldsymbol{M}^{-\\mathrm{T}} \\boldsymbol{J} \\boldsymbol{M}^{-1} = \\boldsymbol{J}",
+        "Chain(Mul(Transpose(Pow(\\boldsymbol{M}; Neg(1))), \\boldsymbol{J}, Pow(\\boldsymbol{M}; Neg(1))), \\boldsymbol{J}; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "v = \\frac{\\mathrm{d} x}{\\mathrm{d} t} = \\sqrt{\\frac{g(x^2-l^2)}{L}}",
+        "Chain(v, Derivative(Call(x); t, 1), Sqrt(Div(Mul(g, Add(Pow(Call(x); 2), Neg(Pow(l; 2)))); L)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\zeta(s) = \\mathcal{R}(s) + X(s) \\overline{\\mathcal{R}}(1-s), \\quad X(s) = \\pi^{s-1/2} \\frac{\\Gamma((1-s)/2)}{\\Gamma(s/2)}",
+        "System(Chain(Call(\\zeta; s), Add(Call(\\mathcal{R}; s), Mul(Call(X; s), Call(\\overline{\\mathcal{R}}; Add(1, Neg(s))))); =), Chain(Call(X; s), Mul(Pow(\\pi; Add(s, Neg(Div(1; 2)))), Div(Call(Gamma; Div(Add(1, Neg(s)); 2)); Call(Gamma; Div(s; 2)))); =))",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "C_n^{m}(z)=\\frac{(2m)_n}{\\Gamma(n+1)} {}_2F_1\\left(-n,2m+n,m+\\frac{1}{2},\\frac{1-z}{2}\\right).",
+        "Chain(Call(C _ { n } ^ { m }; z), Mul(Div(Marked(Mul(2, m); _{ n }); Call(Gamma; Add(n, 1))), Call(\\prescript { } { 2 } { F } _ { 1 }; Neg(n), Add(Mul(2, m), n), Add(m, Div(1; 2)), Div(Add(1, Neg(z)); 2))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "2 Q^E W^{N+2} \\left[ 1 + Q^F W + Q^{2F} W^2 + \\ldots \\right] = \\frac{2 Q^E W^{N+2}}{1 - Q^F W}",
+        "Chain(Mul(2, Pow(Q; E), Pow(W; Add(N, 2)), Add(1, Mul(Pow(Q; F), W), Mul(Pow(Q; Mul(2, F)), Pow(W; 2)), Dots())), Div(Mul(2, Pow(Q; E), Pow(W; Add(N, 2))); Add(1, Neg(Mul(Pow(Q; F), W)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "|M''(z+\\varepsilon)| \\le \\frac{2 \\max(1, |z|+|\\varepsilon|+r)}{r^2}",
+        "Chain(Bars(Call(M''; Add(z, \\varepsilon))), Div(Mul(2, Call(max; 1, Add(Bars(z), Bars(\\varepsilon), r))); Pow(r; 2)); \\le)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "D = |z| \\, \\prod_{i=1}^p \\left(1 + \\frac{|a_i-b_i|}{\\mathcal{R}(b_i+N)}\\right) \\prod_{i=p+1}^{q} \\frac{1}{\\mathcal{R}(b_i + N)}.",
+        "Chain(D, Mul(Bars(z), BigProduct(i; 1; p; Mul(Add(1, Div(Bars(Add(a_i, Neg(b_i))); Call(\\mathcal{R}; Add(b_i, N)))), BigProduct(i; Add(p, 1); q; Div(1; Call(\\mathcal{R}; Add(b_i, N))))))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "Y_n^m(\\theta, \\varphi) := \\sqrt{\\frac{(2n+1)(n-m)!}{4\\pi(n+m)!}} \\exp(i m \\varphi) \\mathrm{P}_n^m\\left(\\cos(\\theta)\\right)",
+        "Chain(Call(Y _ { n } ^ { m }; \\theta, \\varphi), Mul(Sqrt(Div(Mul(Add(Mul(2, n), 1), Factorial(Add(n, Neg(m)))); Mul(4, \\pi, Factorial(Add(n, m))))), Call(exp; Mul(i, m, \\varphi)), Call(\\mathrm { P } _ { n } ^ { m }; Call(cos; \\theta))); =)",
+        "sympy/sympy/sympy/functions/special/spherical_harmonics.py",
+    ),
+    (
+        "\\begin{aligned} \\operatorname{RealGaunt}(l_1,l_2,l_3,\\mu_1,\\mu_2,\\mu_3) &=\\int Z^{\\mu_1}_{l_1}(\\Omega) Z^{\\mu_2}_{l_2}(\\Omega) Z^{\\mu_3}_{l_3}(\\Omega) \\,d\\Omega \\\\ \\end{aligned}",
+        "Chain(Call(\\text{RealGaunt}; l_1, l_2, l_3, \\mu_1, \\mu_2, \\mu_3), Antiderivative(Mul(Call(Z _ { l _ { 1 } } ^ { \\mu _ { 1 } }; \\Omega), Call(Z _ { l _ { 2 } } ^ { \\mu _ { 2 } }; \\Omega), Call(Z _ { l _ { 3 } } ^ { \\mu _ { 3 } }; \\Omega)); \\Omega); =)",
+        "sympy/sympy/sympy/physics/wigner.py",
+    ),
+    (
+        "moment(X, c, n) = E((X-c)^{n})",
+        "Chain(Call(\\text{moment}; X, c, n), Call(E; Pow(Add(X, Neg(c)); n)); =)",
+        "sympy/sympy/sympy/stats/rv_interface.py",
+    ),
+    (
+        "[G_{s}] = [\\hat{\\bm g}_{s_{1}} \\cdots \\hat{\\bm g}_{s_{N}}]",
+        "Chain([ G _ { s } ], Tuple(\\hat{\\bm{g}}_{s_1}, Dots(), \\hat{\\bm{g}}_{s_N}; []); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\dot{\\bm{H}}_{\\text{sc},B} = [I_{\\text{hub},B_c}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N} + m_{\\text{hub}} \\bm{r}_{B_c/B}\\times\\ddot{\\bm r}_{B_c/B}\\\\ +\\sum\\limits_{i=1}^{N_S} \\biggl( [I'_{\\text{sp}_{i1},S_{c,i1}}] \\bm\\omega_{\\cal B/N} + [I_{\\text{sp}_{i1},S_{c,i1}}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sp}_{i1},S_{c,i1}}] \\bm\\omega_{\\cal B/N}\\\\ + \\ddot{\\theta}_{i1} I_{s_{i1,2}}\\bm{\\hat{s}}_{i1,2}+ \\bm\\omega_{\\cal B/N} \\times \\dot{\\theta}_{i1} I_{s_{i1,2}}\\bm{\\hat{s}}_{i1,2} +m_{\\text{sp}_{i1}} \\bm{r}_{S_{c,i1}/B} \\times \\ddot{\\bm r}_{S_{c,i1}/B}\\\\ + [I'_{\\text{sp}_{i2},S_{c,i2}}] \\bm\\omega_{\\cal B/N} + [I_{\\text{sp}_{i2},S_{c,i2}}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sp}_{i2},S_{c,i2}}] \\bm\\omega_{\\cal B/N}\\\\ + \\big(\\ddot{\\theta}_{i1} + \\ddot{\\theta}_{i2}\\big) I_{s_{i2,2}}\\bm{\\hat{s}}_{i2,2}+ \\bm\\omega_{\\cal B/N} \\times \\big(\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2}\\big) I_{s_{i2,2}}\\bm{\\hat{s}}_{i2,2} +m_{\\text{sp}_{i1}} \\bm{r}_{S_{c,i2}/B} \\times \\ddot{\\bm r}_{S_{c,i2}/B}\\biggr)",
+        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\ddot{\\bm{r}}_{B_c/B})), BigSum(i; 1; N_S; Add(Mul([ I ' _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Call(\\ddot{\\theta}_{i1}), I_{s_i1,2}, \\bm{\\hat{s}}_{i1,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Call(\\dot{\\theta}_{i1}), I_{s_i1,2}, \\bm{\\hat{s}}_{i1,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i1/B})); Call(\\ddot{\\bm{r}}_{S_c,i1/B})), Mul([ I ' _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Add(Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2})), I_{s_i2,2}, \\bm{\\hat{s}}_{i2,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})), I_{s_i2,2}, \\bm{\\hat{s}}_{i2,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i2/B})); Call(\\ddot{\\bm{r}}_{S_c,i2/B}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "[b_n]_i = \\Pr(x_n = x_i | u_0, y_0, ... u_{n-1}, y_{n-1}).",
+        "Chain(Marked(b_n; _{ i }), Call(Pr; Given(Chain(x_n, x_i; =); u_0, y_0, Dots(), u_{n-1}, y_{n-1}; |)); =)",
+        "RussTedrake/underactuated/book/belief.html",
+    ),
+    (
+        "\\begin{cases} x = x(q_1,q_2,q_3) \\\\ y = y(q_1,q_2,q_3) \\\\ z = z(q_1,q_2,q_3) \\end{cases}",
+        "System(Chain(Call(x), Call(x; q_1, q_2, q_3); =), Chain(Call(y), Call(y; q_1, q_2, q_3); =), Chain(Call(z), Call(z; q_1, q_2, q_3); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Kinematics.tex",
+    ),
+    (
+        "a = \\frac{g(\\rho_p-\\rho_f)}{\\rho_p} - \\frac{3C_D \\rho_f u^2}{4D \\rho_p}",
+        "Chain(a, Add(Div(Mul(g, Add(\\rho_p, Neg(\\rho_f))); \\rho_p), Neg(Div(Mul(3, C_D, \\rho_f, Pow(u; 2)); Mul(4, D, \\rho_p)))); =)",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
+    (
+        "a u_x + b u_t + c u = g, \\qquad u(x,0) = f(x) .",
+        "System(Chain(Add(Mul(a, u_x), Mul(b, u_t), Mul(c, Call(u))), g; =), Chain(Call(u; x, 0), Call(f; x); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\delta\\boldsymbol{r}_A = (-l\\sin\\alpha\\delta\\alpha,l\\cos\\alpha\\delta\\alpha),\\quad \\delta\\boldsymbol{r}_B = (-2l\\sin\\alpha\\delta\\alpha,0),\\quad \\delta\\boldsymbol{r}_C = (-l\\sin\\alpha\\delta\\alpha,-l\\cos\\alpha\\delta\\alpha)",
+        "System(Chain(\\delta \\boldsymbol { r } _ { A }, Pair(Neg(Mul(l, Call(sin; \\alpha), \\delta \\alpha)); Mul(l, Call(cos; \\alpha), \\delta \\alpha)); =), Chain(\\delta \\boldsymbol { r } _ { B }, Pair(Neg(Mul(2, l, Call(sin; \\alpha), \\delta \\alpha)); 0); =), Chain(\\delta \\boldsymbol { r } _ { C }, Pair(Neg(Mul(l, Call(sin; \\alpha), \\delta \\alpha)); Neg(Mul(l, Call(cos; \\alpha), \\delta \\alpha))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
 )
+
 REFUSED = (  # LaTeX with two readings, repository and path
     ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),
     ("E = 0.383Re^{0.356}-0.207Re^{0.396} - \\frac{0.143}{1+(\\log_{10} Re)^2}", "CalebBell/fluids/fluids/drag.py"),
@@ -1613,4 +1774,36 @@ REFUSED = (  # LaTeX with two readings, repository and path
     ("Re = \\frac{\\rho v_s d_p}{\\mu}", "CalebBell/fluids/fluids/packed_bed.py"),
     ("q = f^{-1}_{kin}(X^G),", "RussTedrake/manipulation/book/trajectories.html"),
     ("y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y'(1) = 0.", "jirilebl/diffyqs/ch-eigenvalue-probs.tex"),
+    (
+        "\\begin{array}{rcl} \\mathbf{f}_D(\\mathbf{q}) &=& \\mathbf{CD}^r - \\mathbf{D}^b \\\\ &=& \\mathbf{P}_D\\mathbf{q} - \\mathbf{D}^b \\\\ &=& (D_x^r\\mathbf{P}_1 + D_y^r\\mathbf{P}_2 + D_z^r\\mathbf{P}_3)\\mathbf{q} - \\mathbf{D}^b \\\\ &=& D_x^r\\mathbf{C}_1 + D_y^r\\mathbf{C}_2 + D_z^r\\mathbf{C}_3 - \\mathbf{D}^b \\end{array}",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "\\text{cost} = -\\sum_i (n^i_{G_x})^2,",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "|[t^k] R_n(z+t)| \\le 2 |B_{2n}| \\frac{\\Gamma(2n+k-1)}{\\Gamma(k+1) \\Gamma(2n+1)} \\; |z| \\; \\left(\\frac{b}{|z|}\\right)^{2n+k}",
+        "fredrik-johansson/arb/doc/source/gamma.rst",
+    ),
+    (
+        "res_{s = b + l_u + t} \\Gamma(b - s) = -\\frac{(-1)^{l_u + t}}{(l_u + t)!} = -\\frac{(-1)^{l_u}}{l_u!} \\frac{(-1)^t}{(l_u+1)_t}.",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "f^k(x) + \\sum\\limits_{j=0}^{k-1} A_j f^j(x) = 0",
+        "sympy/sympy/sympy/series/formal.py",
+    ),
+    (
+        "m_1\\text{-}P\\text{-}Q = O\\text{-}P\\text{-}Q - O\\text{-}m_1\\text{-}Q = \\frac{a^2 E}{2} - \\frac{a^2 e \\sin{E}}{2}",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "0 = e^2 - \\frac{r_0}{a}\\cos\\nu_0 e - \\left(1 + \\frac{r_0}{a}\\right)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "V = \\int_C \\rho gh \\mathrm{d} l = \\int_0^\\pi \\rho g R\\sin \\alpha R\\mathrm{d} \\alpha = 2\\rho gR^2",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
 )

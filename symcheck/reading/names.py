@@ -31,7 +31,7 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
-    "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
+    "SG": "specific-gravity", "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
 }  # fmt: skip
 # Those of them that may be products too: forces times radii, masses times accelerations.
 PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})

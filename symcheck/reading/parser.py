@@ -87,7 +87,9 @@ OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
 COUNTERS = frozenset("nkijml")  # letters that count
-ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
+ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
+OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
+LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "k", "T"})  # what wave numbers multiply
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
@@ -704,6 +706,8 @@ class Builder:
         if not isinstance(factor, Name) or not factor.letter.startswith(r"\text{"):
             return
         beside = [other for other in (*before, *behind) if other.kind != "dot"]
+        if beside and not any(map(str.isalnum, factor.letter.removeprefix(r"\text{"))):
+            raise self.fail(item.at, "punctuation in text is no factor; name what is printed with it")
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
         if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
@@ -981,8 +985,8 @@ class Builder:
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
-            if k > start and isinstance(item.node, Name) and item.node.dots:
-                break  # no angle is multiplied by a rate
+            if k > start and isinstance(item.node, Name) and (item.node.dots or _changes(item.node, items[k - 1].node)):
+                break  # no angle is multiplied by a rate, or by its own change
             if k > start and self.ends_angle(items[start : k + 1]) and not self.runs_on(item, head.name):
                 break
             if k > start and item.at in self.spaced and not self.runs_on(item, head.name):
@@ -1008,6 +1012,8 @@ class Builder:
             return False
         first, second = (name.letter.partition("_")[0] for name in names)
         if second.startswith(("\\hat", "\\vec", "\\tilde", "\\widehat")):
+            return True
+        if first in OFTEN_ANGLES and second.isalpha() and second not in LENGTHS:
             return True
         return first in ANGLES and second not in ("t", r"\tau", "x") and second not in ANGLES
 
@@ -1373,6 +1379,12 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+def _changes(name: Name, of: Tree | None) -> bool:
+    r"""Is this the change of another letter, `\delta\alpha` behind `\alpha`?"""
+    changes = (r"\delta", r"\Delta")
+    return isinstance(of, Name) and any(name.letter.split() == [sign, *of.letter.split()] for sign in changes)
 
 
 def _part(listing: Listing, start: int, end: int) -> Listing:
