@@ -31,7 +31,7 @@ entry: LABEL? formula (COLON formula)? | FORALL formula
 exists: EXISTS NAME (COMMA NAME)* COLON implies
 ?chain: sum | sum (REL sum)+
 sum: (MINUS | PM | PLUS)? term ((PLUS | MINUS | PM) term)*
-term: product ((SLASH | TIMES) product | (OPERATOR product)+)?
+term: product ((SLASH | TIMES) product | TIMES product TIMES product | (OPERATOR product)+)?
 product: (item | CDOT)+
 item: primary BANG? (CARET LB sum RB TRANSPOSE? | TRANSPOSE | DEGREE | PRIMES | MARK (CARET LB sum RB | TRANSPOSE)?
     | AT LB chain RB (LB sum RB)?)?

@@ -603,7 +603,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     if number := _number(of, every):
         yield from number
         return
-    if latex == "d" and all(map(_is_before_letter, of.places)):
+    listed = bool(of.arguments) and all(len(args) > 1 for args in of.arguments)  # a distance
+    if latex == "d" and not listed and all(map(_is_before_letter, of.places)):
         sign = Letter(latex, kind="differential")
         yield Guess(sign, "the sign of a differential", "it stands before letters and brackets only")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it", remote=True)

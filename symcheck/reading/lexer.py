@@ -546,6 +546,9 @@ class Lexer(tex.Reader):
             operator += text.removeprefix("\\")
             if not any(name.startswith(operator) for name in LIMITING):
                 break
+        if operator in ("min", "max") and self.peek() in (r"\sum", r"\int", r"\max", r"\min"):
+            self.emit("UNDER", (operator, ""), at)
+            return True
         if operator not in LIMITING or self.peek() != "_" or self.notation.knows(self.toks[start].text):
             self.i = start
             return False
@@ -945,12 +948,16 @@ class Lexer(tex.Reader):
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
         self.out = _listed(self.out)
+        if self.out and self.out[0].type == "REL":  # a display that goes on from the one before
+            self.out.insert(0, Lexeme("BLANK", "", self.out[0].at))
         out: list[Lexeme] = []
         pending: Lexeme | None = None
         for lexeme in self.out:
             if lexeme.type == "NEWLINE":
                 pending = pending or lexeme
                 continue
+            if out and out[-1].type == "COMMA" and lexeme.type in ("IMPLIES", "IFF"):
+                out.pop()
             if pending and out:
                 before = out[-1]
                 if (before.type, before.value) == ("COMMA", ","):

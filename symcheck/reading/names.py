@@ -20,7 +20,7 @@ from symcheck.reading.occurrences import occurrences
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
-_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
+_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
 _BOUNDED = frozenset({r"\sum", r"\prod", r"\int", r"\oint", r"\iint", r"\bigcup", r"\bigcap"})
 _NO_BASE = frozenset(
@@ -112,7 +112,8 @@ def _is_power(above: Sequence[str]) -> bool:
 def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     """What is in doubt about a superscript that may be a label; None if it is a power, transposes, or is none."""
     inside = [text for text in of.above if text not in SPACES]
-    if not inside or (of.word in _NO_BASE or of.word.startswith(r"\mathbb")):
+    sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
+    if not inside or (of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign:
         return None
     if _is_label(inside):
         return ""
@@ -289,7 +290,7 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             reader.i = end
             continue
         reader.i += 1
-        if text not in (r"\Delta", r"\delta") or not _begins_letter(reader.peek()):
+        if text not in (r"\Delta", r"\delta", r"\nabla") or not _begins_letter(reader.peek()):
             continue
         try:
             reader.spelling()
@@ -371,6 +372,8 @@ def _begins_letter(text: str) -> bool:
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
+        return True
     if len(inside) > 2 and inside[-2] == "/" and inside[1] in "/(" and inside[0].isupper() and inside[-1].isupper():
         return True  # of one point or frame to another
     word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")

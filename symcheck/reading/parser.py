@@ -83,7 +83,7 @@ from symcheck.reading.tree import (
 )
 from symcheck.reading.tree import nodes as walked  # where a rule of the grammar calls its own parts nodes
 
-OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
+OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
 COUNTERS = frozenset("nkijml")  # letters that count
@@ -94,6 +94,7 @@ _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
+_PROBLEMS = frozenset({r"\text{subject~to}", r"\text{s.t.}"})  # what stands before it is to be found
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
@@ -303,7 +304,9 @@ class Builder:
         if len(parts) == 1 and not qualifiers:
             return parts[0]
         if any(isinstance(part, STATEMENTS) for part in parts):
-            parts = [Words(part) if _is_words(part) else part for part in parts]
+            problem = any(_is_words(part) and to_latex(part) in _PROBLEMS for part in parts)
+            aside = (Limiting, Name) if problem else ()
+            parts = [Words(part) if _is_words(part) or isinstance(part, (Dots, *aside)) else part for part in parts]
         stated = [isinstance(part, STATEMENTS) for part in parts]
         if not all(stated) and (any(stated) or qualifiers):
             raise self.fail(
@@ -594,6 +597,8 @@ class Builder:
         right = self.items(nodes[2])
         if nodes[1].type == "OPERATOR":
             return self.operated(nodes)
+        if len(nodes) > 3:
+            return self.crossed_twice([left, right, self.items(nodes[4])], nodes[3].value.at)
         if nodes[1].type == "TIMES":
             crossed = self.plain(right)
             if left[0].kind == "sum" and left[0].bounds and len(left) > 1 and self.runs_over(left, crossed):
@@ -615,11 +620,24 @@ class Builder:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
+    def crossed_twice(self, several: list[list[Item]], at: int) -> Tree:
+        """`a \\times a \\times b`, which has one reading that is not zero, and products with numbers."""
+        if any(item.kind in ("sum", "integral", "over", "under") for items in several for item in items):
+            raise self.fail(at, "a cross product behind a sum is ambiguous")
+        first, second, third = map(self.plain, several)
+        bare = first.factors[-1] if isinstance(first, Mul) else first
+        if bare == second and self.is_vector(second):
+            return Cross(first, Cross(second, third))
+        if isinstance(first.factors[0] if isinstance(first, Mul) else first, Number):
+            return Cross(Cross(first, second), third)
+        raise self.fail(at, "which of these cross products comes first? write brackets")
+
     def runs_over(self, items: list[Item], crossed: Tree) -> bool:
         """Does the index of the only sum, which comes first, stand in what is behind the cross, too?"""
         inner = any(item.kind in ("sum", "integral", "over", "under") for item in items[1:])
         names = [node for node in nodes(crossed) if isinstance(node, Name)]
         used = {index for name in names for index in (name.letter, *name.subscripts)}
+        used |= {tok.text for name in names for tok in tex.tokenize(name.letter)}
         bounds = items[0].bounds
         return not inner and bounds is not None and bool(used.intersection(bounds[0]))
 
@@ -735,6 +753,8 @@ class Builder:
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
+        if letter is not None and self.notation.inferred and _is_factor(name, letter, inside):
+            return
         if isinstance(node, Pow) and node.exponent == Neg(Number("1")) and not isinstance(inside, Add | Neg):
             raise self.fail(
                 after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
@@ -805,7 +825,8 @@ class Builder:
             alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
             if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
                 alone = self.call(items, k + 1)[1] == len(items)
-            alone = alone or (k + 1 < len(items) and items[k + 1].kind == "integral")  # which reaches to the end
+            reaching = ("integral", "antiderivative", "over", "sum", "under")  # to the end
+            alone = alone or (k + 1 < len(items) and items[k + 1].kind in reaching)
             if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
@@ -819,11 +840,18 @@ class Builder:
             after = items[k + 1]
             bracketed = after.kind == "group" and not after.postfix
             return Total(self.atom(after)) if bracketed else self.total(self.atom(after), item.at), k + 2
-        if isinstance(item.node, Number) and not dotted:
+        if isinstance(item.node, Number) and not dotted and not self.ends_clearly(items[k - 1]):
             raise self.fail(item.at, "a number behind a factor is ambiguous")
         if isinstance(item.node, Name):
             return self.applied(items, k)
         return self.alone(item), k + 1
+
+    def ends_clearly(self, item: Item) -> bool:
+        """Does this factor end in a bracket, a factorial or a fraction with letters, behind which a number is one?"""
+        if item.postfix and item.postfix != "CARET":
+            return False
+        lettered = any(isinstance(node, Name) for node in walked(item.node)) if item.node is not None else True
+        return item.kind in ("group", "fraction") and lettered or item.square or isinstance(item.node, MatrixOf | Dots)
 
     def integral(self, items: list[Item], k: int) -> Tree:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
@@ -886,7 +914,7 @@ class Builder:
             return self.atom(item), k + 1
         if not self.applies(name):
             return self.atom(item), k + 1
-        arguments = self.entries(after.listing)
+        arguments = self.arguments(after.listing)
         if self.kind(name) != "function" and not self.is_declared(name, arguments):
             return self.atom(item), k + 1  # refused as a product
         call = Call(name, arguments)
@@ -974,7 +1002,7 @@ class Builder:
             return self.powered(head, (self.atom(items[k]),)), k + 1
         if head.name in OF_MATRICES and k < len(items) and self.is_matrix(items[k]):
             beside = items[k + 1] if k + 1 < len(items) else None
-            if items[k].postfix or (beside is not None and (beside.kind == "group" or self.is_matrix(beside))):
+            if items[k].postfix not in ("", "TRANSPOSE") or (beside is not None and (beside.kind == "group" or self.is_matrix(beside))):
                 raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
             return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
@@ -1038,7 +1066,7 @@ class Builder:
         return self.notation.argument == "long"
 
     def is_matrix(self, item: Item) -> bool:
-        return isinstance(item.node, Name) and self.kind(item.node) == "matrix"
+        return isinstance(item.node, Name) and self.kind(item.node) in ("matrix", "vector")
 
     def simple(self, item: Item) -> bool:
         if isinstance(item.node, Name):
@@ -1057,6 +1085,15 @@ class Builder:
                 )
             return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
+
+    def arguments(self, listing: Listing | None) -> tuple[Tree, ...]:
+        """What a function is applied to; semicolons part its arguments from its parameters."""
+        assert listing is not None
+        if "SEMI" not in listing.separators:
+            return self.entries(listing)
+        k = listing.separators.index("SEMI") + 1
+        first, rest = _part(listing, 0, k), _part(listing, k, len(listing.entries))
+        return (Given(self.entries(first), self.arguments(rest), ";"),)
 
     def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
         """The expressions in a pair of brackets."""
@@ -1379,6 +1416,18 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+def _is_factor(name: Name, letter: Letter, inside: Tree | None) -> bool:
+    """Does a letter that varies stand before brackets that hold no argument of it: rates, its own value, a fraction?"""
+    if letter.kind == "function" or not letter.depends or not isinstance(inside, Add | Neg | Mul | Div | Derivative):
+        return False
+    held = [node for node in nodes(inside) if isinstance(node, Name)]
+    if any(each.dots or each.letter == name.letter for each in held):
+        return True
+    terms = [term.value if isinstance(term, Neg) else term for term in getattr(inside, "terms", ())]
+    sums = bool(terms) and any(isinstance(term, Div | Mul | Pow) for term in terms)
+    return isinstance(inside, Derivative) or (bool(name.dots) and sums)
 
 
 def _changes(name: Name, of: Tree | None) -> bool:

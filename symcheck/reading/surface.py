@@ -17,7 +17,7 @@ from symcheck.reading.functions import COMMANDS
 
 FONTS = {  # switches that hold to the end of their group
     r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
-    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
+    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\tt": r"\mathrm", r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
 }  # fmt: skip
 SAME = {  # other spellings
     r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": r"\|", r"\rVert": r"\|", r"\Vert": r"\|",
@@ -27,7 +27,7 @@ SAME = {  # other spellings
     r"\mathbin": "",
     r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
     r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
-    r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf",
+    r"\mathtt": r"\mathrm", r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf",
     r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
     r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
     r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge",
@@ -444,7 +444,7 @@ def _is_size(script: Sequence[Part]) -> bool:
 
 def _is_switch(command: str) -> bool:
     """Does it hold to the end of the group rather than for an argument?"""
-    return command in (r"\bf", r"\rm", r"\cal", r"\it", r"\sf")
+    return command in (r"\bf", r"\rm", r"\cal", r"\it", r"\sf", r"\tt")
 
 
 def _argument_count(parts: Sequence[Part], k: int, count: int) -> int:
@@ -496,17 +496,20 @@ def _second(command: str, first: Part, second: Part) -> list[Part]:
     """What stands over or under a sign is a note; over anything else it is refused where it is read."""
     inner = _inner(second)
     sign = "".join(part for part in inner if isinstance(part, str))
+    if command == r"\underset" and re.sub(r"[^a-z]", "", sign.removeprefix(r"\operatorname").removeprefix(r"\mathrm") + "".join(_texts(inner))).endswith(("lim", "min", "max")):
+        return [*inner, "_", first if isinstance(first, Group) else Group([first])]
     if command == r"\textcolor" or sign in SIGNS_OVER:
         return inner
     return [command, first, second]
 
 
 def _over(parts: list[Part]) -> list[Part]:
-    r"""`a \over b` as a fraction."""
-    if r"\over" not in parts:
-        return parts
-    k = parts.index(r"\over")
-    return [r"\frac", Group(parts[:k]), Group(parts[k + 1 :])]
+    r"""`a \over b` as a fraction, and `n \choose k` as a binomial."""
+    for sign, command in ((r"\over", r"\frac"), (r"\choose", r"\binom")):
+        if sign in parts:
+            k = parts.index(sign)
+            return [command, Group(parts[:k]), Group(parts[k + 1 :])]
+    return parts
 
 
 def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]:
