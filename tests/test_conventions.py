@@ -368,16 +368,16 @@ UNSAID = [
     (r"\bar v = (\bar v \cdot \hat a_x) \hat a_x + (\bar v \cdot \hat a_y) \hat a_y", []),
     (r"\bar v \cdot \bar w = |\bar v| |\bar w| \cos\theta", []),
     (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
-    (r"m\text{-}P = P\text{-}m", []),
     (r"m \ne n \Rightarrow \int_0^\pi \sin(mt) \sin(nt) \,dt = 0", []),
     (r"\sin(n\pi) = 0", []),
     (r"\mathrm{i}^2 = \mathrm{j}^2 = \mathrm{k}^2 = \mathrm{i}\mathrm{j}\mathrm{k} = -1", []),
     (r"i = \cos^{-1}(h_Z/h)", []),
     (r"\sin x y = y \sin x", []),
-    (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
 ]
 # letters before brackets that nobody writes around a factor, and that stand without them too
 APPLIED = [
+    (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
+    (r"m\text{-}P = P\text{-}m", []),
     ("v(t) = v t", []),
     (r"E_n = 2^n E_n\left(\frac{1}{2}\right)", []),
     (r"x = \int_0^t f(\tau) h(t - \tau) d\tau + f", []),

@@ -411,7 +411,7 @@ def _opened(of: Evidence, options: list[Guess]) -> list[Guess]:
     """The same, each letter marked if it may be a function of what stands in brackets behind it, or a factor."""
     letters = [guess.letter for guess in options if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
-    unclear = [place for place in of.places if place.arguments is not None]
+    unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
     if of.said or applied or not unclear:
         return options
     sums = all(map(_is_sum, (place.arguments or () for place in unclear)))
@@ -419,6 +419,13 @@ def _opened(of: Evidence, options: list[Guess]) -> list[Guess]:
     if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and named)):
         return options
     return [replace(guess, letter=replace(guess.letter, open=True)) for guess in options]
+
+
+def _multiplies(of: Evidence, place: Occurrence) -> bool:
+    """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?"""
+    power = place.superscript or ()
+    raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
+    return raised or any(of.spelling in arg.split() for arg in place.arguments or ())
 
 
 def _is_sum(args: Sequence[str]) -> bool:
@@ -889,10 +896,11 @@ def _is_product(args: Sequence[str]) -> bool:
 
 def _is_idle(text: str) -> bool:
     """Do no signs stand in it but within other brackets, so that none are needed around it?"""
-    depth = 0
+    depth, bars = 0, False
     for tok in text.split():
         depth += (tok in OPEN or tok == "{") - (tok in CLOSE or tok == "}")
-        if depth == 0 and tok in _SIGNS:
+        bars ^= tok in ("|", r"\|")
+        if depth == 0 and not bars and tok in _SIGNS:
             return False
     return bool(text)
 

@@ -67,7 +67,24 @@ OPERATORS = frozenset(  # between two terms, of which no notation says what they
 CLOSED = frozenset({r"\oint", r"\iint", r"\iiint"})  # integrals over curves, surfaces and bodies
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
-SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", r"\subset"})
+SETS = frozenset(
+    {
+        r"\substack",
+        r"\bmod",
+        r"\mod",
+        r"\in",
+        "<",
+        ">",
+        r"\le",
+        r"\leq",
+        r"\ge",
+        r"\geq",
+        r"\ne",
+        r"\neq",
+        r"\notin",
+        r"\subset",
+    }
+)
 BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
 _ENDS = frozenset(
     {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
@@ -591,6 +608,9 @@ class Lexer(tex.Reader):
                 below = " ".join(tok.text for tok in self.toks[start : self.i])
                 self.emit("OVER", (r"\int", below), at)
                 return
+            if not any(tok.text == "d" for tok in self.toks[self.i :]):  # over something that is not printed
+                self.emit("UNDER", ("int", ""), at)
+                return
             self.emit("ANTI", r"\int", at)
             return
         self.emit(kind, {"SUM": r"\sum", "PROD": r"\prod"}.get(kind, r"\int"), at)
@@ -617,7 +637,8 @@ class Lexer(tex.Reader):
             self.i += 1
             found[mark] = " ".join(tok.text for tok in self.group())
         below = found.get("_", "").split()
-        if not below or not (SETS & set(below) or ("^" in found and "=" not in below)):
+        set_like = SETS & set(below) or below[:1] == ["("] if below else False
+        if not below or not (set_like or ("^" in found and "=" not in below)):
             self.i = start
             return ""
         return "".join(f"{mark}{{ {found[mark]} }}" for mark in ("_", "^") if mark in found)
@@ -948,7 +969,7 @@ class Lexer(tex.Reader):
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
         self.out = _listed(self.out)
-        if self.out and self.out[0].type == "REL":  # a display that goes on from the one before
+        if self.notation.inferred and self.out and self.out[0].type == "REL":  # a display that goes on from the one before
             self.out.insert(0, Lexeme("BLANK", "", self.out[0].at))
         out: list[Lexeme] = []
         pending: Lexeme | None = None

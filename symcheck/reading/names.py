@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
 from symcheck.reading.lexer import SIZES, SPACES
 from symcheck.reading.occurrences import occurrences
 
@@ -357,9 +357,16 @@ def _accented(formula: str) -> Iterator[tuple[str, str]]:
             continue
         inside = [tok.text for tok in reader.group()]
         letters = _outside_scripts(inside)
-        if len(letters) < 2 or not all(letter.isalpha() or letter in (r"\Delta", r"\delta") for letter in letters):
+        own = STYLES | LETTER_COMMANDS | {"(", ")", r"\star"}
+        if len(letters) < 2 or not all(letter.isalpha() or letter in own for letter in letters):
             reader.i = start + 1
             continue
+        if len(letters) < 3 and letters[0] in STYLES:
+            reader.i = start + 1
+            continue
+        while reader.peek() == "_":
+            reader.i += 1
+            reader.group()
         name = " ".join(tok.text for tok in toks[start : reader.i])
         points = text == r"\vec" and len(letters) == 2 and all(letter.isupper() for letter in letters)
         yield name, "" if points else f"one name, or something done with {' '.join(inside)}? say what {name} is"
@@ -373,6 +380,8 @@ def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
+        return True
+    if r"\times" in inside[1:]:  # rows and columns
         return True
     if len(inside) > 2 and inside[-2] == "/" and inside[1] in "/(" and inside[0].isupper() and inside[-1].isupper():
         return True  # of one point or frame to another

@@ -85,7 +85,7 @@ from symcheck.reading.tree import nodes as walked  # where a rule of the grammar
 
 OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
-_BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
+_BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair, Norm)
 COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
 OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
@@ -94,7 +94,8 @@ _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
-_PROBLEMS = frozenset({r"\text{subject~to}", r"\text{s.t.}"})  # what stands before it is to be found
+SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
+ASIDE = frozenset({SUBJECT, r"\text{~or~}"})  # words between relations
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
@@ -304,7 +305,7 @@ class Builder:
         if len(parts) == 1 and not qualifiers:
             return parts[0]
         if any(isinstance(part, STATEMENTS) for part in parts):
-            problem = any(_is_words(part) and to_latex(part) in _PROBLEMS for part in parts)
+            problem = any(_is_words(part) and to_latex(part) == SUBJECT for part in parts)
             aside = (Limiting, Name) if problem else ()
             parts = [Words(part) if _is_words(part) or isinstance(part, (Dots, *aside)) else part for part in parts]
         stated = [isinstance(part, STATEMENTS) for part in parts]
@@ -469,6 +470,8 @@ class Builder:
     def is_listed(self, tree: Tree) -> bool:
         """A letter alone, which may share a relation with others: those of `a, b > 0`."""
         name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+        if isinstance(name, Name) and name.letter in ASIDE:
+            return False
         return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
 
     def is_index(self, tree: Tree) -> bool:
@@ -626,7 +629,7 @@ class Builder:
             raise self.fail(at, "a cross product behind a sum is ambiguous")
         first, second, third = map(self.plain, several)
         bare = first.factors[-1] if isinstance(first, Mul) else first
-        if bare == second and self.is_vector(second):
+        if bare == second != third and self.is_vector(second):
             return Cross(first, Cross(second, third))
         if isinstance(first.factors[0] if isinstance(first, Mul) else first, Number):
             return Cross(Cross(first, second), third)
@@ -908,7 +911,8 @@ class Builder:
         if isinstance(name, Name) and after is not None and after.kind == "given" and not item.postfix:
             assert after.node is not None
             return self.postfixed(Call(name, (after.node,)), after), k + 2
-        if isinstance(name, Name) and after is not None and not item.postfix and (places := self.places(name, after)):
+        apart = after is None or item.postfix or item.square
+        if isinstance(name, Name) and after is not None and not apart and (places := self.places(name, after)):
             return self.postfixed(Indexed(name, places), after), k + 2
         if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
             return self.atom(item), k + 1
@@ -1002,7 +1006,9 @@ class Builder:
             return self.powered(head, (self.atom(items[k]),)), k + 1
         if head.name in OF_MATRICES and k < len(items) and self.is_matrix(items[k]):
             beside = items[k + 1] if k + 1 < len(items) else None
-            if items[k].postfix not in ("", "TRANSPOSE") or (beside is not None and (beside.kind == "group" or self.is_matrix(beside))):
+            if items[k].postfix not in ("", "TRANSPOSE") or (
+                beside is not None and (beside.kind == "group" or self.is_matrix(beside))
+            ):
                 raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
             return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
@@ -1136,6 +1142,8 @@ class Builder:
         if item.postfix == "PRIMES":
             return Derivative(node, tuple(Counter(item.letters).items()), partial=True)
         assert item.power is not None
+        if isinstance(node, Number) and isinstance(item.power, Cross):
+            raise self.fail(item.at, "rows and columns, or a power? write them below")
         return Pow(node, item.power)
 
     def bracketed(self, listing: Listing | None, kind: str) -> Tree:

@@ -47,7 +47,17 @@ SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # 
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
-ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\begin": 1, r"\end": 1, r"\tag": 1}
+ARGUMENTS = {
+    r"\frac": 2,
+    r"\dfrac": 2,
+    r"\tfrac": 2,
+    r"\binom": 2,
+    r"\substack": 1,
+    r"\sqrt": 1,
+    r"\begin": 1,
+    r"\end": 1,
+    r"\tag": 1,
+}
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
 
@@ -83,18 +93,58 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         text = layout.sub(change, text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
-    return text
+    return _problem(_MATRIX.sub(_with_cells, text))
+
+
+_MATRIX = re.compile(
+    r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
+)
+
+
+def _with_cells(found: re.Match[str]) -> str:
+    """A matrix whose rows are lists with commas, with cells."""
+    cells, depth = list[str](), 0
+    for text in found[2].split(" "):
+        depth += (text in ("{", "(", "[")) - (text in ("}", ")", "]"))
+        cells.append("&" if text == "," and not depth else text)
+    return found[1] + " ".join(cells)
+
+
+_SUBJECT = re.compile(
+    r"(?:(?:\\q?quad|\\[,;: ]|,|&|\\\\) )*\\text \{ (?:~ )?(?:s u b j e c t ~ t o|s \. (?:~ )?t \.)(?: [~:])* \}(?: (?:\\q?quad|\\[,;: ]|&))*"
+)
+_OBJECTIVE = re.compile(
+    r"((?:(?:&|\\begin \{ [a-z ]* \}) )*)(?:\\operatorname \{ )?\\?(m ?i ?n|m ?a ?x|f ?i ?n ?d)(?: i m i z e)?(?: \})? "
+    r"(_ \{ (?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})* \} )?((?:(?:\\q?quad|\\[,;: ]|&) ?)*)(.*)"
+)
+
+
+def _problem(text: str) -> str:
+    r"""What is to be found under conditions, `\min_x f(x) \quad \text{subject to} \quad g(x) = 0`, with words between."""
+    first = _SUBJECT.search(text)
+    if first is None:
+        return text
+    head, rest = text[: first.start()].rstrip(), _SUBJECT.sub(lambda _: f" {WIDE} ", text[first.end() :])
+    aim = _OBJECTIVE.fullmatch(head)
+    if aim is not None:
+        before, what, below, _, of = aim.groups()
+        what, below, of = what.replace(" ", ""), below or "", of.strip().rstrip(",")
+        if what == "find":
+            head = rf"{before}\text {{ f i n d }} {below}{', ' if of else ''}{of}"
+        elif of:
+            head = rf"{before}\{what} {below}\left ( {of} \right )"
+    return rf"{head} {WIDE} \text {{ s u b j e c t ~ t o }} {WIDE} {rest}"
 
 
 def _parting(sign: str, found: re.Match[str]) -> str:
     """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
 
-    A wide `or` may say the same in other words, and is left as it is printed.
+    A wide `or` may say the same in other words, and is printed as words.
     """
     printed = found[0]
     wide = "," in printed or "quad" in printed
     if wide and sign == r"\lor":
-        return printed
+        return rf" {WIDE} \text {{ ~ o r ~ }} {WIDE} "
     return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "
 
 
@@ -106,7 +156,8 @@ def _with_words(source: str) -> list[tex.Tok]:
     while k < len(toks):
         tok = toks[k]
         if tok.text == "{":
-            scripts.append(k > 0 and (toks[k - 1].text in ("_", "^") or toks[k - 1].text[:1] == "\\"))
+            before = toks[k - 1].text if k else ""
+            scripts.append(before in ("_", "^") or (before[:1] == "\\" and before not in _OF_FORMULAS))
         elif tok.text == "}" and scripts:
             scripts.pop()
         if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
@@ -152,6 +203,7 @@ def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
     return 0 if adjacent else end - k - 1
 
 
+_OF_FORMULAS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\left", r"\right"})  # arguments are formulas
 _TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
 _TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
 _TYPED |= {"exp", "log", "ln", "max", "min"}
@@ -263,6 +315,7 @@ def _made_plain(parts: list[Part]) -> list[Part]:
 
 _SPACES = frozenset({r"\,", r"\!", r"\;", r"\:", "\\ ", "~"})
 _NO_BASE = frozenset("+-=<>(,;|&[/") | {
+    r"\|",
     "",
     r"\cdot",
     r"\times",
@@ -285,7 +338,9 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
         empty = isinstance(part, Group) and not part.parts
         start = k + 1 if empty else k
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
-        bare = isinstance(before, str) and before in _NO_BASE and not (before == "|" and _closes(found))
+        opened = isinstance(before, Group) and r"\begin" in found[-3:]
+        opened = opened or (isinstance(before, str) and before in _NO_BASE)
+        bare = opened and not (before in ("|", r"\|") and _closes(found, str(before)))
         if start < len(parts) and parts[start] in ("^", "_") and (empty or bare or _is_apart(parts, start, found)):
             scripts: dict[Part, Part] = {}
             m = start
@@ -299,15 +354,21 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
                 found += [r"\prescript", scripts.get("^", Group([])), scripts.get("_", Group([])), Group(letter)]
                 k = end
                 continue
+            if parts[m : m + 1] == [r"\begin"] and [*scripts] == ["^"]:  # a matrix in a frame, written below it too
+                end = _end_of_environment(parts, m)
+                frame = [each for each in _texts([scripts["^"]])][1:-1]
+                below = Group([each for each in frame if each not in _SPACES])
+                found += [*parts[m:end], "_", below]
+                k = end
+                continue
         found.append(parts[k])
         k += 1
     return found
 
 
-def _closes(before: Sequence[Part]) -> bool:
+def _closes(before: Sequence[Part], bar: str) -> bool:
     """Does the bar that comes last close what is between two bars?"""
-    bars = [part for part in before if part == "|"]
-    return before[-2:-1] == [r"\right"] or len(bars) % 2 == 0
+    return before[-2:-1] == [r"\right"] or before.count(bar) % 2 == 0
 
 
 def _is_apart(parts: list[Part], k: int, before: list[Part]) -> bool:
@@ -324,6 +385,16 @@ def _is_apart(parts: list[Part], k: int, before: list[Part]) -> bool:
     if before[-1] not in (r"\,", r"\;", r"\:", "\\ "):
         return False
     return len(inside) == 1 and isinstance(inside[0], str) and inside[0].isalpha() and inside[0] != "T"
+
+
+def _end_of_environment(parts: Sequence[Part], k: int) -> int:
+    """Where the environment ends that begins here."""
+    depth = 0
+    for m in range(k, len(parts)):
+        depth += (parts[m] == r"\begin") - (parts[m] == r"\end")
+        if not depth:
+            return m + 2
+    return len(parts)
 
 
 def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
@@ -409,11 +480,16 @@ MARKS = frozenset({"{", "}", "*", "+", "-", "'", r"\ast", r"\star", r"\prime", r
 
 def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     """An accent or style over a letter with scripts, which stand behind it; a style over several letters is of each."""
+    if "'" in inner[-2:] and len(inner) > 1:  # primes stand behind it
+        count = 1 + (inner[-2] == "'")
+        return [*_over_letters(command, inner[:-count]), *inner[-count:]]
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
     above = (rest[k + 1] for k in range(0, len(rest) - 1, 2) if rest[k] == "^")
-    power = command not in STYLES and any(text not in MARKS for part in above for text in _texts([part]))
+    power = command not in STYLES and any(
+        text not in MARKS and not text.isupper() for part in above for text in _texts([part])
+    )
     if letter and rest and len(rest) % 2 == 0 and scripts and not power:  # the mean of x^2 is not the square of a mean
         return [command, Group(letter), *rest]
     scripted = next((k for k in range(0, len(rest), 2) if rest[k] not in ("^", "_")), len(rest))
@@ -496,7 +572,9 @@ def _second(command: str, first: Part, second: Part) -> list[Part]:
     """What stands over or under a sign is a note; over anything else it is refused where it is read."""
     inner = _inner(second)
     sign = "".join(part for part in inner if isinstance(part, str))
-    if command == r"\underset" and re.sub(r"[^a-z]", "", sign.removeprefix(r"\operatorname").removeprefix(r"\mathrm") + "".join(_texts(inner))).endswith(("lim", "min", "max")):
+    if command == r"\underset" and re.sub(
+        r"[^a-z]", "", sign.removeprefix(r"\operatorname").removeprefix(r"\mathrm") + "".join(_texts(inner))
+    ).endswith(("lim", "min", "max")):
         return [*inner, "_", first if isinstance(first, Group) else Group([first])]
     if command == r"\textcolor" or sign in SIGNS_OVER:
         return inner
@@ -521,8 +599,31 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     if after == "^" and len(inner) == 4 and inner[0] in ACCENTS | STYLES and inner[2] == "_":
         return inner
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
+        if after == "^" and _runs_on(inner):
+            return inner
+        if after == "^" and all(part in ("_", "^") for part in inner[-4:-1:2]) and len(inner) in (5, 6):
+            return ["(", *inner, ")"]  # a letter with scripts of its own
         return [Group(inner)]  # the script belongs to all of it
     return inner
+
+
+def _runs_on(inner: Sequence[Part]) -> bool:
+    """Do letters side by side, or brackets or bars, end here, so that the script stands at the last of them?"""
+    if inner[-1] in (")", "]", "|", r"\|"):
+        return not {"+", "-", "=", r"\pm"} & _outside(inner)
+    units = _units(inner)
+    return all(isinstance(part, str) and (tex.is_letter(part) or part in _SPACES) for part in units)
+
+
+def _outside(parts: Sequence[Part]) -> set[str]:
+    """The tokens that stand in no brackets."""
+    found, depth = set[str](), 0
+    for part in parts:
+        depth += (part in ("(", "[")) - (part in (")", "]"))
+        if not depth and isinstance(part, str):
+            found.add(part)
+    bars = "|" in found or r"\|" in found
+    return found - {"+", "-"} if bars and parts[0] in (r"\left", "|", r"\|") else found
 
 
 def _is_bracket(parts: Sequence[Part]) -> bool:
@@ -571,13 +672,30 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
-_LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + r") \{ \S+ \}|[A-Z])"
+_BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
+_LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
 _SPELLINGS = (  # of one thing in several tokens, with the usual one
     (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
     (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
     # a matrix in brackets, and one of zeros
-    (re.compile(rf"\\left \[ ({_LETTER}(?: _ \{{ [^{{}}]* \}})?) \\right \]"), r"[ \1 ]"),
+    (re.compile(rf"\\left \[ ({_LETTER}(?: _ {_BRACED})?) \\right \]"), r"[ \1 ]"),
     (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
+    (re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
+    (re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
+    # a fraction at a place, with a bar on one side
+    (
+        re.compile(rf"(^|[-=+&] |\\[;,] )(\\frac {_BRACED} {_BRACED}) \\[bB]igg?[lr]? \| (?=_ \{{)"),
+        r"\1\\left . \2 \\right | ",
+    ),
+    # a derivative in a frame as an operator on one letter
+    (
+        re.compile(
+            rf"\\frac \{{ \\prescript (\{{ [^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)? \}}) \{{ \}} \{{ (d|\\mathrm \{{ d \}}|\\text \{{ d \}}) \}} \}} "
+            rf"(\{{ (?:d|\\mathrm \{{ d \}}|\\text \{{ d \}}) [^{{}}]* \}}) "
+            rf"((?:\\prescript {_BRACED} {_BRACED} {_BRACED}|\\[a-z]+ {_BRACED})(?: [_^] {_BRACED})*)(?= [-+=,&]|$| \\\\)"
+        ),
+        r"\\left ( \\frac { \2 } \3 ( \4 ) \\right ) _ \1",
+    ),
     # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
     (
         re.compile(
