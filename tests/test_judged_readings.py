@@ -62,6 +62,14 @@ OPAQUE = (
     r"y = \left. \frac{df}{dx} \right|_{x_0}",
     r"\frac{{}^N d\bar{v}}{dt} = \bar{a}",
     r"y = \begin{bmatrix} a \\ b \end{bmatrix}'",
+    r"\min_x (x - 1)^2 \quad \text{subject to} \quad x \ge 2",
+    r"a = b, \quad \text{or} \quad b = a",
+    r"y = \sum_{\substack{n=1 \\ n \text{ odd}}}^\infty a_n",
+    r"a_1 = 1 \\ \vdots \\ a_n = n",
+    r"= a + b",
+    r"x = \begin{bmatrix} a \\ b \end{bmatrix}_{N}",
+    r"f(x; a; b) = f(a; x; b)",
+    r"v = f(x = a)",
     r"A = \mathbf{0}_{3 \times 2}",
 )
 
@@ -86,6 +94,8 @@ OPEN = (  # of letters of which too little is known, beside another relation tha
     (r"L = \frac{1}{2} \sum_{i=1}^n m_i \mathbf{v}_i^2", r"L = \frac{1}{2} \sum_{i=1}^n m_i \mathbf{v}_i^3"),
     (r"Q = Q^T \succeq 0", r"Q = Q^T \preceq 0"),
     (r"a_1 + \dots + a_n = b", r"a_1 - \dots + a_n = b"),
+    (r"\mathbb{E}[X] = \sum_{i=1}^n p_i x_i", r"\mathbb{E}[X] = \sum_{i=0}^n p_i x_i"),
+    (r"J = E\left[ \int_0^1 x \, dt \right]", r"J = E\left[ \int_0^1 t \, dt \right]"),
 )  # fmt: skip
 
 
@@ -103,7 +113,6 @@ def test_forms_are_never_decided(latex: str) -> None:
 
 TWO_WAYS = (
     r"u = \pi(\theta, \dot{\theta})",
-    r"\mathbb{E}[X] = \sum_{i=1}^n p_i \mathbf{x}_i",
     r"\mathcal{L} \{t\} = \mathbf{s}",
     r"J = \mathbf{x}^T(t) \mathbf{Q} \mathbf{x}(t)",
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",

@@ -53,8 +53,8 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
-    walk,
     nodes,
+    walk,
 )
 
 

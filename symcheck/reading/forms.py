@@ -14,7 +14,7 @@ from dataclasses import fields
 
 from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import SymcheckError, Unsaid
-from symcheck.reading.names import INDEX_IN_NAME, KINDS_OPEN
+from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation
@@ -181,7 +181,8 @@ def is_sequence(tree: Indexed) -> bool:
     tree
         A letter before square brackets.
     """
-    return len(tree.places) > 1 or all(map(_is_place, tree.places))
+    expected = isinstance(tree.name, Name) and tree.name.letter in EXPECTED
+    return expected or len(tree.places) > 1 or all(map(_is_place, tree.places))
 
 
 def _is_place(tree: Tree) -> bool:

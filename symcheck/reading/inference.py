@@ -655,6 +655,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
     elif of.bare and not of.dotted and not _is_derived(of) and any(map(_is_listed, of.arguments)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
+    elif of.dotted and not of.shape and not of.capital and any(map(_is_lone, of.places)):
+        on = _letter(of, kind="function", depends=_time(every), size=(0,) if _face(latex) else ())
+        yield Guess(on, f"a function of {on.depends}", "its rate stands beside its value at a place")
     elif of.dotted or _is_derived(of):
         yield from _dependent(of, every, latex in defined)
     elif of.framed:

@@ -85,6 +85,7 @@ SETS = frozenset(
         r"\subset",
     }
 )
+NUMBERS = frozenset({r"\text{Re}", r"\text{Pr}"})  # with an index they are no functions
 BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
 _ENDS = frozenset(
     {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
@@ -381,7 +382,7 @@ class Lexer(tex.Reader):
             self.i += 1
         elif bracket in ("|", r"\|", r"\Vert"):
             self.bar(opening={r"\left": True, r"\right": False}.get(text))
-        elif bracket not in OPEN and bracket not in CLOSE:
+        elif bracket not in OPEN and bracket not in CLOSE and bracket not in (r"\langle", r"\rangle"):
             self.fail(f"a bracket must follow {text}")
 
     def one_sided(self) -> None:
@@ -538,7 +539,7 @@ class Lexer(tex.Reader):
             self.emit("NEWLINE", text, at)
         elif self.environments and self.environments[-1][0] == "cases":
             self.fail("a value with its condition cannot be read; state one implication for each case", at)
-        else:
+        elif len(self.out) != self.bounds:
             self.emit("GAP", text, at)
 
     def spacing_follows(self) -> bool:
@@ -743,7 +744,12 @@ class Lexer(tex.Reader):
         else:
             word = self.word() or self.spelling()
         plain = word.removeprefix(r"\text{").removesuffix("}").removeprefix("\\")
-        if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
+        number = word in NUMBERS and self.peek() == "_"  # of Reynolds, with an index
+        if (
+            word.startswith("\\")
+            and (plain in FUNCTIONS or plain == "diag")
+            and not (number or self.notation.knows(word))
+        ):
             if plain == "log" and self.peek() == "_":
                 plain = self.based(at)
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
@@ -849,6 +855,8 @@ class Lexer(tex.Reader):
     def declared(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
+        if "$" in word and "\\" in word[5:]:
+            self.fail("a formula in text; write it outside of the text", at)
         bare, dots = undotted(word)
         fixed = bare + tex.subscript(tokens) if tokens else bare
         if dots and not notation.knows(word) and (notation.knows(bare) or notation.knows(fixed)):
@@ -948,7 +956,8 @@ class Lexer(tex.Reader):
             if not out or not rest or out[-1].type not in _ENDS or rest[0].type in _JOINS:
                 continue
             left, right = _says(reversed(out), PARTNER), _says(rest, PARTNER.values())
-            if lexeme.value in THICK:
+            wide = lexeme.value not in THICK or sum(1 for each in self.out[k : k + 3] if each.type == "GAP") > 2
+            if not wide:
                 if left and right:
                     self.fail(
                         "does this space part two relations, or two factors? write a comma, or no space", lexeme.at
@@ -969,7 +978,9 @@ class Lexer(tex.Reader):
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
         self.out = _listed(self.out)
-        if self.notation.inferred and self.out and self.out[0].type == "REL":  # a display that goes on from the one before
+        if (
+            self.notation.inferred and self.out and self.out[0].type == "REL"
+        ):  # a display that goes on from the one before
             self.out.insert(0, Lexeme("BLANK", "", self.out[0].at))
         out: list[Lexeme] = []
         pending: Lexeme | None = None
@@ -988,7 +999,7 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"MINUS", "PM"} and self.relates(lexeme):
+                    if lexeme.type in {"MINUS", "PM"} and _relates(out) and self.relates(lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
                         out.append(pending)
@@ -997,6 +1008,13 @@ class Lexer(tex.Reader):
         if out and out[-1].type in {"COMMA", "SEMI", "FOR"}:
             out.pop()
         return out
+
+
+def _relates(lexemes: Sequence[Lexeme]) -> bool:
+    """Does a relation stand behind the last separator of these?"""
+    kinds = [lexeme.type for lexeme in lexemes]
+    last = max((k for k, kind in enumerate(kinds) if kind in ("NEWLINE", "SEMI")), default=-1)
+    return "REL" in kinds[last + 1 :]
 
 
 def _listed(lexemes: Sequence[Lexeme]) -> list[Lexeme]:

@@ -36,6 +36,7 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
 # Those of them that may be products too: forces times radii, masses times accelerations.
 PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
+EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before square brackets is an expectation
 KINDS_OPEN = "too many of these may be vectors or matrices"
 INDEX_IN_NAME = "an index of a name is not summed over"
 POWER_OR_LABEL = "a power, or a label? say what {} is, or write brackets around the base of the power"
@@ -113,7 +114,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     """What is in doubt about a superscript that may be a label; None if it is a power, transposes, or is none."""
     inside = [text for text in of.above if text not in SPACES]
     sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
-    if not inside or (of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign:
+    if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
     if _is_label(inside):
         return ""
@@ -123,6 +124,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    if inside[:1] == ["-"] and of.applied and of.word != of.bare and tuple(inside[1:]) in told.labels:
+        return ""  # as in P_n^{-m}(x)
     if not letters or of.plain or of.word in told.powers:
         return None
     if of.above in told.labels and of.word != of.bare:
@@ -303,11 +306,16 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
 
 
 def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
-    """Do these brackets stand behind a letter behind which others hold a number or a letter, as in `x[0], x[N]`?"""
+    """Do these brackets stand behind a letter behind which others hold a number or a letter, as in `x[0], x[N]`?
+
+    Behind the sign of an expectation they hold its argument.
+    """
     before = toks[start - 1].text if start else ""
     texts = [tok.text for tok in toks]
     four = zip(texts, texts[1:], texts[2:], texts[3:], strict=False)
-    return any((a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four)
+    return texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"] or any(
+        (a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four
+    )
 
 
 _UPRIGHT = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}")  # words, whose letters are none of the formula

@@ -9,7 +9,7 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ROMAN, known
-from symcheck.reading.lexer import CLOSE, FUNCTIONS, OPEN, SIZES, SPACES
+from symcheck.reading.lexer import CLOSE, FUNCTIONS, NUMBERS, OPEN, SIZES, SPACES
 from symcheck.reading.notation import undotted
 
 BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
@@ -315,7 +315,8 @@ class Scan(tex.Reader):
         except SymcheckError:
             self.i = start + 1
             return
-        if word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word):
+        number = word in NUMBERS and self.peek() == "_"
+        if (word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word)) and not number:
             return
         primes, scripts, inner = 0, dict[str, tuple[str, ...]](), list[Occurrence]()
         transposed = False

@@ -15,7 +15,7 @@ from symcheck.reading import tex
 from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
-from symcheck.reading.names import DIMENSIONLESS, PRODUCTS
+from symcheck.reading.names import DIMENSIONLESS, EXPECTED, PRODUCTS
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
@@ -95,6 +95,7 @@ _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
+_BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
 ASIDE = frozenset({SUBJECT, r"\text{~or~}"})  # words between relations
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
@@ -470,6 +471,7 @@ class Builder:
     def is_listed(self, tree: Tree) -> bool:
         """A letter alone, which may share a relation with others: those of `a, b > 0`."""
         name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+        name = name.name if isinstance(name, Indexed) else name
         if isinstance(name, Name) and name.letter in ASIDE:
             return False
         return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
@@ -583,7 +585,7 @@ class Builder:
                 raise self.fail(_place(part), "both signs, or the error of a measured value? write it out")
         for term, part in zip(terms[:-1], parts, strict=False):
             last = term.factors[-1] if isinstance(term, Mul) else term
-            if isinstance(last, Limiting):
+            if isinstance(last, Limiting) and last.operator not in ("sum", "prod"):  # which end before a sign
                 raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         forms = [isinstance(term.factors[-1] if isinstance(term, Mul) else term, Over) for term in terms]
         if any(forms) and any(
@@ -746,7 +748,12 @@ class Builder:
         name = node.base if isinstance(node, Pow) else node
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
+        bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
+        if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
+            raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
         if not self.in_brackets(after):
+            return
+        if isinstance(node, Derivative) and _is_step(node, self.inside(after)):
             return
         if isinstance(node, Derivative) or (item.kind == "group" and self.has_function(node)):
             raise self.fail(
@@ -854,7 +861,9 @@ class Builder:
         if item.postfix and item.postfix != "CARET":
             return False
         lettered = any(isinstance(node, Name) for node in walked(item.node)) if item.node is not None else True
-        return item.kind in ("group", "fraction") and lettered or item.square or isinstance(item.node, MatrixOf | Dots)
+        return (
+            (item.kind in ("group", "fraction") and lettered) or item.square or isinstance(item.node, MatrixOf | Dots)
+        )
 
     def integral(self, items: list[Item], k: int) -> Tree:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
@@ -924,7 +933,9 @@ class Builder:
         call = Call(name, arguments)
         if item.power is None:
             return self.postfixed(call, after), k + 2
-        if after.postfix or isinstance(item.power, Neg):
+        letter = self.notation.find(name.letter, len(name.subscripts))
+        matrix = letter is not None and len(letter.size) == 2 and item.power == Neg(Number("1"))  # its inverse
+        if after.postfix or (isinstance(item.power, Neg) and not matrix):
             shown = to_latex(name)
             if after.postfix:
                 raise self.fail(
@@ -944,6 +955,8 @@ class Builder:
             return ()
         if isinstance(inside, Interval | Tuple):
             return children(inside)
+        if name.letter in EXPECTED and not (name.letter == "E" and _BARE_E.search(self.source)):
+            return (inside,)
         counted = isinstance(inside, Add) and all(
             isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
         )
@@ -1096,7 +1109,13 @@ class Builder:
         """What a function is applied to; semicolons part its arguments from its parameters."""
         assert listing is not None
         if "SEMI" not in listing.separators:
-            return self.entries(listing)
+            placed = self.notation.inferred and all(
+                not isinstance(tree, STATEMENTS) or (isinstance(tree, Chain) and tree.signs == ("=",))
+                for _, tree in listing.entries
+            )  # f(x = a), the value there
+            return (
+                tuple(tree for _, tree in listing.entries) if placed and _has_chain(listing) else self.entries(listing)
+            )
         k = listing.separators.index("SEMI") + 1
         first, rest = _part(listing, 0, k), _part(listing, k, len(listing.entries))
         return (Given(self.entries(first), self.arguments(rest), ";"),)
@@ -1426,6 +1445,13 @@ class Builder:
         return Item("sum", at, bounds=(letters, low, high))
 
 
+def _is_step(node: Derivative, inside: Tree | None) -> bool:
+    """Is this no place, but a sum in which the variable of the derivative stands, or what is derived?"""
+    told = [each for part in (node.body, *(x for x, _ in node.variables)) for each in nodes(part)]
+    names = {each for each in told if isinstance(each, Name)}
+    return isinstance(inside, Add) and any(each in names for each in nodes(inside))
+
+
 def _is_factor(name: Name, letter: Letter, inside: Tree | None) -> bool:
     """Does a letter that varies stand before brackets that hold no argument of it: rates, its own value, a fraction?"""
     if letter.kind == "function" or not letter.depends or not isinstance(inside, Add | Neg | Mul | Div | Derivative):
@@ -1442,6 +1468,10 @@ def _changes(name: Name, of: Tree | None) -> bool:
     r"""Is this the change of another letter, `\delta\alpha` behind `\alpha`?"""
     changes = (r"\delta", r"\Delta")
     return isinstance(of, Name) and any(name.letter.split() == [sign, *of.letter.split()] for sign in changes)
+
+
+def _has_chain(listing: Listing) -> bool:
+    return any(isinstance(tree, Chain) for _, tree in listing.entries)
 
 
 def _part(listing: Listing, start: int, end: int) -> Listing:

@@ -7,17 +7,19 @@ stays what it is: nothing is dropped that a reader sees, but phantoms, colours, 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES
+from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, ROMAN, STYLES
 from symcheck.reading.functions import COMMANDS
+from symcheck.reading.phrases import phrased
+from symcheck.reading.typed import typed
 
 FONTS = {  # switches that hold to the end of their group
     r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
-    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\tt": r"\mathrm", r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
+    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\tt": r"\mathrm",
+    r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
 }  # fmt: skip
 SAME = {  # other spellings
     r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": r"\|", r"\rVert": r"\|", r"\Vert": r"\|",
@@ -27,7 +29,8 @@ SAME = {  # other spellings
     r"\mathbin": "",
     r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
     r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
-    r"\mathtt": r"\mathrm", r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf",
+    r"\mathtt": r"\mathrm", r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text",
+    r"\symbf": r"\mathbf",
     r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
     r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
     r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge",
@@ -47,19 +50,7 @@ SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # 
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
-ARGUMENTS = {
-    r"\frac": 2,
-    r"\dfrac": 2,
-    r"\tfrac": 2,
-    r"\binom": 2,
-    r"\substack": 1,
-    r"\sqrt": 1,
-    r"\begin": 1,
-    r"\end": 1,
-    r"\tag": 1,
-}
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
-ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
 
 
 @dataclass(slots=True)
@@ -77,216 +68,17 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
     Formulas beside it tell whether a capital gamma is the function.
     """
-    source = _OPTIONS.sub("", source)
+    source = _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source))
     if not any(map(_GAMMA.search, (source, *beside))):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
-    tokens = _with_numbers(source)
+    tokens = typed(source)
     try:
         parts, rest = _groups(tokens, 0)
     except IndexError:
         return source
     if rest != len(tokens):
         return source
-    text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
-    text = _STOP.sub("", text)
-    for layout, change in _SPELLINGS:
-        text = layout.sub(change, text)
-    for pattern, sign in WORDS:
-        text = pattern.sub(partial(_parting, sign), text)
-    return _problem(_MATRIX.sub(_with_cells, text))
-
-
-_MATRIX = re.compile(
-    r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
-)
-
-
-def _with_cells(found: re.Match[str]) -> str:
-    """A matrix whose rows are lists with commas, with cells."""
-    cells, depth = list[str](), 0
-    for text in found[2].split(" "):
-        depth += (text in ("{", "(", "[")) - (text in ("}", ")", "]"))
-        cells.append("&" if text == "," and not depth else text)
-    return found[1] + " ".join(cells)
-
-
-_SUBJECT = re.compile(
-    r"(?:(?:\\q?quad|\\[,;: ]|,|&|\\\\) )*\\text \{ (?:~ )?(?:s u b j e c t ~ t o|s \. (?:~ )?t \.)(?: [~:])* \}(?: (?:\\q?quad|\\[,;: ]|&))*"
-)
-_OBJECTIVE = re.compile(
-    r"((?:(?:&|\\begin \{ [a-z ]* \}) )*)(?:\\operatorname \{ )?\\?(m ?i ?n|m ?a ?x|f ?i ?n ?d)(?: i m i z e)?(?: \})? "
-    r"(_ \{ (?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})* \} )?((?:(?:\\q?quad|\\[,;: ]|&) ?)*)(.*)"
-)
-
-
-def _problem(text: str) -> str:
-    r"""What is to be found under conditions, `\min_x f(x) \quad \text{subject to} \quad g(x) = 0`, with words between."""
-    first = _SUBJECT.search(text)
-    if first is None:
-        return text
-    head, rest = text[: first.start()].rstrip(), _SUBJECT.sub(lambda _: f" {WIDE} ", text[first.end() :])
-    aim = _OBJECTIVE.fullmatch(head)
-    if aim is not None:
-        before, what, below, _, of = aim.groups()
-        what, below, of = what.replace(" ", ""), below or "", of.strip().rstrip(",")
-        if what == "find":
-            head = rf"{before}\text {{ f i n d }} {below}{', ' if of else ''}{of}"
-        elif of:
-            head = rf"{before}\{what} {below}\left ( {of} \right )"
-    return rf"{head} {WIDE} \text {{ s u b j e c t ~ t o }} {WIDE} {rest}"
-
-
-def _parting(sign: str, found: re.Match[str]) -> str:
-    """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
-
-    A wide `or` may say the same in other words, and is printed as words.
-    """
-    printed = found[0]
-    wide = "," in printed or "quad" in printed
-    if wide and sign == r"\lor":
-        return rf" {WIDE} \text {{ ~ o r ~ }} {WIDE} "
-    return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "
-
-
-def _with_words(source: str) -> list[tex.Tok]:
-    """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
-    toks, found = tex.tokenize(source), list[tex.Tok]()
-    k, text_ends = 0, -1
-    scripts: list[bool] = []  # is each open brace that of a script, or of an argument?
-    while k < len(toks):
-        tok = toks[k]
-        if tok.text == "{":
-            before = toks[k - 1].text if k else ""
-            scripts.append(before in ("_", "^") or (before[:1] == "\\" and before not in _OF_FORMULAS))
-        elif tok.text == "}" and scripts:
-            scripts.pop()
-        if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
-            text_ends = _closing(toks, k + 1)
-        if k < text_ends:
-            spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
-            found += [tex.Tok("~", tok.at - 1)] if spaced else []
-        elif not any(scripts) and (count := _digits_behind(toks, k)):
-            found += [
-                tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
-            ]
-            k += 1 + count
-            continue
-        elif tok.text.isalpha() and (greek := _greek(toks, k)):
-            found.append(tex.Tok(f"\\{greek}", tok.at))
-            k += len(greek)
-            continue
-        elif tok.text.isalpha() and (word := _function_of_letters(toks, k)):
-            found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
-            k += len(word)
-            continue
-        elif tok.text.isalpha() and not scripts and (word := _word_of_letters(toks, k)):
-            found += [tex.Tok(text, tok.at) for text in (r"\text", "{", *word, "}")]
-            k += len(word)
-            continue
-        found.append(tok)
-        k += 1
-    return found
-
-
-def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
-    """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
-    before = toks[k - 1] if k else tex.Tok("", -2)
-    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text[:1] == "\\":
-        return 0
-    if before.at == toks[k].at - 1 and before.text.isalnum():
-        return 0
-    end = k + 1
-    while end < len(toks) and toks[end].text.isdigit() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    behind = toks[end] if end < len(toks) else tex.Tok("", -2)
-    adjacent = behind.at == toks[k].at + end - k and (behind.text.isalnum() or behind.text == ".")
-    return 0 if adjacent else end - k - 1
-
-
-_OF_FORMULAS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\left", r"\right"})  # arguments are formulas
-_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
-_TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
-_TYPED |= {"exp", "log", "ln", "max", "min"}
-_OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
-
-
-def _closing(toks: Sequence[tex.Tok], k: int) -> int:
-    """Where the brace that opens here is closed."""
-    depth = 0
-    for m in range(k, len(toks)):
-        depth += (toks[m].text == "{") - (toks[m].text == "}")
-        if not depth:
-            return m
-    return len(toks)
-
-
-def _greek(toks: Sequence[tex.Tok], k: int) -> str:
-    """The Greek letter that is typed here by its name; those of two letters may be products."""
-    if k and toks[k - 1].text.isalpha() and toks[k - 1].at == toks[k].at - 1:
-        return ""
-    end = k
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
-    return word if len(word) > 2 and f"\\{word}" in LETTER_COMMANDS else ""
-
-
-def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
-    """The function whose name is typed here as letters: `max(a, b)`, `v cos\\theta`."""
-    start, end = k, k
-    while start and toks[start - 1].text.isalpha() and toks[start - 1].at == toks[start].at - 1:
-        start -= 1
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
-    behind = [tok.text for tok in toks[end : end + 2]]
-    brackets = behind[:1] == ["("] or behind == [r"\left", "("]
-    angle = next((tok.text for tok in toks[end : end + 4] if tok.text not in _BEFORE_ANGLE), "") in LETTER_COMMANDS
-    whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
-    of_angle = angle and word in ("sin", "cos", "tan")
-    return word if of_angle or (word in _TYPED and k - start < 2 and (brackets or whole)) else ""
-
-
-_BEFORE_ANGLE = frozenset({"{", "^", "2", "3"})  # as in cos^2{\theta}
-# words that are typed as letters: operators, and what no product of letters looks like
-_OPERATORS = frozenset({"mod", "res", "rem", "gcd", "lcm", "div", "rot", "curl", "grad", "span", "rank", "sgn", "erf"})
-
-
-def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
-    """The word that is typed here as letters: an operator, one with an o, or a long one that is defined."""
-    end = k
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
-    inside = k > 0 and (toks[k - 1].at == toks[k].at - 1 and toks[k - 1].text.isalnum())
-    first = not k or toks[k - 1].text in ("&", r"\\")
-    defined = len(word) > 3 and first and end < len(toks) and toks[end].text in ("(", "=")
-    named = len(word) > 2 and (word in _OPERATORS or "o" in word or defined) and not _WITH_FUNCTION.search(word)
-    return word if word.isascii() and named and not inside else ""
-
-
-_WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")
-
-
-def _with_numbers(source: str) -> list[str]:
-    """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
-    found: list[str] = []
-    end = -1
-    for tok in _with_words(source):
-        digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
-        before = found[-2] if len(found) > 1 else ""
-        if (
-            digit
-            and tok.at == end
-            and found[-1][-1:].isdigit()
-            and before not in ("_", "^")
-            and before not in ARGUMENTS
-        ) or (tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit()):
-            found[-1] += tok.text
-        else:
-            found.append(tok.text)
-        end = tok.at + len(tok.text)
-    return found
+    return phrased(_printed(_made_plain(parts)))
 
 
 def _groups(tokens: Sequence[str], start: int, inside: bool = False) -> tuple[list[Part], int]:
@@ -356,7 +148,7 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
                 continue
             if parts[m : m + 1] == [r"\begin"] and [*scripts] == ["^"]:  # a matrix in a frame, written below it too
                 end = _end_of_environment(parts, m)
-                frame = [each for each in _texts([scripts["^"]])][1:-1]
+                frame = [*_texts([scripts["^"]])][1:-1]
                 below = Group([each for each in frame if each not in _SPACES])
                 found += [*parts[m:end], "_", below]
                 k = end
@@ -599,7 +391,7 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     if after == "^" and len(inner) == 4 and inner[0] in ACCENTS | STYLES and inner[2] == "_":
         return inner
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
-        if after == "^" and _runs_on(inner):
+        if after in ("^", "_") and _runs_on(inner):
             return inner
         if after == "^" and all(part in ("_", "^") for part in inner[-4:-1:2]) and len(inner) in (5, 6):
             return ["(", *inner, ")"]  # a letter with scripts of its own
@@ -669,68 +461,10 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
             yield part
 
 
-_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
-_STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
-_BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
-_LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
-_SPELLINGS = (  # of one thing in several tokens, with the usual one
-    (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
-    (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
-    # a matrix in brackets, and one of zeros
-    (re.compile(rf"\\left \[ ({_LETTER}(?: _ {_BRACED})?) \\right \]"), r"[ \1 ]"),
-    (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
-    (re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
-    (re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
-    # a fraction at a place, with a bar on one side
-    (
-        re.compile(rf"(^|[-=+&] |\\[;,] )(\\frac {_BRACED} {_BRACED}) \\[bB]igg?[lr]? \| (?=_ \{{)"),
-        r"\1\\left . \2 \\right | ",
-    ),
-    # a derivative in a frame as an operator on one letter
-    (
-        re.compile(
-            rf"\\frac \{{ \\prescript (\{{ [^{{}}]*(?:\{{[^{{}}]*\}}[^{{}}]*)? \}}) \{{ \}} \{{ (d|\\mathrm \{{ d \}}|\\text \{{ d \}}) \}} \}} "
-            rf"(\{{ (?:d|\\mathrm \{{ d \}}|\\text \{{ d \}}) [^{{}}]* \}}) "
-            rf"((?:\\prescript {_BRACED} {_BRACED} {_BRACED}|\\[a-z]+ {_BRACED})(?: [_^] {_BRACED})*)(?= [-+=,&]|$| \\\\)"
-        ),
-        r"\\left ( \\frac { \2 } \3 ( \4 ) \\right ) _ \1",
-    ),
-    # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
-    (
-        re.compile(
-            r"\\frac \{ \\prescript (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \{ \} \{ (d|\\mathrm \{ d \}) \} "
-            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ (?:d|\\mathrm \{ d \}) [^{}]* \})"
-        ),
-        r"\\left ( \\frac { d ( \3 ) } \4 \\right ) _ \1",
-    ),
-    (
-        re.compile(
-            r"\\frac \{ \{ \} \^ (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \\partial "
-            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ \\partial (?:[^{}]|\{[^{}]*\})* \})"
-        ),
-        r"\\left ( \\frac { \\partial ( \2 ) } \3 \\right ) _ \1",
-    ),
-)
+_SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold letter in text
 # the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
-WIDE = r", \quad"
-WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
-    for words, sign in (
-        ("w h e r e|w i t h", WIDE),
-        ("a n d", r"\text{and}"),
-        ("o r", r"\lor"),
-        (
-            "(?:f o r|i f|w h e n|w h e n e v e r|a s ~ l o n g ~ a s|p r o v i d e d|p r o v i d e d ~ t h a t)",
-            r"\text{for}",
-        ),
-        ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
-    )
-)
-_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")  # T above in any style
-_DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
-Change = Callable[[str], str]
 # an upright d before the letter of an integration or derivative
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
 
