@@ -600,7 +600,7 @@ _SIGNS = frozenset({"+", "-", "/", "*", r"\pm", r"\mp", r"\times", r"\cdot", r"\
 
 def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
     """All that a letter may be."""
-    latex = of.spelling
+    latex, arguments, bare = of.spelling, of.arguments, of.bare
     if of.said:
         yield _as_said(of, every)
         return
@@ -610,13 +610,13 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     if number := _number(of, every):
         yield from number
         return
-    listed = bool(of.arguments) and all(len(args) > 1 for args in of.arguments)  # a distance
+    listed = bool(arguments) and all(len(args) > 1 for args in arguments)  # a distance
     if latex == "d" and not listed and all(map(_is_before_letter, of.places)):
         sign = Letter(latex, kind="differential")
         yield Guess(sign, "the sign of a differential", "it stands before letters and brackets only")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it", remote=True)
         return
-    if latex in ORDERS and of.arguments and not of.bare and latex not in defined:
+    if latex in ORDERS and arguments and not bare and latex not in defined:
         told = f"a term of {'a higher' if ORDERS[latex] else 'this'} order"
         yield Guess(_letter(of, kind="function", order=ORDERS[latex]), told, "it stands before brackets only")
         return
@@ -628,7 +628,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     variables = defined.get(latex)
     simple = _common_arguments(of)
-    applied = bool(of.arguments) and not of.bare and (bool(simple) or not _may_be_factor(of))
+    applied = bool(arguments) and not bare and (bool(simple) or not _may_be_factor(of))
     if not variables and applied and _face(latex):
         yield from _of_vectors(of, simple)
     elif variables:
@@ -637,23 +637,23 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif applied:
         depends = ", ".join(simple) if simple else None
         yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
-    elif of.arguments and simple and _varies(of):
+    elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if _face(latex) else ("scalar",)
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
-    elif of.arguments and not of.bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
+    elif arguments and not bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
         function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
         yield function
-        if latex[:1] != "\\" and all(map(_FACTORS.match, (args[0] for args in of.arguments))):
+        if latex[:1] != "\\" and all(map(_FACTORS.match, (args[0] for args in arguments))):
             yield Guess(_letter(of, depends=""), "a number", "it stands before a fraction, or a number, in brackets")
-    elif of.arguments and not of.bare and not of.dotted and _is_function(of, every):
+    elif arguments and not bare and not of.dotted and _is_function(of, every):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
-    elif of.arguments and not of.bare and not of.dotted and not _face(latex):
+    elif arguments and not bare and not of.dotted and not _face(latex):
         yield from _before_sums(of)
-    elif of.bare and not of.dotted and not _is_derived(of) and any(map(_is_lone, of.places)):
+    elif bare and not of.dotted and not _is_derived(of) and any(map(_is_lone, of.places)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
-    elif of.bare and not of.dotted and not _is_derived(of) and any(map(_is_listed, of.arguments)):
+    elif bare and not of.dotted and not _is_derived(of) and any(map(_is_listed, arguments)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
     elif of.dotted and not of.shape and not of.capital and any(map(_is_lone, of.places)):
         on = _letter(of, kind="function", depends=_time(every), size=(0,) if _face(latex) else ())

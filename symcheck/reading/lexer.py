@@ -825,7 +825,7 @@ class Lexer(tex.Reader):
         self.refuse_bracketed(word)
         primes = self.primes()
         power: list[Lexeme] = []
-        tokens: list[tex.Tok] | None = None
+        tokens: Sequence[tex.Tok] | None = None
         if self.peek() == "^" and self.subscript_after_exponent():
             mark = len(self.out)
             self.script()
@@ -852,7 +852,7 @@ class Lexer(tex.Reader):
         self.i = start
         return after
 
-    def declared(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+    def declared(self, word: str, tokens: Sequence[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
         if "$" in word and "\\" in word[5:]:
@@ -894,7 +894,7 @@ class Lexer(tex.Reader):
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
 
-    def refuse_digits(self, word: str, tokens: list[tex.Tok], at: int) -> None:
+    def refuse_digits(self, word: str, tokens: Sequence[tex.Tok], at: int) -> None:
         """A run of digits is one number or several indices; where both are declared it may be either."""
         digits, single = "".join(tok.text for tok in tokens), self.notation.find(word, 1)
         if single is None or len(digits) < 2 or not digits.isdigit() or not digits.isascii():
@@ -902,7 +902,7 @@ class Lexer(tex.Reader):
         if int(digits) in single.range and self.notation.find(word, len(digits)) is not None:
             self.fail(f"one index {digits}, or {len(digits)} indices? write commas between them, or name a letter", at)
 
-    def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+    def dotted(self, word: str, tokens: Sequence[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """A letter below dots that are its derivative by the time."""
         bare, dots = undotted(word)
         found, kind = self.declared(bare, tokens, primes, at, place)
@@ -918,7 +918,7 @@ class Lexer(tex.Reader):
             self.fail(f"{word} stands without an index but is declared with {' or '.join(map(str, arities))}", at)
         self.fail(tex.no_letter(word) if known(word) else f"unknown letter {word}; {self.notation.nearest(word)}", at)
 
-    def indices(self, tokens: list[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
+    def indices(self, tokens: Sequence[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
         """The indices of a subscript; a run of digits is one number where the letter has one index only."""
         found: list[int | str] = []
         together = max(arities) == 1 or any(t.text == "," for t in tokens)

@@ -10,6 +10,7 @@ import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -55,6 +56,12 @@ class Scripted:
     applied: bool = False  # do brackets stand behind it that hold no sum?
 
 
+# where names of the other kinds can be
+_SQUARE_OR_CHANGE = re.compile(r"\[|\\(?:Delta|delta|nabla)(?![A-Za-z])")
+_ACCENT = re.compile("|".join(re.escape(accent) for accent in sorted(ACCENTS - {*tex.DOTTED})))
+_ABBREVIATED = re.compile("|".join(rf"{word[0]}\s*{word[1]}" for word in sorted(DIMENSIONLESS)))
+
+
 def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, str]:
     """The names in formulas, each with what is in doubt about it: nothing if it is certain.
 
@@ -62,10 +69,11 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     """
     found = {latex: "" for latex in said if not is_letter(latex)}
     declared = {re.sub(r"[\s{}]", "", latex) for latex in found}
-    numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys()
+    raised = [formula for formula in formulas if "^" in formula or r"\prescript" in formula]
+    numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys() if raised else said.keys()
     indices = [place for formula in formulas for place in occurrences(formula) if place.role == "index"]
     bound, loose = {place.word for place in indices}, {p.word for p in indices if not "".join(p.arguments or ())}
-    scripted = [each for formula in formulas for each in _scripted(formula)]
+    scripted = [each for formula in raised for each in _scripted(formula)]
     told = Told(
         numbers,
         {each.word for each in scripted if _is_power(each.above)},
@@ -83,9 +91,12 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         elif each.framed:
             found.setdefault(each.bare, "")
     for formula in formulas:
-        found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
-        found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
-        found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
+        if _SQUARE_OR_CHANGE.search(formula):
+            found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+        if _ACCENT.search(formula):
+            found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
+        if _ABBREVIATED.search(formula):
+            found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
@@ -420,6 +431,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     return end + 1 + reader.i
 
 
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
 def is_letter(latex: str) -> bool:
     """Is this one letter, with a subscript at most?"""
     reader = tex.Reader(latex)
