@@ -9,7 +9,7 @@ import itertools
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -644,9 +644,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
     elif arguments and not bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
         function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
-        yield function
-        if latex[:1] != "\\" and all(map(_FACTORS.match, (args[0] for args in arguments))):
-            yield Guess(_letter(of, depends=""), "a number", "it stands before a fraction, or a number, in brackets")
+        yield _in_doubt(function, FACTOR) if _holds_factors(of) else function
     elif arguments and not bare and not of.dotted and _is_function(of, every):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
     elif arguments and not bare and not of.dotted and not _face(latex):
@@ -693,6 +691,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
 
 
+FACTOR = "a factor before brackets, or a function? say what it is"
 # what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
 _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
 
@@ -707,7 +706,16 @@ def _before_sums(of: Evidence) -> Iterator[Guess]:
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
-    yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
+    if typical and _holds_factors(of):
+        yield _in_doubt(function, FACTOR)
+    else:
+        yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
+
+
+def _holds_factors(of: Evidence) -> bool:
+    """Do all brackets behind a Latin letter hold what may be a factor as well?"""
+    latin = of.spelling[:1] != "\\" and of.spelling not in ("f", "F")
+    return latin and all(map(_FACTORS.match, (args[0] for args in of.arguments)))
 
 
 def _is_shift(args: Sequence[str]) -> bool:
@@ -1044,6 +1052,7 @@ _SPOKEN = {  # signs in the names of variables
 }  # fmt: skip
 
 
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
 def _plain(latex: str) -> str:
     for sign, word in _SPOKEN.items():
         latex = latex.replace(sign, f" {word} ")

@@ -545,7 +545,7 @@ class Lexer(tex.Reader):
     def spacing_follows(self) -> bool:
         """Is this `[` the beginning of a length such as `[2pt]`?"""
         ahead = 1
-        while self.peek(ahead).isdigit() or self.peek(ahead) == ".":
+        while self.peek(ahead).isdigit() or self.peek(ahead) in (".", ","):
             ahead += 1
         unit = self.peek(ahead) + self.peek(ahead + 1)
         return unit in {"pt", "em", "ex", "mm", "cm"} and self.peek(ahead + 2) == "]"
@@ -780,9 +780,8 @@ class Lexer(tex.Reader):
 
     def whole(self) -> bool:
         """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
-        first = self.peek()
-        for tokens, spelling, dots in self.notation.wholes:
-            if tokens[0] == first and all(self.peek(k) == text for k, text in enumerate(tokens)):
+        for tokens, spelling, dots in self.notation.wholes.get(self.peek(), ()):
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 at = self.at()
                 self.i += len(tokens)
                 self.emit("NAME", Name(spelling, (), self.primes(), dots), at)
@@ -852,7 +851,9 @@ class Lexer(tex.Reader):
         self.i = start
         return after
 
-    def declared(self, word: str, tokens: Sequence[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+    def declared(
+        self, word: str, tokens: Sequence[tex.Tok] | None, primes: int, at: int, place: int
+    ) -> tuple[Name, str]:
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
         if "$" in word and "\\" in word[5:]:

@@ -16,7 +16,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
 from symcheck.reading.lexer import SIZES, SPACES
-from symcheck.reading.occurrences import occurrences
+from symcheck.reading.occurrences import SIGNED_SUMS, occurrences
 
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
@@ -70,8 +70,11 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     found = {latex: "" for latex in said if not is_letter(latex)}
     declared = {re.sub(r"[\s{}]", "", latex) for latex in found}
     raised = [formula for formula in formulas if "^" in formula or r"\prescript" in formula]
-    numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys() if raised else said.keys()
-    indices = [place for formula in formulas for place in occurrences(formula) if place.role == "index"]
+    numbers = (
+        {word for formula in formulas for word in _Numbers(formula).run()} | said.keys() if raised else said.keys()
+    )
+    summed = [formula for formula in formulas if any(sign in formula for sign in SIGNED_SUMS)]
+    indices = [place for formula in summed for place in occurrences(formula) if place.role == "index"]
     bound, loose = {place.word for place in indices}, {p.word for p in indices if not "".join(p.arguments or ())}
     scripted = [each for formula in raised for each in _scripted(formula)]
     told = Told(

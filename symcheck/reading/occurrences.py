@@ -59,6 +59,9 @@ class Occurrence:
     followed: bool = False  # does a small bold letter follow without a sign, behind its arguments?
 
 
+_SPECIAL = SIGNED_SUMS | FRACTIONS | INTEGRALS | {r"\begin", r"\end", "_", "^", r"\partial"}
+
+
 @dataclass(slots=True)
 class Scope:
     """What is known of the group that is being scanned."""
@@ -92,13 +95,12 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = tex.names(tuple(wholes))
+        self.wholes = tex.beginning(tuple(wholes))
 
     def whole(self) -> tuple[str, int]:
         """The name of several tokens that begins here, and the dots over it; "" if none does."""
-        first = self.peek()
-        for tokens, spelling, dots in self.wholes:
-            if tokens[0] == first and all(self.peek(k) == text for k, text in enumerate(tokens)):
+        for tokens, spelling, dots in self.wholes.get(self.peek(), ()):
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 self.i += len(tokens)
                 return spelling, dots
         return "", 0
@@ -113,8 +115,11 @@ class Scan(tex.Reader):
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
         stop = len(self.toks) if stop is None else stop
         while self.i < stop:
-            text = self.peek()
-            before = self.peek(-1) if self.i else ""
+            text = self.toks[self.i].text
+            if not (text in _SPECIAL or tex.is_letter(text) or text in self.wholes):
+                self.i += 1
+                continue
+            before = self.toks[self.i - 1].text if self.i else ""
             if self.wholes and (whole := self.whole())[0]:
                 name, dots = whole
                 yield Occurrence(
@@ -308,8 +313,11 @@ class Scan(tex.Reader):
 
     def letter(self, scope: Scope) -> Iterator[Occurrence]:
         """One letter with its scripts and arguments; then the letters in these."""
-        before = next((text for k in range(self.i - 1, -1, -1) if (text := self.toks[k].text) not in SPACES), "")
-        start = self.i
+        start, before = self.i, ""
+        for k in range(self.i - 1, -1, -1):
+            if (text := self.toks[k].text) not in SPACES:
+                before = text
+                break
         try:
             word, dots = undotted(self.spelling())
         except SymcheckError:
@@ -342,8 +350,11 @@ class Scan(tex.Reader):
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
-        ahead = range(self.i, len(self.toks))
-        after = next((text for k in ahead if (text := self.toks[k].text) not in _UNPRINTED), "")
+        after = ""
+        for k in range(self.i, len(self.toks)):
+            if (text := self.toks[k].text) not in _UNPRINTED:
+                after = text
+                break
         yield Occurrence(
             word,
             dots,

@@ -90,6 +90,7 @@ COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
 OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
 LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "k", "T"})  # what wave numbers multiply
+_D = re.compile(r"(?:\\[a-z]+\{)?(?:d|\\text\{d\})\}?")  # upright or not, with an accent or without
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
@@ -660,7 +661,7 @@ class Builder:
         """Where d is a letter, d f / d x is no quotient without a word."""
         firsts = [tree.factors[0] if isinstance(tree, Mul) else tree for tree in (top, bottom)]
         firsts = [tree.base if isinstance(tree, Pow) else tree for tree in firsts]
-        if isinstance(bottom, Mul) and all(isinstance(tree, Name) and tree.letter == "d" for tree in firsts):
+        if isinstance(bottom, Mul) and all(isinstance(tree, Name) and _D.fullmatch(tree.letter) for tree in firsts):
             raise self.fail(
                 at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D"
             )

@@ -259,7 +259,7 @@ def without_dots(latex: str) -> str:
     return " ".join([*tokens[:start], *tokens[start + 2 : end - 1], *tokens[end:]])
 
 
-@lru_cache(maxsize=512)  # all readings of a formula have the same
+@lru_cache(maxsize=512)
 def names(wholes: tuple[str, ...]) -> tuple[tuple[tuple[str, ...], str, int], ...]:
     """The tokens of names of several tokens, also with dots over their letters, the longest first."""
     forms = {
@@ -268,3 +268,12 @@ def names(wholes: tuple[str, ...]) -> tuple[tuple[tuple[str, ...], str, int], ..
         for dots in range(1 if latex.startswith("[") else len(DOTTED))
     }
     return tuple(sorted(forms, key=lambda form: (-len(form[0]), form)))
+
+
+@lru_cache(maxsize=512)  # all readings of a formula have the same
+def beginning(wholes: tuple[str, ...]) -> dict[str, list[tuple[tuple[str, ...], str, int]]]:
+    """The same by their first tokens."""
+    found: dict[str, list[tuple[tuple[str, ...], str, int]]] = {}
+    for form in names(wholes):
+        found.setdefault(form[0][0], []).append(form)
+    return found
