@@ -114,7 +114,6 @@ def test_forms_are_never_decided(latex: str) -> None:
 TWO_WAYS = (
     r"u = \pi(\theta, \dot{\theta})",
     r"\mathcal{L} \{t\} = \mathbf{s}",
-    r"J = \mathbf{x}^T(t) \mathbf{Q} \mathbf{x}(t)",
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
     r"\mathbf{y} = P_n(z)^m",
@@ -151,6 +150,16 @@ SAME = {  # two ways to print one thing
     r"y = \max\{ a, b \}": r"y = \max(a, b)",
     r"y = \sum_{i=1}^3 m_i r_i \times v_i": r"y = \sum_{i=1}^3 (m_i r_i \times v_i)",
     r"\mathbf{R_1(\phi)} = 1": r"\mathbf{R}_1(\phi) = 1",
+    r"J = \mathbf{x}^T(t) \mathbf{Q} \mathbf{x}(t)": r"J = \mathbf{x}(t)^T \mathbf{Q} \mathbf{x}(t)",
+    r"x = {\mathbf{BK}}_1": r"x = \mathbf{B} \mathbf{K}_1",
+    r"y = || a + b ||": r"y = \| a + b \|",
+    r"x = {}^B \begin{bmatrix} a \\ b \end{bmatrix}": r"x = \begin{bmatrix} a \\ b \end{bmatrix}_B",
+    r"A = {n \choose k}": r"A = \binom{n}{k}",
+    r"D = \begin{vmatrix} a \\ c \end{vmatrix}": r"D = \left| \begin{matrix} a \\ c \end{matrix} \right|",
+    r"v = \begin{bmatrix} a, b \end{bmatrix}": r"v = \begin{bmatrix} a & b \end{bmatrix}",
+    r"M^{-T} J = 1": r"\left( M^{-1} \right)^T J = 1",
+    r"i = 1 \ldots n": r"i = 1, \ldots, n",
+    r"y = mcos\theta": r"y = m \cos \theta",
     r"\operatorname{\text{argmin}}_x f = 1": r"\operatorname{argmin}_x f = 1",
 }
 
@@ -158,6 +167,22 @@ SAME = {  # two ways to print one thing
 @pytest.mark.parametrize("latex", SAME)
 def test_two_ways_to_print_one_thing_read_alike(latex: str) -> None:
     assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(SAME[latex])[0])
+
+
+APART = {  # what is read otherwise, and would be read as the second one if a sign were overlooked
+    r"y = g (m_1 + m_2)": r"y = g(t)",
+    r"x_i(t + 1) = x_i(t) + v_i(t + 1)": r"x_i(t + 1) = x_i(t) + v_i \cdot (t + 1)",
+    r"\dot{x} = a x (1 - x)": r"\dot{x} = a x(1)",
+    r"y = Q^E W^{N + 2} + Q^{2 F}": r"y = Q^E W^{N + 2} + Q^F",
+    r"y = \sum_{i=1}^3 s_{i1,2}": r"y = \sum_{i=1}^3 s_{i12}",
+    r"y = \cos\theta \hat{n}": r"y = \cos(\theta n)",
+    r"\dot{x} = 2 x, \quad x(0) = 1": r"\dot{x} = 2 x, \quad x \cdot 0 = 1",
+}
+
+
+@pytest.mark.parametrize("latex", APART)
+def test_what_looks_alike_reads_apart(latex: str) -> None:
+    assert bracketed(first_reading(latex)[0]) != bracketed(first_reading(APART[latex])[0])
 
 
 IN_DOUBT = {  # read as one name, of which nothing is said before somebody says what it is

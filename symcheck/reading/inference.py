@@ -706,15 +706,24 @@ def _before_sums(of: Evidence) -> Iterator[Guess]:
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
-    if typical and _holds_factors(of):
+    doubtful = _holds_factors(of) and (typical or (len(of.spelling) == 1 and of.spelling.isupper()))
+    if doubtful or (of.spelling in _MOVING and all(map(_is_shift_of_time, of.arguments))):
         yield _in_doubt(function, FACTOR)
     else:
         yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
 
 
+_MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
+
+
+def _is_shift_of_time(args: Sequence[str]) -> bool:
+    """Is this the time with something added to it: an argument of a function, or how long something moves?"""
+    return args[0].split()[:1] in (["t"], [r"\tau"]) and _is_shift(args)
+
+
 def _holds_factors(of: Evidence) -> bool:
     """Do all brackets behind a Latin letter hold what may be a factor as well?"""
-    latin = of.spelling[:1] != "\\" and of.spelling not in ("f", "F")
+    latin = of.spelling[:1] != "\\" and of.spelling not in ("f", "F") and not any(p.powered for p in of.places)
     return latin and all(map(_FACTORS.match, (args[0] for args in of.arguments)))
 
 

@@ -66,7 +66,9 @@ OPERATORS = frozenset(  # between two terms, of which no notation says what they
 )  # fmt: skip
 CLOSED = frozenset({r"\oint", r"\iint", r"\iiint"})  # integrals over curves, surfaces and bodies
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
-MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
+MARKS = frozenset(
+    {"+", "-", "*", r"\#", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"}
+)  # scripts that are no power
 SETS = frozenset(
     {
         r"\substack",
@@ -975,6 +977,14 @@ class Lexer(tex.Reader):
         end = next((m for m in range(k, len(self.out)) if self.out[m].type == "NEWLINE"), len(self.out))
         return any(lexeme.type == "REL" for lexeme in self.out[k:end])
 
+    def ordered(self, before: Sequence[Lexeme], first: Lexeme) -> bool:
+        """Do the lines before and behind this place both say between which values something lies?"""
+        k = self.out.index(first)
+        end = next((m for m in range(k, len(self.out)) if self.out[m].type == "NEWLINE"), len(self.out))
+        start = max((m for m, lexeme in enumerate(before) if lexeme.type == "NEWLINE"), default=-1)
+        signs = [[x.value for x in line if x.type == "REL"] for line in (before[start + 1 :], self.out[k:end])]
+        return all(len(line) == 2 and {*line} <= {"<", r"\le"} for line in signs)
+
     def joined(self) -> list[Lexeme]:
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
@@ -1000,9 +1010,11 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"MINUS", "PM"} and _relates(out) and self.relates(lexeme):
+                    goes_on = _relates(out) and self.relates(lexeme)
+                    if lexeme.type in {"MINUS", "PM"} and goes_on and not self.ordered(out, lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
-                    if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
+                    begins = lexeme.type == "MINUS" and goes_on
+                    if (begins or lexeme.type not in _OPERATORS | _BREAKS) and lexeme.type not in PARTNER:
                         out.append(pending)
             pending = None
             out.append(lexeme)

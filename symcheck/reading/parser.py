@@ -924,7 +924,8 @@ class Builder:
         apart = after is None or item.postfix or item.square
         if isinstance(name, Name) and after is not None and not apart and (places := self.places(name, after)):
             return self.postfixed(Indexed(name, places), after), k + 2
-        if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
+        apart = item.postfix not in ("", "CARET", "TRANSPOSE")
+        if not isinstance(name, Name) or after is None or after.kind != "group" or apart:
             return self.atom(item), k + 1
         if not self.applies(name):
             return self.atom(item), k + 1
@@ -932,6 +933,8 @@ class Builder:
         if self.kind(name) != "function" and not self.is_declared(name, arguments):
             return self.atom(item), k + 1  # refused as a product
         call = Call(name, arguments)
+        if item.postfix == "TRANSPOSE":  # J^T(q), as J(q)^T
+            return self.postfixed(Transpose(call), after), k + 2
         if item.power is None:
             return self.postfixed(call, after), k + 2
         letter = self.notation.find(name.letter, len(name.subscripts))
@@ -1035,6 +1038,8 @@ class Builder:
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
             if k > start and isinstance(item.node, Name) and (item.node.dots or _changes(item.node, items[k - 1].node)):
                 break  # no angle is multiplied by a rate, or by its own change
+            if k > start and self.ends_clearly_at(items[start : k + 1]):
+                break
             if k > start and self.ends_angle(items[start : k + 1]) and not self.runs_on(item, head.name):
                 break
             if k > start and item.at in self.spaced and not self.runs_on(item, head.name):
@@ -1045,13 +1050,27 @@ class Builder:
         factors = tuple(self.atom(item) for item in items[start : k - 1])
         last, k = self.applied(items, k - 1)
         factors += (last,)
-        if k < len(items) and self.continues(items[k]):
+        if k < len(items) and self.continues(items[k]) and not self.sum_behind(items[k - 1], items[k]):
             if all(isinstance(factor, Number) for factor in factors):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
             if self.runs_on(items[k], head.name):
                 factors += (self.atom(items[k]),)
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def ends_clearly_at(self, items: list[Item]) -> bool:
+        r"""Does an accented letter follow an angle: `\cos\theta \hat{n}`?"""
+        names = [item.node for item in items if isinstance(item.node, Name)]
+        first = names[0].letter.partition("_")[0] if names else ""
+        accented = len(names) == 2 and names[1].letter.startswith(("\\hat", "\\vec", "\\tilde", "\\widehat"))
+        return accented and len(items) == 2 and first in ANGLES | OFTEN_ANGLES
+
+    def sum_behind(self, last: Item, item: Item) -> bool:
+        r"""Does a sum in brackets stand apart behind an angle: `\sin\lambda \, (x - y)`?"""
+        name = last.node.letter.partition("_")[0] if isinstance(last.node, Name) else ""
+        inside = self.inside(item) if item.kind == "group" else None
+        spaced = item.at in self.spaced and name in ANGLES | OFTEN_ANGLES
+        return self.notation.inferred and spaced and isinstance(inside, Add)
 
     def ends_angle(self, items: list[Item]) -> bool:
         """Is the first of two letters an angle, which the second hardly multiplies: `\\cos\\theta E`?"""

@@ -9,6 +9,7 @@ from symcheck.reading.commands import ACCENTS, STYLES
 
 _FRAME = r"\{ [^{}]*(?:\{[^{}]*\}[^{}]*)? \}"  # at the left of a d
 _D = r"(?:d|\\mathrm \{ d \}|\\text \{ d \})"
+_ROUND = r"\\left \( (?:(?!\\left|\\right).)* \\right \)"  # brackets without others
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
@@ -31,8 +32,8 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
     (
         re.compile(
             rf"\\frac \{{ \\prescript ({_FRAME}) \{{ \}} \{{ ({_D}) \}} \}} (\{{ {_D} [^{{}}]* \}}) "
-            rf"((?:\\prescript {_BRACED} {_BRACED} {_BRACED}|\\[a-z]+ {_BRACED})(?: [_^] {_BRACED})*)"
-            r"(?= [-+=,&]|$| \\\\)"
+            rf"((?:\\prescript {_BRACED} {_BRACED} {_BRACED}|\\[a-z]+ {_BRACED})(?: [_^] {_BRACED})*|{_ROUND})"
+            r"(?= [-+=,&]|$| \\\\| \\cdot)"
         ),
         r"\\left ( \\frac { \2 } \3 ( \4 ) \\right ) _ \1",
     ),

@@ -469,9 +469,12 @@ _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
 
 
+_IN_WORDS = re.compile(r"\\(?:text|mathrm|operatorname|begin|end)\s*\{[^{}]*\}")  # no letters of the formula
+
+
 def with_plain_differentials(source: str) -> str:
     r"""An upright d of a differential as an italic one, unless d is a letter here too."""
-    rest = _DIFFERENTIAL.sub("", source)
+    rest = _IN_WORDS.sub("", _DIFFERENTIAL.sub("", source))
     if re.search(r"(?<![A-Za-z\\])d(?![A-Za-z])", rest):
         return source
     return _DIFFERENTIAL.sub("d", source)

@@ -58,7 +58,7 @@ def _with_words(source: str) -> list[tex.Tok]:
             k += len(word)
             continue
         elif tok.text.isalpha() and not scripts and (word := _word_of_letters(toks, k)):
-            found += [tex.Tok(text, tok.at) for text in (r"\text", "{", *word, "}")]
+            found += [tex.Tok(t, tok.at) for t in ([r"\bmod"] if word == "mod" else [r"\text", "{", *word, "}"])]
             k += len(word)
             continue
         found.append(tok)
@@ -69,7 +69,7 @@ def _with_words(source: str) -> list[tex.Tok]:
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
     """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
     before = toks[k - 1] if k else tex.Tok("", -2)
-    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text[:1] == "\\":
+    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text in ARGUMENTS:
         return 0
     if before.at == toks[k].at - 1 and before.text.isalnum():
         return 0
@@ -138,11 +138,14 @@ def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
     word = "".join(tok.text for tok in toks[k:end])
     inside = k > 0 and (toks[k - 1].at == toks[k].at - 1 and toks[k - 1].text.isalnum())
     first = not k or toks[k - 1].text in ("&", r"\\")
-    defined = len(word) > 3 and first and end < len(toks) and toks[end].text in ("(", "=")
-    named = len(word) > 2 and (word in _OPERATORS or "o" in word or defined) and not _WITH_FUNCTION.search(word)
+    behind = toks[end].text if end < len(toks) and first else ""
+    defined = len(word) > 3 and behind in ("(", "=")
+    named = (word in _ANGLES and behind == "=") or (len(word) > 2 and (word in _OPERATORS or "o" in word or defined))
+    named = named and not _WITH_FUNCTION.search(word)
     return word if word.isascii() and named and not inside else ""
 
 
+_ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")
 
 
