@@ -192,8 +192,11 @@ class Lexer(tex.Reader):
 
     def step(self) -> None:
         """The next token, command or letter."""
-        text, at = self.peek(), self.at()
-        if text in SPACES:
+        text, at = self.toks[self.i]
+        if len(text) == 1 and text.isalpha():
+            if not (self.notation.wholes and self.whole()):
+                self.letter()
+        elif text in SPACES:
             self.space()
         elif (self.notation.wholes and self.whole()) or self.condition() or self.parting():
             return
@@ -554,6 +557,8 @@ class Lexer(tex.Reader):
 
     def limiting(self) -> bool:
         r"""`\lim_{x \to 0}`, `\min_x`, `\arg\min_x`: the operator with what is printed below it."""
+        if self.peek()[:1] != "\\":
+            return False
         start, at = self.i, self.at()
         operator = ""
         while self.peek()[:1] == "\\" and not operator.endswith(("lim", "min", "max", "sup", "inf")):

@@ -123,17 +123,23 @@ _NO_BASE = frozenset("+-=<>(,;|&[/") | {
 
 def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
     r"""`{}^A x` as `\prescript{A}{}{x}`: scripts behind nothing belong to the letter that follows."""
+    if "^" not in parts and "_" not in parts:
+        return parts
     found: list[Part] = []
     k = 0
     while k < len(parts):
         part = parts[k]
         empty = isinstance(part, Group) and not part.parts
         start = k + 1 if empty else k
+        if start >= len(parts) or parts[start] not in ("^", "_"):
+            found.append(part)
+            k += 1
+            continue
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
         opened = isinstance(before, Group) and r"\begin" in found[-3:]
         opened = opened or (isinstance(before, str) and before in _NO_BASE)
         bare = opened and not (before in ("|", r"\|") and _closes(found, str(before)))
-        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare or _is_apart(parts, start, found)):
+        if empty or bare or _is_apart(parts, start, found):
             scripts: dict[Part, Part] = {}
             m = start
             while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
