@@ -2142,6 +2142,31 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Limiting(min; _{ \\tau }; Norm(Add(Call(x; t), Neg(Call(x ^ { * }; \\tau))))), 0; \\rightarrow)",
         "RussTedrake/underactuated/book/limit_cycles.html",
     ),
+    (
+        "\\mathit{VAR}(X) = \\frac{1}{n}\\sum_{i=1}^n (x_i - \\mu)^2",
+        "Chain(Call(\\text{VAR}; X), Mul(Div(1; n), BigSum(i; 1; n; Pow(Add(x_i, Neg(\\mu)); 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\mathbf{q} = \\begin{bmatrix} q_w \\ q_x \\ q_y \\ q_z \\end{bmatrix} = \\begin{bmatrix} \\cos (\\frac{\\theta}{2}) \\\\ n_x \\sin (\\frac{\\theta}{2}) \\\\ n_y \\sin (\\frac{\\theta}{2}) \\\\ n_z \\sin (\\frac{\\theta}{2}) \\end{bmatrix}",
+        "Chain(\\mathbf{q}, MatrixOf(q_w, q_x, q_y, q_z), MatrixOf(Call(cos; Div(\\theta; 2)), Mul(n_x, Call(sin; Div(\\theta; 2))), Mul(n_y, Call(sin; Div(\\theta; 2))), Mul(n_z, Call(sin; Div(\\theta; 2)))); =, =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\mathbf{M}_k \\dot{\\bar{q}} + \\bar{g}_k = 0 \\rightarrow - \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & 1 & 0 \\\\ 0 & 0 & 1 \\\\ \\end{bmatrix} \\begin{bmatrix} \\dot{q}_1 \\\\ \\dot{q}_2 \\\\ \\dot{q}_3 \\end{bmatrix} + \\begin{bmatrix} u_1 \\\\ u_2 \\\\ u_3 \\end{bmatrix} = \\begin{bmatrix} 0 \\\\ 0 \\\\ 0 \\end{bmatrix}",
+        "Implies(Chain(Add(Mul(\\mathbf{M}_k, Call(\\dot{\\bar{q}})), \\bar{g}_k), 0; =); Chain(Add(Neg(Mul(MatrixOf(1, 0, 0, 0, 1, 0, 0, 0, 1), MatrixOf(Call(\\dot{q}_1), Call(\\dot{q}_2), Call(\\dot{q}_3)))), MatrixOf(u_1, u_2, u_3)), MatrixOf(0, 0, 0); =))",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "-\\bar{F}^*_r = \\bar{F}_r \\rightarrow \\mathbf{M}(\\bar{q}, t) \\dot{\\bar{u}} + \\bar{C}(\\bar{u}, \\bar{q}, t) = \\bar{F}(\\bar{u}, \\bar{q}, t)",
+        "Implies(Chain(Neg(\\bar { F } _ { r } ^ { * }), \\bar{F}_r; =); Chain(Add(Mul(Call(\\mathbf{M}; \\bar{q}, t), Call(\\dot{\\bar{u}})), Call(\\bar{C}; Call(\\bar{u}), \\bar{q}, t)), Call(\\bar{F}; Call(\\bar{u}), \\bar{q}, t); =))",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "\\frac{Likelihood*Prior}{Marginal}",
+        "Div(Operated(*; \\text{Likelihood}; \\text{Prior}); \\text{Marginal})",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -2221,5 +2246,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\widehat{f \\star g}(\\chi) = \\hat f(\\chi)\\hat g(\\chi)",
         "fredrik-johansson/arb/doc/source/acb_dft.rst",
+    ),
+    (
+        "\\text{albedoAtInstrument} = ALB \\frac{f_1 \\cdot f_2 \\cdot f_3 \\cdot d_{Area}}{\\pi \\cdot |\\mathbf{r}_{IdA}|^2}",
+        "AVSLab/basilisk/src/simulation/environment/albedo/albedo.rst",
+    ),
+    (
+        "\\min_{{\\bf x},{\\bf u},{\\bf s}_x,{\\bf s}_u} \\sum_n^{N-1} {\\bf s}_x[n] + {\\bf s}_u[n], \\quad \\text{s.t.} \\quad {\\bf s}_x[n] \\ge {\\bf x}[n], \\quad {\\bf s}_x[n] \\ge -{\\bf x}[n], \\quad ...",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "u = k_f r - K_p x - K_i \\int(C x - r)",
+        "python-control/python-control/control/statefbk.py",
     ),
 )

@@ -118,6 +118,9 @@ TWO_WAYS = (
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
     r"\mathbf{y} = P_n(z)^m",
     r"VAR(X) = \mathbf{x}",
+    r"\mathbf{u} = \int (x - r)",
+    r"\mathbf{u} = \sum_n^N s[n] + t[n]",
+    r"\mathbf{u} = \mathbf{v} \to \mathbf{w} = \mathbf{x}",
 )
 
 
@@ -140,6 +143,10 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"y = \mathit{gain} + x": r"y = \mathrm{gain} + x",
+    r"y = \operatorname{atan}{\left(\frac{x}{2}\right)} b": r"y = \operatorname{atan}\left(\frac{x}{2}\right) b",
+    r"\mathbf{q} = \begin{bmatrix} a \ b \ c \end{bmatrix}": r"\mathbf{q} = \begin{bmatrix} a & b & c \end{bmatrix}",
+    r"a + b = 0 \rightarrow c + e = d": r"a + b = 0 \Rightarrow c + e = d",
     r"y = {a_j}^2 b": r"y = a_j^2 b",
     r"y = m_{\text{p}} b": r"y = m_p b",
     r"y = \left. f(x) \right|_{x = 1}": r"y = \left[ f(x) \right]_{x = 1}",

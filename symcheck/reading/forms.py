@@ -27,6 +27,7 @@ from symcheck.reading.tree import (
     Indexed,
     Infinity,
     Interval,
+    Limiting,
     Marked,
     Mul,
     Name,
@@ -110,8 +111,27 @@ def _refuse(tree: Tree, notation: Notation) -> None:
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
         if isinstance(part, Marked) and isinstance(part.value, Call) and isinstance(part.value.function, str):
             raise SymcheckError(f"{to_latex(part)}: is that a function here? say what it is")
+        if isinstance(part, Limiting) and part.operator == "int":
+            raise SymcheckError(f"{to_latex(part)}: the integral does not say what it is taken over")
+        if isinstance(part, Add) and (index := _index_behind(part)):
+            raise SymcheckError(f"index {index} is summed over, and used outside of its sum, in {to_latex(part)}")
         if isinstance(part, Indexed) and not is_sequence(part):
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
+
+
+_SUMMED = re.compile(r"_\{\s*([a-z])\s*\}")  # `\sum_i^N`
+
+
+def _index_behind(tree: Add) -> str:
+    """An index under a sum that stands in the terms behind it too, so that the sum may reach further."""
+    for k, each in enumerate(tree.terms):
+        inner = each.value if isinstance(each, Neg) else each
+        last = inner.factors[-1] if isinstance(inner, Mul) else inner
+        found = _SUMMED.match(last.scripts) if isinstance(last, Limiting) and last.operator == "sum" else None
+        used = "".join(map(to_latex, tree.terms[k + 1 :])) if found else ""
+        if found and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{found[1]}(?![A-Za-z])", used):
+            return found[1]
+    return ""
 
 
 def _applied(tree: Mul) -> Tree | None:

@@ -492,8 +492,9 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
-# capitals that an equation begins with, which may be one name, and its subscript
+# capitals that an equation begins with, or three behind the sign, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+_CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])")
 
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
@@ -501,7 +502,8 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     found: dict[str, str] = {}
-    for match in filter(None, map(_INITIALS.match, formulas)):
+    runs = [match for formula in formulas for match in _CAPITALS.finditer(formula)]
+    for match in [*filter(None, map(_INITIALS.match, formulas)), *runs]:
         *letters, last = match[1].split()
         once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
         if all(once) or (len(once) > 2 and any(once)):

@@ -415,6 +415,8 @@ class Lowering:
         """An equation that says what a limit is."""
         assert isinstance(tree, Limiting)
         goes = tends(tree.scripts) if tree.operator == "lim" else None
+        if tree.operator == "int":
+            self.value(tree, env)  # refused
         if goes is None:
             raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
         letter, place = goes
@@ -558,6 +560,8 @@ class Lowering:
     def value(self, tree: Tree, env: Env) -> Value:
         """The term, vector or matrix of an expression."""
         method: Callable[[Any, Env], Value] | None = getattr(self, f"of_{type(tree).__name__.lower()}", None)
+        if isinstance(tree, Limiting) and tree.operator == "int":
+            raise SymcheckError(f"{to_latex(tree)}: this integral does not say what it is taken over")
         if method is None:
             error = NoForm if isinstance(tree, Limiting | Dots) else Unsaid
             raise error(f"{to_latex(tree)} has no algebraic form; state it formally")

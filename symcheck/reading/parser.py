@@ -99,6 +99,7 @@ SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
 _BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
 ASIDE = frozenset({SUBJECT, r"\text{~or~}"})  # words between relations
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
+_ARROWS = frozenset({r"\to", r"\rightarrow", r"\longrightarrow"})
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
 
@@ -532,14 +533,17 @@ class Builder:
         signs = tuple(node.value.value for node in nodes[1::2])
         for k, sign in enumerate(signs, 1):
             right = members[k]
-            if (
-                not self.notation.bracket
-                and sign == "="
-                and isinstance(members[0], Name)
-                and isinstance(right, Interval)
-                and right.ends == "[]"
-            ):
+            whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
+            if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        inner = [k for k in range(1, len(signs) - 1) if signs[k] in _ARROWS]  # between relations
+        if inner and (len(inner) > 1 or isinstance(members[inner[0] + 1], Number | Name | Infinity)):
+            at, sign = nodes[2 * inner[0] + 1].value.at, signs[inner[0]]
+            told = "does one follow from the other, or is it a limit? write"
+            raise self.fail(at, rf"{sign} between relations: {told} \Rightarrow")
+        if inner:
+            end = inner[0] + 1
+            return Implies(Chain(tuple(members[:end]), signs[: end - 1]), Chain(tuple(members[end:]), signs[end:]))
         return Chain(tuple(members), signs)
 
     def term_of(self, node: ParseNode) -> Tree:

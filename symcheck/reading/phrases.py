@@ -78,12 +78,18 @@ def phrased(text: str) -> str:
         text = layout.sub(change, text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
+    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, '&')}", text)
     return _problem(_MATRIX.sub(_with_cells, text))
 
 
 _MATRIX = re.compile(
     r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
 )
+_SPACE = "\\ "
+_ENTRY = r"(?:\\[A-Za-z]+|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
+_SPACED = re.compile(
+    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end)"
+)  # parted by spaces
 
 
 def _with_cells(found: re.Match[str]) -> str:

@@ -51,6 +51,7 @@ BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracke
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
+_ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 
 
 @dataclass(slots=True)
@@ -68,7 +69,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
     Formulas beside it tell whether a capital gamma is the function.
     """
-    source = _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source))
+    source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     if not any(map(_GAMMA.search, (source, *beside))):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = typed(source)
@@ -475,7 +476,9 @@ _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
 
 
-_IN_WORDS = re.compile(r"\\(?:text|mathrm|operatorname|begin|end)\s*\{[^{}]*\}")  # no letters of the formula
+_IN_WORDS = re.compile(
+    r"\\(?:text|mathrm|operatorname|begin|end)\s*\{(?!\s*d\s*\})[^{}]*\}"
+)  # no letters of the formula
 
 
 def with_plain_differentials(source: str) -> str:

@@ -57,7 +57,7 @@ def _with_words(source: str) -> list[tex.Tok]:
             found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
             k += len(word)
             continue
-        elif tok.text.isalpha() and not scripts and (word := _word_of_letters(toks, k)):
+        elif tok.text.isalpha() and not any(scripts) and (word := _word_of_letters(toks, k)):
             found += [tex.Tok(t, tok.at) for t in ([r"\bmod"] if word == "mod" else [r"\text", "{", *word, "}"])]
             k += len(word)
             continue
@@ -82,7 +82,9 @@ def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
 
 
 _OF_FORMULAS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\left", r"\right"})  # arguments are formulas
-_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
+_TEXTS = frozenset(
+    {r"\text", r"\operatorname", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"}
+)
 _TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
 _TYPED |= {"exp", "log", "ln", "max", "min"}
 _OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
@@ -131,7 +133,7 @@ _OPERATORS = frozenset({"mod", "res", "rem", "gcd", "lcm", "div", "rot", "curl",
 
 
 def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
-    """The word that is typed here as letters: an operator, one with an o, or a long one that is defined."""
+    """The word that is typed here as letters: an operator, one with an o, or a long one, defined or capitalised."""
     end = k
     while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
         end += 1
@@ -139,7 +141,7 @@ def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
     inside = k > 0 and (toks[k - 1].at == toks[k].at - 1 and toks[k - 1].text.isalnum())
     first = not k or toks[k - 1].text in ("&", r"\\")
     behind = toks[end].text if end < len(toks) and first else ""
-    defined = len(word) > 3 and behind in ("(", "=")
+    defined = (len(word) > 3 and behind in ("(", "=")) or (len(word) > 4 and word.istitle())
     named = (word in _ANGLES and behind == "=") or (len(word) > 2 and (word in _OPERATORS or "o" in word or defined))
     named = named and not _WITH_FUNCTION.search(word)
     return word if word.isascii() and named and not inside else ""
