@@ -492,8 +492,9 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
-# capitals that an equation begins with, or three behind the sign, which may be one name, and its subscript
+# capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+# three capitals or more behind the sign
 _CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])")
 
 

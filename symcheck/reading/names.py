@@ -58,7 +58,9 @@ class Scripted:
 
 # where names of the other kinds can be
 _SQUARE_OR_CHANGE = re.compile(r"\[|\\(?:Delta|delta|nabla)(?![A-Za-z])")
+# accents that make one name of several letters
 _ACCENT = re.compile("|".join(re.escape(accent) for accent in sorted(ACCENTS - {*tex.DOTTED})))
+# names of numbers like Re, Mach and Prandtl
 _ABBREVIATED = re.compile("|".join(rf"{word[0]}\s*{word[1]}" for word in sorted(DIMENSIONLESS)))
 
 

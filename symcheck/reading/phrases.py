@@ -82,6 +82,7 @@ def phrased(text: str) -> str:
     return _problem(_MATRIX.sub(_with_cells, text))
 
 
+# a matrix without cells, but with commas
 _MATRIX = re.compile(
     r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
 )
@@ -101,14 +102,17 @@ def _with_cells(found: re.Match[str]) -> str:
     return found[1] + " ".join(cells)
 
 
+# what introduces the conditions of a problem
 _SUBJECT = re.compile(
     r"(?:(?:\\q?quad|\\[,;: ]|,|&|\\\\) )*\\text \{ (?:~ )?(?:s u b j e c t ~ t o|s \. (?:~ )?t \.)(?: [~:])* \}"
     r"(?: (?:\\q?quad|\\[,;: ]|&))*"
 )
+# signs of a relation, or of words and lines beside what is to be found
 _RELATED = re.compile(
     r"(?<!\\)[=<>] |\\(?:le|ge|leq|geq|approx|in|equiv|ne|to|rightarrow|sim|simeq|ll|gg|preceq|succeq|propto) |"
     r"\\(?:quad|text|left) "
 )
+# what is to be found: the operator, what is below it, and of what
 _OBJECTIVE = re.compile(
     r"((?:(?:&|\\begin \{ [a-z ]* \}) )*)(?:\\operatorname \{ )?\\?(m ?i ?n|m ?a ?x|f ?i ?n ?d)(?: i m i z e)?(?: \})? "
     r"(_ \{ (?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})* \} )?((?:(?:\\q?quad|\\[,;: ]|&) ?)*)(.*)"

@@ -148,7 +148,7 @@ def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
 
 
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
-_WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")
+_WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
 
 def typed(source: str) -> list[str]:
