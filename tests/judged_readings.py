@@ -2167,6 +2167,41 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Div(Operated(*; \\text{Likelihood}; \\text{Prior}); \\text{Marginal})",
         "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
     ),
+    (
+        "[RN(\\bm\\sigma_{R/N})] = [R_{0}R(\\bm\\sigma_{R_{0}/R})]^{T} [R_{0}N(\\bm\\sigma_{R_{0}/N})] = [R_{0}R(-\\bm\\sigma_{R_{0}/R})] [R_{0}N(\\bm\\sigma_{R_{0}/N})]",
+        "Chain(Call([ R N ]; \\bm{\\sigma}_{R/N}), Mul(Transpose(Call([ R _ { 0 } R ]; \\bm{\\sigma}_{R_0/R})), Call([ R _ { 0 } N ]; \\bm{\\sigma}_{R_0/N})), Mul(Call([ R _ { 0 } R ]; Neg(\\bm{\\sigma}_{R_0/R})), Call([ R _ { 0 } N ]; \\bm{\\sigma}_{R_0/N})); =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attTrackingError/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "[R_{0}N] = [R_{0}N ( \\bm\\sigma_{R_{0}/N})]",
+        "Chain(Call([ R _ { 0 } N ]), Call([ R _ { 0 } N ]; \\bm{\\sigma}_{R_0/N}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/mrpRotation/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "W = W(\\boldsymbol{q},\\boldsymbol{D}) = W(\\boldsymbol{q},E,D_2,\\cdots,D_s)",
+        "Chain(Call(W), Call(W; \\boldsymbol{q}, \\boldsymbol{D}), Call(W; \\boldsymbol{q}, E, D_2, Dots(), D_s); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boldsymbol{r}_i = \\boldsymbol{r}_i(q_1,q_2,\\cdots,q_s),\\quad i = 1,2,\\cdots,n",
+        "System(Chain(Call(\\boldsymbol{r}_i), Call(\\boldsymbol{r}_i; q_1, q_2, Dots(), q_s); =), Values(i; 1, 2, Dots(), n))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "Y = Y(y_1,y_2,\\cdots,y_n) = \\sum_{i=1}^n y_ix_i - X(x_1,x_2,\\cdots,x_n)",
+        "Chain(Call(Y), Call(Y; y_1, y_2, Dots(), y_n), Add(BigSum(i; 1; n; Mul(y_i, x_i)), Neg(Call(X; x_1, x_2, Dots(), x_n))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "x' = x (c F_2 - b F_3), \\enspace y' = y (a F_3 - c F_1), \\enspace z' = z (b F_1 - a F_2)",
+        "System(Chain(x', Mul(x, Add(Mul(c, F_2), Neg(Mul(b, F_3)))); =), Chain(y', Mul(y, Add(Mul(a, F_3), Neg(Mul(c, F_1)))); =), Chain(z', Mul(z, Add(Mul(b, F_1), Neg(Mul(a, F_2)))); =))",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "2 \\sqrt{\\frac{R^{2} k^{2} \\left(4 R^{2} k^{2} - y^{2} + \\left(- 2 R k + R\\right)^{2} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} \\right)}{\\left(4 R^{2} k^{2} - y^{2}\\right) \\left(\\left(R - h\\right)^{2} - \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} \\right)}} \\sqrt{\\left(R - h\\right)^{2} - \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}}} \\operatorname{atan}{\\left(\\frac{ \\sqrt{4 R^{2} k^{2} - y^{2} - \\left(R - h\\right)^{2} + \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + \\left(- 2 R k + R\\right) ^{2}}}{\\sqrt{\\left(R - h\\right)^{2} - \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}}}} \\right)}",
+        "Mul(2, Sqrt(Div(Mul(Pow(R; 2), Pow(k; 2), Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)), Pow(Add(Neg(Mul(2, R, k)), R); 2), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))); Mul(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))), Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))))), Sqrt(Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))), Call(atan; Div(Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)), Neg(Pow(Add(R, Neg(h)); 2)), Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))), Pow(Add(Neg(Mul(2, R, k)), R); 2))); Sqrt(Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))))))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -2258,5 +2293,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "u = k_f r - K_p x - K_i \\int(C x - r)",
         "python-control/python-control/control/statefbk.py",
+    ),
+    (
+        "\\delta \\frac{\\partial \\eta_k}{\\partial t} = \\frac{\\partial (\\delta \\eta_k)}{\\partial t},\\quad \\delta \\frac{\\partial \\eta_k}{\\partial x_j} = \\frac{\\partial (\\delta \\eta_k)}{\\partial x_j}",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
     ),
 )

@@ -119,6 +119,7 @@ TWO_WAYS = (
     r"\mathbf{y} = P_n(z)^m",
     r"VAR(X) = \mathbf{x}",
     r"\mathbf{u} = \int (x - r)",
+    r"\delta \frac{\partial x}{\partial t} = \frac{\partial (\delta x)}{\partial t}",
     r"\mathbf{u} = \sum_n^N s[n] + t[n]",
     r"\mathbf{u} = \mathbf{v} \to \mathbf{w} = \mathbf{x}",
 )
@@ -146,6 +147,7 @@ SAME = {  # two ways to print one thing
     r"y = \mathit{gain} + x": r"y = \mathrm{gain} + x",
     r"y = \operatorname{atan}{\left(\frac{x}{2}\right)} b": r"y = \operatorname{atan}\left(\frac{x}{2}\right) b",
     r"\mathbf{q} = \begin{bmatrix} a \ b \ c \end{bmatrix}": r"\mathbf{q} = \begin{bmatrix} a & b & c \end{bmatrix}",
+    r"[BN(\bm\sigma)] = \mathbf{x}": r"[BN](\bm\sigma) = \mathbf{x}",
     r"a + b = 0 \rightarrow c + e = d": r"a + b = 0 \Rightarrow c + e = d",
     r"y = {a_j}^2 b": r"y = a_j^2 b",
     r"y = m_{\text{p}} b": r"y = m_p b",

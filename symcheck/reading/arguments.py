@@ -11,6 +11,7 @@ from symcheck.reading.names import is_letter
 from symcheck.reading.occurrences import Occurrence
 
 _ARGUMENTS = frozenset({"t", r"\tau", "s", "n", "k", "x", "z"})  # what functions of one letter are mostly applied to
+_DOTS = frozenset({r"\dots", r"\cdots", r"\ldots"})
 _NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")  # a decimal number, with spaces between its tokens
 
 
@@ -47,7 +48,8 @@ def is_lone(place: Occurrence) -> bool:
 def is_listed(args: Sequence[str]) -> bool:
     """Are these several arguments, and no components of a vector or factors of a scalar product?"""
     letters = [bool(arg) and is_letter(arg.removesuffix(" ( t )")) for arg in args]
-    plain = all(letter or arg == r"\dots" or _NUMBER.fullmatch(arg) for letter, arg in zip(letters, args, strict=True))
+    others = (arg in _DOTS or _NUMBER.fullmatch(arg) for arg in args)
+    plain = all(letter or other for letter, other in zip(letters, others, strict=True))
     return len(args) > 1 and plain and any(letters) and not all(STYLED.match(arg.replace(" ", "")) for arg in args)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -45,9 +46,14 @@ class Guess:
 COMPLEX = "a complex number"
 
 
+_VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
+
+
 def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> list[Guess]:
     """All that a letter may be, marked if it may be a function of what stands in brackets behind it, or a factor."""
     found = [*_options(of, every, defined)]
+    if of.spelling == r"\delta" and not of.said and any(x != of.spelling and _VARIED.match(x) for x in every):
+        return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
@@ -136,7 +142,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield from _before_sums(of)
     elif bare and not of.dotted and not of.derived and any(map(is_lone, of.places)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
-    elif bare and not of.dotted and not of.derived and any(map(is_listed, arguments)):
+    elif bare and not of.dotted and not of.derived and (any(map(is_listed, arguments)) or _equals_itself(of)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
     elif of.dotted and not of.shape and not of.capital and any(map(is_lone, of.places)):
         on = _letter(of, kind="function", depends=_time(every), size=(0,) if face(latex) else ())
@@ -179,6 +185,14 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
 FACTOR = "a factor before brackets, or a function? say what it is"
 # what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
 _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
+
+
+def _equals_itself(of: Evidence) -> bool:
+    """Is it equal to itself before arguments: W = W(x, y)?"""
+    return any(
+        a.arguments is None and b.arguments is not None and len(b.arguments) > 1 and a.after == b.before == "="
+        for a, b in itertools.pairwise(of.places)
+    )
 
 
 def _before_sums(of: Evidence) -> Iterator[Guess]:
