@@ -17,6 +17,7 @@ import subprocess
 import sys
 import time
 from collections import defaultdict
+from importlib import import_module
 from pathlib import Path
 
 from peers import PARSERS
@@ -62,6 +63,7 @@ def main(path: Path) -> None:
     found = {name: theirs(name, rows) for name in PARSERS}
     others = {name: read for name, read in found.items() if read is not None}
     counts: dict[str, list[int]] = defaultdict(lambda: [0] * (3 + len(others)))
+    import_module("sympy")  # with which limits are read: loaded once, and not for one display
     longest, start = 0.0, time.perf_counter()
     results = []
     for row in rows:

@@ -1389,7 +1389,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "y_t (x,t) = \\frac{\\partial}{\\partial t} \\left[ C u\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) \\right] = C u'\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr) = C \\delta\\bigl(t-\\nicefrac{x}{\\alpha}\\bigr)",
-        "Chain(Call(y_t; x, t), Derivative(Mul(C, u, Add(t, Neg(Div(x; \\alpha)))); t, 1; True), Mul(C, u', Add(t, Neg(Div(x; \\alpha)))), Mul(C, \\delta, Add(t, Neg(Div(x; \\alpha)))); =, =, =)",
+        "Chain(Call(y_t; x, t), Derivative(Mul(C, Call(u; Add(t, Neg(Div(x; \\alpha))))); t, 1; True), Mul(C, Call(u'; Add(t, Neg(Div(x; \\alpha))))), Mul(C, Call(\\delta; Add(t, Neg(Div(x; \\alpha))))); =, =, =)",
         "jirilebl/diffyqs/ch-laplace.tex",
     ),
     (
@@ -1602,7 +1602,608 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(D, Mul(50, \\text{mm}); \\ge)",
         "CalebBell/fluids/fluids/flow_meter.py",
     ),
+    (
+        "{\\vphantom{\\Delta_{2/1}}}^{\\mathcal{P}\\!}{\\Delta_{2/1}} \\dot{\\bm{r}}_{S/N} = [PN] ^{\\mathcal{N}} \\Delta_{2/1} \\dot{\\bm{r}}_{S/N}",
+        "Chain(Mul(\\prescript { \\mathcal { P } \\! } { } { \\Delta } _ { 2 / 1 }, Call(\\dot{\\bm{r}}_{S/N})), Mul([ P N ], \\prescript { \\mathcal { N } } { } { \\Delta } _ { 2 / 1 }, Call(\\dot{\\bm{r}}_{S/N})); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secModelDescription.tex",
+    ),
+    (
+        "\\rho \\cdot Vol \\cdot c_p \\dfrac{dT}{dt} = \\dot{Q}_{\\text{absorb}} + \\dot{Q}_{in} - \\dot{Q}_{\\text{emit}}",
+        "Chain(Mul(\\rho, \\text{Vol}, c_p, Derivative(Call(T); t, 1)), Add(Call(\\dot{Q}_{absorb}), Call(\\dot{Q}_{in}), Neg(Call(\\dot{Q}_{emit}))); =)",
+        "AVSLab/basilisk/src/simulation/thermal/sensorThermal/sensorThermal.rst",
+    ),
+    (
+        "E_\\mathrm{mes} = k_1(1-\\langle\\hat{\\mathbf{v}}_a, \\mathbf{v}_a\\rangle) + k_2(1-\\langle\\hat{\\mathbf{v}}_m, \\mathbf{v}_m\\rangle)",
+        "Chain(E_{mes}, Add(Mul(k_1, Add(1, Neg(Pair(\\hat{\\mathbf{v}}_a; \\mathbf{v}_a)))), Mul(k_2, Add(1, Neg(Pair(\\hat{\\mathbf{v}}_m; \\mathbf{v}_m))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "V(r, \\theta, \\phi) = a \\sum_{n=1}^k\\Big(\\frac{a}{r}\\Big)^{n+1}\\sum_{m=0}^{n}\\big(g_n^m \\cos(m\\phi) + h_n^m \\sin(m\\phi)\\big) P_n^m(\\theta)",
+        "Chain(Call(V; r, \\theta, \\phi), Mul(a, BigSum(n; 1; k; Mul(Pow(Div(a; r); Add(n, 1)), BigSum(m; 0; n; Mul(Add(Mul(g _ { n } ^ { m }, Call(cos; Mul(m, \\phi))), Mul(h _ { n } ^ { m }, Call(sin; Mul(m, \\phi)))), Call(P _ { n } ^ { m }; \\theta)))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = -G\\left(m_1 + m_2\\right)\\frac{\\boldsymbol{r}}{r^3}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Neg(Mul(G, Add(m_1, m_2), Div(Call(\\boldsymbol{r}); Pow(Call(r); 3)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\mu = G\\left(m_1 + m_2\\right)",
+        "Chain(\\mu, Mul(G, Add(m_1, m_2)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\bar{f}_h(q_1, q_2, q_3) = 0 \\textrm{ where } \\bar{f}_h \\in \\mathbb{R}^2",
+        "System(Chain(Call(\\bar{f}_h; q_1, q_2, q_3), 0; =), Chain(Call(\\bar{f}_h), Pow(\\mathbb{R}; 2); \\in))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "\\frac{{}^A\\partial \\bar{v}}{\\partial q_r} = \\sum_{i=1}^3 \\frac{\\partial v_i}{\\partial q_r} \\hat{a}_i \\textrm{ for } r=1\\ldots n",
+        "System(Chain(Marked(Derivative(Call(\\bar{v}); q_r, 1; True); _{ A }), BigSum(i; 1; 3; Mul(Derivative(Call(v_i); q_r, 1; True), \\hat{a}_i)); =), Values(r; 1, Dots(), n))",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "\\bar{I}_a := \\int_{\\textrm{solid}} \\rho(\\tau) \\left[ \\bar{r}^{P(\\tau)/O} \\times \\left( \\hat{n}_a \\times \\bar{r}^{P(\\tau)/O} \\right) \\right] d\\tau",
+        "Chain(\\bar{I}_a, Over(\\int; _ { \\text { s o l i d } }; Mul(Call(\\rho; \\tau), Cross(\\bar { r } ^ { P ( \\tau ) / O }; Cross(\\hat{n}_a; \\bar { r } ^ { P ( \\tau ) / O }))); \\tau); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "I_{ab} = \\sum_{i=1}^\\nu m_i \\left( \\bar{r}^{P_i/O} \\times \\hat{n}_a \\right) \\cdot \\left( \\bar{r}^{P_i/O} \\times \\hat{n}_b \\right)\\textrm{.}",
+        "Chain(I_{ab}, BigSum(i; 1; \\nu; Mul(m_i, Cross(\\bar { r } ^ { P _ { i } / O }; \\hat{n}_a), Cross(\\bar { r } ^ { P _ { i } / O }; \\hat{n}_b); 2)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\bar{I}_a = \\hat{n}_a \\cdot \\sum_{i=1}^\\nu m_i \\left( \\left|\\bar{r}^{P_i/O}\\right|^2 \\breve{U} - \\bar{r}^{P_i/O} \\otimes \\bar{r}^{P_i/O} \\right)",
+        "Chain(\\bar{I}_a, Mul(\\hat{n}_a, BigSum(i; 1; \\nu; Mul(m_i, Add(Mul(Pow(Bars(\\bar { r } ^ { P _ { i } / O }); 2), \\breve{U}), Neg(Operated(\\otimes; \\bar { r } ^ { P _ { i } / O }; \\bar { r } ^ { P _ { i } / O })))))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "& \\ddot{x} = \\frac{m(gcos{\\theta} - \\dot{\\theta}^2l)sin{\\theta} + u}{M + m - mcos^2{\\theta}} \\\\ & \\ddot{\\theta} = \\frac{g(M + m)sin{\\theta} - \\dot{\\theta}^2lmsin{\\theta}cos{\\theta} + ucos{\\theta}}{l(M + m - mcos^2{\\theta})}",
+        "System(Chain(Call(\\ddot{x}), Div(Add(Mul(m, Add(Mul(g, Call(cos; Call(\\theta))), Neg(Mul(Pow(Call(\\dot{\\theta}); 2), l))), Call(sin; Call(\\theta))), u); Add(M, m, Neg(Mul(m, Pow(Call(cos; Call(\\theta)); 2))))); =), Chain(Call(\\ddot{\\theta}), Div(Add(Mul(g, Add(M, m), Call(sin; Call(\\theta))), Neg(Mul(Pow(Call(\\dot{\\theta}); 2), l, m, Call(sin; Call(\\theta)), Call(cos; Call(\\theta)))), Mul(u, Call(cos; Call(\\theta)))); Mul(l, Add(M, m, Neg(Mul(m, Pow(Call(cos; Call(\\theta)); 2)))))); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "\\Delta \\mathbf{x}^k = -H^{-1} \\mathbf{b}.",
+        "Chain(\\Delta \\mathbf { x } ^ { k }, Neg(Mul(Pow(H; Neg(1)), \\mathbf{b})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "x_{i}(t+1) = x_{i}(t) + v_{i}(t+1)",
+        "Chain(Call(x_i; Add(t, 1)), Add(Call(x_i; t), Call(v_i; Add(t, 1))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/particleSwarmOptimization/particleSwarmOptimization_main.rst",
+    ),
+    (
+        "x[t+1] &= f(t, x[t], u[t], \\theta), \\\\ y[t] &= h(t, x[t], u[t], \\theta).",
+        "System(Chain(Indexed(x; Add(t, 1)), Call(f; t, Indexed(x; t), Indexed(u; t), \\theta); =), Chain(Indexed(y; t), Call(h; t, Indexed(x; t), Indexed(u; t), \\theta); =))",
+        "python-control/python-control/doc/nlsys.rst",
+    ),
+    (
+        "\\boldsymbol{M}^{-\\mathrm{T}} \\boldsymbol{J} \\boldsymbol{M}^{-1} = \\boldsymbol{J}",
+        "Chain(Mul(Transpose(Pow(\\boldsymbol{M}; Neg(1))), \\boldsymbol{J}, Pow(\\boldsymbol{M}; Neg(1))), \\boldsymbol{J}; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "v = \\frac{\\mathrm{d} x}{\\mathrm{d} t} = \\sqrt{\\frac{g(x^2-l^2)}{L}}",
+        "Chain(v, Derivative(Call(x); t, 1), Sqrt(Div(Mul(g, Add(Pow(Call(x); 2), Neg(Pow(l; 2)))); L)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\zeta(s) = \\mathcal{R}(s) + X(s) \\overline{\\mathcal{R}}(1-s), \\quad X(s) = \\pi^{s-1/2} \\frac{\\Gamma((1-s)/2)}{\\Gamma(s/2)}",
+        "System(Chain(Call(\\zeta; s), Add(Call(\\mathcal{R}; s), Mul(Call(X; s), Call(\\overline{\\mathcal{R}}; Add(1, Neg(s))))); =), Chain(Call(X; s), Mul(Pow(\\pi; Add(s, Neg(Div(1; 2)))), Div(Call(Gamma; Div(Add(1, Neg(s)); 2)); Call(Gamma; Div(s; 2)))); =))",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "C_n^{m}(z)=\\frac{(2m)_n}{\\Gamma(n+1)} {}_2F_1\\left(-n,2m+n,m+\\frac{1}{2},\\frac{1-z}{2}\\right).",
+        "Chain(Call(C _ { n } ^ { m }; z), Mul(Div(Marked(Mul(2, m); _{ n }); Call(Gamma; Add(n, 1))), Call(\\prescript { } { 2 } { F } _ { 1 }; Neg(n), Add(Mul(2, m), n), Add(m, Div(1; 2)), Div(Add(1, Neg(z)); 2))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "2 Q^E W^{N+2} \\left[ 1 + Q^F W + Q^{2F} W^2 + \\ldots \\right] = \\frac{2 Q^E W^{N+2}}{1 - Q^F W}",
+        "Chain(Mul(2, Pow(Q; E), Pow(W; Add(N, 2)), Add(1, Mul(Pow(Q; F), W), Mul(Pow(Q; Mul(2, F)), Pow(W; 2)), Dots())), Div(Mul(2, Pow(Q; E), Pow(W; Add(N, 2))); Add(1, Neg(Mul(Pow(Q; F), W)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "|M''(z+\\varepsilon)| \\le \\frac{2 \\max(1, |z|+|\\varepsilon|+r)}{r^2}",
+        "Chain(Bars(Call(M''; Add(z, \\varepsilon))), Div(Mul(2, Call(max; 1, Add(Bars(z), Bars(\\varepsilon), r))); Pow(r; 2)); \\le)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "D = |z| \\, \\prod_{i=1}^p \\left(1 + \\frac{|a_i-b_i|}{\\mathcal{R}(b_i+N)}\\right) \\prod_{i=p+1}^{q} \\frac{1}{\\mathcal{R}(b_i + N)}.",
+        "Chain(D, Mul(Bars(z), BigProduct(i; 1; p; Mul(Add(1, Div(Bars(Add(a_i, Neg(b_i))); Call(\\mathcal{R}; Add(b_i, N)))), BigProduct(i; Add(p, 1); q; Div(1; Call(\\mathcal{R}; Add(b_i, N))))))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "Y_n^m(\\theta, \\varphi) := \\sqrt{\\frac{(2n+1)(n-m)!}{4\\pi(n+m)!}} \\exp(i m \\varphi) \\mathrm{P}_n^m\\left(\\cos(\\theta)\\right)",
+        "Chain(Call(Y _ { n } ^ { m }; \\theta, \\varphi), Mul(Sqrt(Div(Mul(Add(Mul(2, n), 1), Factorial(Add(n, Neg(m)))); Mul(4, \\pi, Factorial(Add(n, m))))), Call(exp; Mul(i, m, \\varphi)), Call(\\mathrm { P } _ { n } ^ { m }; Call(cos; \\theta))); =)",
+        "sympy/sympy/sympy/functions/special/spherical_harmonics.py",
+    ),
+    (
+        "\\begin{aligned} \\operatorname{RealGaunt}(l_1,l_2,l_3,\\mu_1,\\mu_2,\\mu_3) &=\\int Z^{\\mu_1}_{l_1}(\\Omega) Z^{\\mu_2}_{l_2}(\\Omega) Z^{\\mu_3}_{l_3}(\\Omega) \\,d\\Omega \\\\ \\end{aligned}",
+        "Chain(Call(\\text{RealGaunt}; l_1, l_2, l_3, \\mu_1, \\mu_2, \\mu_3), Antiderivative(Mul(Call(Z _ { l _ { 1 } } ^ { \\mu _ { 1 } }; \\Omega), Call(Z _ { l _ { 2 } } ^ { \\mu _ { 2 } }; \\Omega), Call(Z _ { l _ { 3 } } ^ { \\mu _ { 3 } }; \\Omega)); \\Omega); =)",
+        "sympy/sympy/sympy/physics/wigner.py",
+    ),
+    (
+        "moment(X, c, n) = E((X-c)^{n})",
+        "Chain(Call(\\text{moment}; X, c, n), Call(E; Pow(Add(X, Neg(c)); n)); =)",
+        "sympy/sympy/sympy/stats/rv_interface.py",
+    ),
+    (
+        "[G_{s}] = [\\hat{\\bm g}_{s_{1}} \\cdots \\hat{\\bm g}_{s_{N}}]",
+        "Chain([ G _ { s } ], Tuple(\\hat{\\bm{g}}_{s_1}, Dots(), \\hat{\\bm{g}}_{s_N}; []); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\dot{\\bm{H}}_{\\text{sc},B} = [I_{\\text{hub},B_c}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N} + m_{\\text{hub}} \\bm{r}_{B_c/B}\\times\\ddot{\\bm r}_{B_c/B}\\\\ +\\sum\\limits_{i=1}^{N_S} \\biggl( [I'_{\\text{sp}_{i1},S_{c,i1}}] \\bm\\omega_{\\cal B/N} + [I_{\\text{sp}_{i1},S_{c,i1}}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sp}_{i1},S_{c,i1}}] \\bm\\omega_{\\cal B/N}\\\\ + \\ddot{\\theta}_{i1} I_{s_{i1,2}}\\bm{\\hat{s}}_{i1,2}+ \\bm\\omega_{\\cal B/N} \\times \\dot{\\theta}_{i1} I_{s_{i1,2}}\\bm{\\hat{s}}_{i1,2} +m_{\\text{sp}_{i1}} \\bm{r}_{S_{c,i1}/B} \\times \\ddot{\\bm r}_{S_{c,i1}/B}\\\\ + [I'_{\\text{sp}_{i2},S_{c,i2}}] \\bm\\omega_{\\cal B/N} + [I_{\\text{sp}_{i2},S_{c,i2}}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sp}_{i2},S_{c,i2}}] \\bm\\omega_{\\cal B/N}\\\\ + \\big(\\ddot{\\theta}_{i1} + \\ddot{\\theta}_{i2}\\big) I_{s_{i2,2}}\\bm{\\hat{s}}_{i2,2}+ \\bm\\omega_{\\cal B/N} \\times \\big(\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2}\\big) I_{s_{i2,2}}\\bm{\\hat{s}}_{i2,2} +m_{\\text{sp}_{i1}} \\bm{r}_{S_{c,i2}/B} \\times \\ddot{\\bm r}_{S_{c,i2}/B}\\biggr)",
+        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\ddot{\\bm{r}}_{B_c/B})), BigSum(i; 1; N_S; Add(Mul([ I ' _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Call(\\ddot{\\theta}_{i1}), I_{s_i1,2}, \\bm{\\hat{s}}_{i1,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Call(\\dot{\\theta}_{i1}), I_{s_i1,2}, \\bm{\\hat{s}}_{i1,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i1/B})); Call(\\ddot{\\bm{r}}_{S_c,i1/B})), Mul([ I ' _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Add(Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2})), I_{s_i2,2}, \\bm{\\hat{s}}_{i2,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})), I_{s_i2,2}, \\bm{\\hat{s}}_{i2,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i2/B})); Call(\\ddot{\\bm{r}}_{S_c,i2/B}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "[b_n]_i = \\Pr(x_n = x_i | u_0, y_0, ... u_{n-1}, y_{n-1}).",
+        "Chain(Marked(b_n; _{ i }), Call(Pr; Given(Chain(x_n, x_i; =); u_0, y_0, Dots(), u_{n-1}, y_{n-1}; |)); =)",
+        "RussTedrake/underactuated/book/belief.html",
+    ),
+    (
+        "\\begin{cases} x = x(q_1,q_2,q_3) \\\\ y = y(q_1,q_2,q_3) \\\\ z = z(q_1,q_2,q_3) \\end{cases}",
+        "System(Chain(Call(x), Call(x; q_1, q_2, q_3); =), Chain(Call(y), Call(y; q_1, q_2, q_3); =), Chain(Call(z), Call(z; q_1, q_2, q_3); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Kinematics.tex",
+    ),
+    (
+        "a = \\frac{g(\\rho_p-\\rho_f)}{\\rho_p} - \\frac{3C_D \\rho_f u^2}{4D \\rho_p}",
+        "Chain(a, Add(Div(Mul(g, Add(\\rho_p, Neg(\\rho_f))); \\rho_p), Neg(Div(Mul(3, C_D, \\rho_f, Pow(u; 2)); Mul(4, D, \\rho_p)))); =)",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
+    (
+        "a u_x + b u_t + c u = g, \\qquad u(x,0) = f(x) .",
+        "System(Chain(Add(Mul(a, u_x), Mul(b, u_t), Mul(c, Call(u))), g; =), Chain(Call(u; x, 0), Call(f; x); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\delta\\boldsymbol{r}_A = (-l\\sin\\alpha\\delta\\alpha,l\\cos\\alpha\\delta\\alpha),\\quad \\delta\\boldsymbol{r}_B = (-2l\\sin\\alpha\\delta\\alpha,0),\\quad \\delta\\boldsymbol{r}_C = (-l\\sin\\alpha\\delta\\alpha,-l\\cos\\alpha\\delta\\alpha)",
+        "System(Chain(\\delta \\boldsymbol { r } _ { A }, Pair(Neg(Mul(l, Call(sin; \\alpha), \\delta \\alpha)); Mul(l, Call(cos; \\alpha), \\delta \\alpha)); =), Chain(\\delta \\boldsymbol { r } _ { B }, Pair(Neg(Mul(2, l, Call(sin; \\alpha), \\delta \\alpha)); 0); =), Chain(\\delta \\boldsymbol { r } _ { C }, Pair(Neg(Mul(l, Call(sin; \\alpha), \\delta \\alpha)); Neg(Mul(l, Call(cos; \\alpha), \\delta \\alpha))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\bm{c}'' = \\ddot{\\bm{c}} - 2\\bm{\\omega}_{B/N} \\times \\bm{c}' - \\dot{\\bm{\\omega}}_{B/N} \\times \\bm{c} -\\bm{\\omega}_{B/N} \\times \\bm{\\omega}_{B/N} \\times \\bm{c}",
+        "Chain(Call(\\bm{c}''), Add(Call(\\ddot{\\bm{c}}), Neg(Cross(Mul(2, Call(\\bm{\\omega}_{B/N})); Call(\\bm{c}'))), Neg(Cross(Call(\\dot{\\bm{\\omega}}_{B/N}); Call(\\bm{c}))), Neg(Cross(Call(\\bm{\\omega}_{B/N}); Cross(Call(\\bm{\\omega}_{B/N}); Call(\\bm{c}))))); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secTest.tex",
+    ),
+    (
+        "\\dot{\\hat{\\bm{r}}}_1 &= {\\bm R}_{P1} \\left( {\\bm R}_{P1} \\cdot {\\bm R}_{P1} \\right)^{-\\frac{1}{2}} \\\\ &= \\frac{\\dot{\\bm R}_{P1}}{|{\\bm R}_{P1}|} - \\frac{1}{2} {\\bm R}_{P1} {\\bm R}_{P1}\\cdot \\dot{\\bm R}_{P1} \\left({\\bm R}_{P1} \\cdot {\\bm R}_{P1} \\right)^{-\\frac{3}{2}} \\\\ &= \\frac{\\dot{\\bm R}_{P1}}{|{\\bm R}_{P1}|} - \\hat{\\bm r}_1 \\hat{\\bm r}_{1}^T \\frac{\\dot{\\bm R}_{P1}}{|{\\bm R}_{P1}|} \\\\ &=([I_{3\\times3}] - {\\hat{\\bm{r}}_1}{\\hat{\\bm{r}}_1}^T) \\frac{{\\bm R}_{P1}}{|{\\bm R}_{P1}|}",
+        "Chain(Call(\\dot{\\hat{\\bm{r}}}_1), Mul(Call(\\bm{R}_{P1}), Pow(Mul(Call(\\bm{R}_{P1}), Call(\\bm{R}_{P1})); Neg(Div(1; 2)))), Add(Div(Call(\\dot{\\bm{R}}_{P1}); Bars(Call(\\bm{R}_{P1}))), Neg(Mul(Div(1; 2), Call(\\bm{R}_{P1}), Call(\\bm{R}_{P1}), Call(\\dot{\\bm{R}}_{P1}), Pow(Mul(Call(\\bm{R}_{P1}), Call(\\bm{R}_{P1})); Neg(Div(3; 2)))))), Add(Div(Call(\\dot{\\bm{R}}_{P1}); Bars(Call(\\bm{R}_{P1}))), Neg(Mul(Call(\\hat{\\bm{r}}_1), Transpose(Call(\\hat{\\bm{r}}_1)), Div(Call(\\dot{\\bm{R}}_{P1}); Bars(Call(\\bm{R}_{P1})))))), Mul(Add([ I _ { 3 \\times 3 } ], Neg(Mul(Call(\\hat{\\bm{r}}_1), Transpose(Call(\\hat{\\bm{r}}_1))))), Div(Call(\\bm{R}_{P1}); Bars(Call(\\bm{R}_{P1})))); =, =, =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/celestialTwoBodyPoint/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\dot{\\rho}(t) = \\pm \\ddot{\\rho}_{\\text{max}} \\left( \\frac{(t - t_0)^3}{t_{\\text{smooth}}^2} - \\frac{(t - t_0)^4}{2 t_{\\text{smooth}}^3} \\right)",
+        "Chain(Call(\\dot{\\rho}; t), PlusMinus(Mul(Call(\\ddot{\\rho}_{max}), Add(Div(Pow(Add(t, Neg(t_0)); 3); Pow(t_{smooth}; 2)), Neg(Div(Pow(Add(t, Neg(t_0)); 4); Mul(2, Pow(t_{smooth}; 3))))))); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "{\\bf L}_G = \\sum_{i=1}^N \\frac{3 \\mu}{| {\\bf R}_{C/P_i} |^5} {\\bf R}_{C/P_i} \\times [I_c] {\\bf R}_{C/P_i}",
+        "Chain(\\mathbf{L}_G, BigSum(i; 1; N; Cross(Mul(Div(Mul(3, \\mu); Pow(Bars(\\mathbf{R}_{C/P_i}); 5)), \\mathbf{R}_{C/P_i}); Mul([ I _ { c } ], \\mathbf{R}_{C/P_i}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/GravityGradientEffector/GravityGradientEffector.rst",
+    ),
+    (
+        "\\mathbf{C} = (\\eta ^2 - \\boldsymbol{\\epsilon}^T\\boldsymbol{\\epsilon})\\mathbf{I} + 2\\boldsymbol{\\epsilon}\\boldsymbol{\\epsilon}^T - 2 \\eta\\boldsymbol{\\epsilon}^\\times",
+        "Chain(\\mathbf{C}, Add(Mul(Add(Pow(\\eta; 2), Neg(Mul(Transpose(\\boldsymbol{\\epsilon}), \\boldsymbol{\\epsilon}))), \\mathbf{I}), Mul(2, \\boldsymbol{\\epsilon}, Transpose(\\boldsymbol{\\epsilon})), Neg(Mul(2, \\eta, \\boldsymbol { \\epsilon } ^ { \\times }))); =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\mathbf{q}_{k+1} = \\mathbf{q}_k-\\mu\\frac{\\nabla f( \\mathbf{q}_k, \\,^E\\mathbf{d}, \\,^S\\mathbf{s})}{\\|\\nabla f( \\mathbf{q}_k, \\,^E\\mathbf{d}, \\,^S\\mathbf{s})\\|}",
+        "Chain(\\mathbf{q}_{k+1}, Add(\\mathbf{q}_k, Neg(Mul(\\mu, Div(Call(\\nabla f; \\mathbf{q}_k, \\prescript { E } { } { \\mathbf { d } }, \\prescript { S } { } { \\mathbf { s } }); Norm(Call(\\nabla f; \\mathbf{q}_k, \\prescript { E } { } { \\mathbf { d } }, \\prescript { S } { } { \\mathbf { s } })))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "d(\\mathbf{x}, \\mathbf{y}) = \\min \\{ |\\mathbf{x}-\\mathbf{y}|, 2\\pi - |\\mathbf{x}-\\mathbf{y}| \\}",
+        "Chain(Call(d; \\mathbf{x}, \\mathbf{y}), Call(min; Bars(Add(\\mathbf{x}, Neg(\\mathbf{y}))), Add(Mul(2, \\pi), Neg(Bars(Add(\\mathbf{x}, Neg(\\mathbf{y})))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/metrics.py",
+    ),
+    (
+        "\\begin{array}{ll} P^{0,0} & = 1 \\\\ P^{n,n} & = \\sin (x) P^{n-1, n-1} \\\\ P^{n,m} & = \\cos (x) P^{n-1, m} - K^{n, m} P^{n-2, m} \\end{array}",
+        "System(Chain(P ^ { 0 , 0 }, 1; =), Chain(P ^ { n , n }, Mul(Call(sin; x), P ^ { n - 1 , n - 1 }); =), Chain(P ^ { n , m }, Add(Mul(Call(cos; x), P ^ { n - 1 , m }), Neg(Mul(K ^ { n , m }, P ^ { n - 2 , m }))); =))",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "{\\bf x} = {\\bf V}{\\bf r},\\quad \\text{or}\\quad {\\bf r} = {\\bf V}^{-1}{\\bf x}.",
+        "System(Chain(\\mathbf{x}, Mul(\\mathbf{V}, \\mathbf{r}); =), Words(\\text{~or~}), Chain(\\mathbf{r}, Mul(Pow(\\mathbf{V}; Neg(1)), \\mathbf{x}); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\operatorname{\\textrm{minimize}}_{\\pi} \\quad & t_f\\\\ \\textrm{subject to} \\quad & {\\bf x}(t_0) = {\\bf x}_0, \\\\ & {\\bf x}(t_f) = {\\bf 0}, \\\\ & \\ddot{q}(t) = u(t), \\\\ & |u(t)| \\le 1.",
+        "System(Words(Limiting(min; _{ \\pi }; t_f)), Words(\\text{subject~to}), Chain(Call(\\mathbf{x}; t_0), \\mathbf{x}_0; =), Chain(Call(\\mathbf{x}; t_f), 0; =), Chain(Call(\\ddot{q}; t), Call(u; t); =), Chain(Bars(Call(u; t)), 1; \\le))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\operatorname{\\textrm{maximize}}_{\\bf J} \\quad {\\bf c}^T {\\bf J}, \\\\ \\textrm{subject to} \\quad \\forall a, {\\bf J} \\le {\\bf \\ell}(a) + {\\bf T}(a) {\\bf J},",
+        "System(Words(Limiting(max; _{ \\mathbf { J } }; Mul(Transpose(\\mathbf{c}), \\mathbf{J}))), Words(\\text{subject~to}), Forall(a), Chain(\\mathbf{J}, Add(Call(\\mathbf{\\ell}; a), Mul(Call(\\mathbf{T}; a), \\mathbf{J})); \\le))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\ddot{{\\bf q}} =& {\\bf M}^{-1}({\\bf q})\\left[ {\\bf \\tau}_g({\\bf q}) + {\\bf B}{\\bf u} - {\\bf C}({\\bf q},\\dot{\\bf q})\\dot{\\bf q} \\right].",
+        "Chain(Call(\\ddot{\\mathbf{q}}), Mul(Pow(Call(\\mathbf{M}; Call(\\mathbf{q})); Neg(1)), Add(Call(\\mathbf{\\tau}_g; Call(\\mathbf{q})), Mul(\\mathbf{B}, \\mathbf{u}), Neg(Mul(Call(\\mathbf{C}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}})), Call(\\dot{\\mathbf{q}}))))); =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "\\forall {\\bf x}, \\quad 0 = \\min_{\\bf u} \\left[ {\\bf x}^T {\\bf Q} {\\bf x} + {\\bf u}^T {\\bf R} {\\bf u} + \\frac{\\partial J^*}{\\partial {\\bf x}} \\left( {\\bf A}{\\bf x} + {\\bf B}{\\bf u} \\right) \\right].",
+        "System(Forall(\\mathbf{x}), Chain(0, Limiting(min; _{ \\mathbf { u } }; Add(Mul(Transpose(\\mathbf{x}), \\mathbf{Q}, \\mathbf{x}), Mul(Transpose(\\mathbf{u}), \\mathbf{R}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Add(Mul(\\mathbf{A}, \\mathbf{x}), Mul(\\mathbf{B}, \\mathbf{u}))))); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "0 = {\\bf x}^T \\left[ {\\bf Q} - {\\bf S B R}^{-1}{\\bf B}^T{\\bf S} + {\\bf SA} + {\\bf A}^T{\\bf S} \\right]{\\bf x}.",
+        "Chain(0, Mul(Transpose(\\mathbf{x}), Add(\\mathbf{Q}, Neg(Mul(\\mathbf{S}, \\mathbf{B}, Pow(\\mathbf{R}; Neg(1)), Transpose(\\mathbf{B}), \\mathbf{S})), Mul(\\mathbf{S}, \\mathbf{A}), Mul(Transpose(\\mathbf{A}), \\mathbf{S})), \\mathbf{x}); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "{\\bf u}^* = \\pi^*({\\bf x},t) = - {\\bf R}^{-1} {\\bf B}^T {\\bf S}(t) {\\bf x} \\\\ 0 = {\\bf x}^T \\left[ {\\bf Q} - {\\bf S}(t) {\\bf B} {\\bf R}^{-1} {\\bf B}^T {\\bf S}(t) + {\\bf S}(t) {\\bf A} + {\\bf A}^T {\\bf S}(t) + \\dot{\\bf S}(t) \\right] {\\bf x}.",
+        "System(Chain(\\mathbf { u } ^ { * }, Call(\\pi ^ { * }; \\mathbf{x}, t), Neg(Mul(Pow(\\mathbf{R}; Neg(1)), Transpose(\\mathbf{B}), Call(\\mathbf{S}; t), \\mathbf{x})); =, =), Chain(0, Mul(Transpose(\\mathbf{x}), Add(\\mathbf{Q}, Neg(Mul(Call(\\mathbf{S}; t), \\mathbf{B}, Pow(\\mathbf{R}; Neg(1)), Transpose(\\mathbf{B}), Call(\\mathbf{S}; t))), Mul(Call(\\mathbf{S}; t), \\mathbf{A}), Mul(Transpose(\\mathbf{A}), Call(\\mathbf{S}; t)), Call(\\dot{\\mathbf{S}}; t)), \\mathbf{x}); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\frac{d}{dt} E = \\frac{\\partial E}{\\partial \\theta}\\dot\\theta + \\frac{\\partial E}{\\partial \\dot\\theta}\\ddot\\theta = \\dot\\theta(ml^2\\ddot\\theta + mgl\\sin\\theta) = - b\\dot\\theta^2 \\le 0.",
+        "Chain(Derivative(Call(E); t, 1), Add(Mul(Derivative(Call(E); \\theta, 1; True), Call(\\dot{\\theta})), Mul(Derivative(Call(E); \\dot{\\theta}, 1; True), Call(\\ddot{\\theta}))), Mul(Call(\\dot{\\theta}), Add(Mul(m, Pow(l; 2), Call(\\ddot{\\theta})), Mul(m, g, l, Call(sin; Call(\\theta))))), Neg(Mul(b, Pow(Call(\\dot{\\theta}); 2))), 0; =, =, =, \\le)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "V(\\mathbf z) = \\int_0^\\infty ||{\\bf x}(t)-{\\bf x}^*||^2 dt, \\;\\text{ where } {\\bf x}(0)=\\mathbf z, \\;\\;\\dot{\\bf x} =f({\\bf x}).",
+        "System(Chain(Call(V; \\mathbf{z}), Integral(Pow(Norm(Add(Call(\\mathbf{x}; t), Neg(\\mathbf { x } ^ { * }))); 2); t; 0; Infinity()); =), Chain(Call(\\mathbf{x}; 0), \\mathbf{z}; =), Chain(Call(\\dot{\\mathbf{x}}), Call(f; Call(\\mathbf{x})); =))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "L({\\bf z},{\\bf \\lambda}) = \\ell({\\bf z}) + \\lambda^T\\phi({\\bf z}).",
+        "Chain(Call(L; \\mathbf{z}, \\mathbf{\\lambda}), Add(Call(\\ell; \\mathbf{z}), Mul(Transpose(\\lambda), Call(\\phi; \\mathbf{z}))); =)",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\min_{x,y} x+y, \\quad \\textrm{subject to} \\quad x^2 + y^2 = 1.",
+        "System(Words(Limiting(min; _{ x , y }; Add(x, y))), Words(\\text{subject~to}), Chain(Add(Pow(x; 2), Pow(y; 2)), 1; =))",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\min_{\\bf x} \\quad & {\\bf x}^T{\\bf A}{\\bf x} + {\\bf b}^T {\\bf x}, \\\\ \\text{subject to} \\quad & {\\bf x}^T{\\bf x} = 1.",
+        "System(Words(Limiting(min; _{ \\mathbf { x } }; Add(Mul(Transpose(\\mathbf{x}), \\mathbf{A}, \\mathbf{x}), Mul(Transpose(\\mathbf{b}), \\mathbf{x})))), Words(\\text{subject~to}), Chain(Mul(Transpose(\\mathbf{x}), \\mathbf{x}), 1; =))",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\dot{r} &= r(1-r), \\\\ \\dot\\theta &= \\sin^2 \\left( \\frac{\\theta}{2} \\right).",
+        "System(Chain(Call(\\dot{r}), Mul(Call(r), Add(1, Neg(Call(r)))); =), Chain(Call(\\dot{\\theta}), Pow(Call(sin; Div(Call(\\theta); 2)); 2); =))",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\forall n, E\\left[ w[n] \\right] = 0,\\\\ E\\left[ w[i]w[j] \\right] = \\begin{cases} \\sigma^2, & \\text{ if } i=j,\\\\ 0, & \\text{ otherwise.} \\end{cases}",
+        "System(Forall(n), Chain(Indexed(E; Indexed(w; n)), 0; =), Chain(Indexed(E; Mul(Indexed(w; i), Indexed(w; j))), Piecewise(Pow(\\sigma; 2), Chain(i, j; =), 0, None); =))",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "F_{g, W}^B = \\begin{bmatrix} 0, 0, 0, 0, 0, -mg \\end{bmatrix}^T.",
+        "Chain(F _ { g , W } ^ { B }, Transpose(MatrixOf(0, 0, 0, 0, 0, Neg(Mul(m, g)))); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\min_v && \\left|J^G(q)v - V^{G_d}\\right|^2_2\\,, \\\\ \\textrm{subject to} && v_{min} \\le v \\le v_{max}.",
+        "System(Words(Limiting(min; _{ v }; Pow(Marked(Bars(Add(Mul(Call(J ^ { G }; q), v), Neg(V ^ { G _ { d } }))); _{ 2 }); 2))), Words(\\text{subject~to}), Chain(v_{min}, v, v_{max}; \\le, \\le))",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\min_{x,y} \\quad& (x-5)^2 + (y+3)^2 \\\\ \\textrm{subject to} \\quad& x - y \\le 6.",
+        "System(Words(Limiting(min; _{ x , y }; Add(Pow(Add(x, Neg(5)); 2), Pow(Add(y, 3); 2)))), Words(\\text{subject~to}), Chain(Add(x, Neg(y)), 6; \\le))",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\begin{aligned} \\min_{p_x,p_y,a,b} \\quad & \\sum_i \\bigg\\| \\begin{pmatrix} p_x \\\\ p_y \\end{pmatrix} + \\begin{pmatrix} a & -b \\\\ b & a \\end{pmatrix} {}^Op^{m_{c_i}} - {}^Wp^{s_i} \\bigg\\|^2 \\\\ \\text{s.t.} \\quad & a^2 + b^2 = 1. \\end{aligned}",
+        "System(Words(Limiting(min; _{ p _ { x } , p _ { y } , a , b }; BigSum(i; Pow(Norm(Add(MatrixOf(p_x, p_y), Mul(MatrixOf(a, Neg(b), b, a), \\prescript { O } { } { p } ^ { m _ { c _ { i } } }), Neg(\\prescript { W } { } { p } ^ { s _ { i } }))); 2)))), Words(\\text{subject~to}), Chain(Add(Pow(a; 2), Pow(b; 2)), 1; =))",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "\\min_q & \\quad |q - q_0|^2, \\\\ \\textrm{subject to} &\\quad X^G = f_{kin}(q),",
+        "System(Words(Limiting(min; _{ q }; Pow(Bars(Add(q, Neg(q_0))); 2))), Words(\\text{subject~to}), Chain(X ^ { G }, Call(f_{kin}; q); =))",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "{}^A\\bar{\\alpha}^B := \\frac{{}^Ad}{dt} {}^A\\bar{\\omega}^B",
+        "Chain(\\prescript { A } { } { \\bar { \\alpha } } ^ { B }, Marked(Derivative(Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }); t, 1); _{ A }); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\bar{I}_a := \\sum_{i=1}^\\nu m_i \\bar{r}^{P_i/O} \\times \\left( \\hat{n}_a \\times \\bar{r}^{P_i/O} \\right)",
+        "Chain(\\bar{I}_a, BigSum(i; 1; \\nu; Cross(Mul(m_i, \\bar { r } ^ { P _ { i } / O }); Cross(\\hat{n}_a; \\bar { r } ^ { P _ { i } / O }))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "a_{11} x_1 + a_{12} x_2 + \\ldots + a_{1n} x_n + b_1 = 0 \\\\ a_{21} x_1 + a_{22} x_2 + \\ldots + a_{2n} x_n + b_2 = 0 \\\\ \\vdots \\\\ a_{n1} x_1 + a_{n2} x_2 + \\ldots + a_{nn} x_n + b_n = 0",
+        "System(Chain(Add(Mul(a_{11}, x_1), Mul(a_{12}, x_2), Dots(), Mul(a_{1n}, x_n), b_1), 0; =), Chain(Add(Mul(a_{21}, x_1), Mul(a_{22}, x_2), Dots(), Mul(a_{2n}, x_n), b_2), 0; =), Words(Dots()), Chain(Add(Mul(a_{n1}, x_1), Mul(a_{n2}, x_2), Dots(), Mul(a_{nn}, x_n), b_n), 0; =))",
+        "moorepants/learn-multibody-dynamics/sympy.rst",
+    ),
+    (
+        "\\mathbb E[X] = \\sum_{i=1}^n p_ix_i",
+        "Chain(Indexed(\\mathbb{E}; X), BigSum(i; 1; n; Mul(p_i, x_i)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\dot z(t) &= \\sum_{i=1}^N c_i \\dot \\psi_i(t) \\\\ &\\, \\vdots \\\\ \\dot z^{(q)}(t) &= \\sum_{i=1}^N c_i \\psi^{(q)}_i(t).",
+        "System(Chain(Call(\\dot{z}; t), BigSum(i; 1; N; Mul(c_i, Call(\\dot{\\psi}_i; t))); =), Words(Dots()), Chain(Call(\\dot { z } ^ { ( q ) }; t), BigSum(i; 1; N; Mul(c_i, Call(\\psi _ { i } ^ { ( q ) }; t))); =))",
+        "python-control/python-control/doc/flatsys.rst",
+    ),
+    (
+        "\\mathrm{dn}\\, x = \\sqrt{1-k^2\\mathrm{sn}\\,^2x}",
+        "Chain(Call(dn; x), Sqrt(Add(1, Neg(Mul(Pow(k; 2), Pow(Call(sn; x); 2))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/appendixA.tex",
+    ),
+    (
+        "T = T_2 = \\frac12 \\sum_{\\alpha,\\beta=1}^s M_{\\alpha\\beta}\\dot{q}_\\alpha\\dot{q}_\\beta = \\dot{q}_1^2 \\left(\\frac12 \\sum_{\\alpha,\\beta=1}^s M_{\\alpha\\beta}q'_\\alpha q'_\\beta\\right)",
+        "Chain(T, T_2, Mul(Div(1; 2), BigSum(\\alpha, \\beta; 1; s; Mul(M_{\\alpha \\beta}, Call(\\dot{q}_{\\alpha}), Call(\\dot{q}_{\\beta})))), Mul(Pow(Call(\\dot{q}_1); 2), Mul(Div(1; 2), BigSum(\\alpha, \\beta; 1; s; Mul(M_{\\alpha \\beta}, Call(q'_{\\alpha}), Call(q'_{\\beta}))))); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\begin{cases} \\displaystyle x = \\frac{R\\omega_1}{\\omega_2} \\sin(\\omega_2 t + \\phi_0) - \\frac{R\\omega_1}{\\omega_2} \\sin \\phi_0 + x_0 \\\\[1,5ex] \\displaystyle y = -\\frac{R\\omega_1}{\\omega_2} \\cos(\\omega_2 t + \\phi_0) + \\frac{R\\omega_1}{\\omega_2} \\cos \\phi_0 + y_0 \\\\ \\theta = \\omega_1 t + \\theta_0 \\\\ \\phi = \\omega_2 t + \\phi_0 \\\\ \\lambda_1 = -R\\omega_1 \\omega_2 \\sin \\phi \\\\ \\lambda_2 = R\\omega_1 \\omega_2 \\cos \\phi \\end{cases}",
+        "System(Chain(x, Add(Mul(Div(Mul(R, \\omega_1); \\omega_2), Call(sin; Add(Mul(\\omega_2, t), \\phi_0))), Neg(Mul(Div(Mul(R, \\omega_1); \\omega_2), Call(sin; \\phi_0))), x_0); =), Chain(y, Add(Neg(Mul(Div(Mul(R, \\omega_1); \\omega_2), Call(cos; Add(Mul(\\omega_2, t), \\phi_0)))), Mul(Div(Mul(R, \\omega_1); \\omega_2), Call(cos; \\phi_0)), y_0); =), Chain(\\theta, Add(Mul(\\omega_1, t), \\theta_0); =), Chain(\\phi, Add(Mul(\\omega_2, t), \\phi_0); =), Chain(\\lambda_1, Neg(Mul(R, \\omega_1, \\omega_2, Call(sin; \\phi))); =), Chain(\\lambda_2, Mul(R, \\omega_1, \\omega_2, Call(cos; \\phi)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\sigma_t = \\frac{a^2}{4} \\int \\mathrm{d} \\omega = \\frac{a^2}{4} 4\\pi = \\pi a^2",
+        "Chain(\\sigma_t, Mul(Div(Pow(a; 2); 4), Antiderivative(1; \\omega)), Mul(Div(Pow(a; 2); 4), 4, \\pi), Mul(\\pi, Pow(a; 2)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "I_n = \\int_V \\rho |\\boldsymbol{n} \\times \\boldsymbol{r}|^2 \\mathrm{d} V",
+        "Chain(I_n, Over(\\int; _ { V }; Mul(\\rho, Pow(Bars(Cross(\\boldsymbol{n}; \\boldsymbol{r})); 2)); V); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "|\\boldsymbol{K}-\\omega^2 \\boldsymbol{M}| = \\begin{vmatrix} \\omega_0^2-\\omega^2 & -\\alpha \\\\ -\\alpha & \\omega_0^2-\\omega^2 \\end{vmatrix} = 0",
+        "Chain(Bars(Add(\\boldsymbol{K}, Neg(Mul(Pow(\\omega; 2), \\boldsymbol{M})))), Bars(MatrixOf(Add(Pow(\\omega_0; 2), Neg(Pow(\\omega; 2))), Neg(\\alpha), Neg(\\alpha), Add(Pow(\\omega_0; 2), Neg(Pow(\\omega; 2))))), 0; =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "K_1 = \\left[1.2 + \\frac{160}{\\text{Re}_1}\\right] \\left[ \\left(\\frac{D_1} {D_2} \\right)^4 -1 \\right]",
+        "Chain(K_1, Mul(Add(1.2, Div(160; \\text{Re}_1)), Add(Pow(Div(D_1; D_2); 4), Neg(1))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "V_{1,max} = v_1(h=h_1)",
+        "Chain(V_{1,max}, Call(v_1; Chain(h, h_1; =)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "V = \\frac{\\pi D^2 h}{4} - v_1(h=a_1+a_2) + v_1(h=a_1 + a_2 -h),\\; 0 \\le h < a_2",
+        "System(Chain(V, Add(Div(Mul(\\pi, Pow(D; 2), h); 4), Neg(Call(v_1; Chain(h, Add(a_1, a_2); =))), Call(v_1; Chain(h, Add(a_1, a_2, Neg(h)); =))); =), Chain(0, h, a_2; \\le, <))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\vec{e}_1 = \\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\\\ \\vdots \\\\ 0 \\end{bmatrix} , \\qquad \\vec{e}_2 = \\begin{bmatrix} 0 \\\\ 1 \\\\ 0 \\\\ \\vdots \\\\ 0 \\end{bmatrix} , \\qquad \\vec{e}_3 = \\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\\\ \\vdots \\\\ 0 \\end{bmatrix} , \\qquad \\cdots , \\qquad \\vec{e}_n = \\begin{bmatrix} 0 \\\\ 0 \\\\ 0 \\\\ \\vdots \\\\ 1 \\end{bmatrix} .",
+        "System(Chain(\\vec{e}_1, MatrixOf(1, 0, 0, Dots(), 0); =), Chain(\\vec{e}_2, MatrixOf(0, 1, 0, Dots(), 0); =), Chain(\\vec{e}_3, MatrixOf(0, 0, 1, Dots(), 0); =), Words(Dots()), Chain(\\vec{e}_n, MatrixOf(0, 0, 0, Dots(), 1); =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\left\\langle \\left(\\frac{16}{7},\\frac{4}{7},\\frac{-8}{7}\\right) , (1,2,3) \\right\\rangle = \\frac{16}{7} \\cdot 1 + \\frac{4}{7} \\cdot 2 -\\frac{8}{7} \\cdot 3 = 0 .",
+        "Chain(Pair(Tuple(Div(16; 7), Div(4; 7), Div(Neg(8); 7); ()); Tuple(1, 2, 3; ())), Add(Mul(Div(16; 7), 1), Mul(Div(4; 7), 2), Neg(Mul(Div(8; 7), 3))), 0; =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\begin{vmatrix} a & b \\\\ c & d \\end{vmatrix} = \\det \\left( \\begin{bmatrix} a & b \\\\ c & d \\end{bmatrix} \\right) .",
+        "Chain(Bars(MatrixOf(a, b, c, d)), Call(det; MatrixOf(a, b, c, d)); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "f(x) = \\sum_{\\substack{n=1\\\\n \\text{~odd}}}^\\infty \\frac{-4}{5\\pi^3 n^3} \\sin (n \\pi x) .",
+        "Chain(Call(f; x), Limiting(sum; _{ \\substack { n = 1 \\\\ n \\text { ~ o d d } } }^{ \\infty }; Mul(Div(Neg(4); Mul(5, Pow(\\pi; 3), Pow(n; 3))), Call(sin; Mul(n, \\pi, x)))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\frac{1}{2} \\ln \\left\\lvert \\frac{v+1}{v-1} \\right\\rvert = x + C , \\qquad \\text{or} \\qquad \\left\\lvert \\frac{v+1}{v-1} \\right\\rvert = e^{2x + 2C} , \\qquad \\text{or} \\qquad \\frac{v+1}{v-1} = D e^{2x} ,",
+        "System(Chain(Mul(Div(1; 2), Call(ln; Bars(Div(Add(v, 1); Add(v, Neg(1)))))), Add(x, C); =), Words(\\text{~or~}), Chain(Bars(Div(Add(v, 1); Add(v, Neg(1)))), Pow(e; Add(Mul(2, x), Mul(2, C))); =), Words(\\text{~or~}), Chain(Div(Add(v, 1); Add(v, Neg(1))), Mul(D, Pow(e; Mul(2, x))); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\frac{dx}{dt} = kx(M-x) ,",
+        "Chain(Derivative(Call(x); t, 1), Mul(k, Call(x), Add(M, Neg(Call(x)))); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "y(a) = b_0, \\quad y'(a) = b_1, \\quad \\ldots, \\quad y^{(n-1)}(a) = b_{n-1} .",
+        "System(Chain(Call(y; a), b_0; =), Chain(Call(y'; a), b_1; =), Words(Dots()), Chain(Call(y ^ { ( n - 1 ) }; a), b_{n-1}; =))",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "A = \\lim_{k\\to\\infty} \\sqrt[k]{\\lvert a_k \\rvert} = \\lim_{k\\to\\infty} \\sqrt[k]{ \\left\\lvert\\frac{1}{k^k}\\right\\rvert} = \\lim_{k\\to\\infty} \\sqrt[k]{ {\\left\\lvert\\frac{1}{k}\\right\\rvert}^{k}} = \\lim_{k\\to\\infty} \\frac{1}{k} = 0 .",
+        "Chain(A, Limiting(lim; _{ k \\to \\infty }; Root(Bars(a_k); k)), Limiting(lim; _{ k \\to \\infty }; Root(Bars(Div(1; Pow(k; k))); k)), Limiting(lim; _{ k \\to \\infty }; Root(Pow(Bars(Div(1; k)); k); k)), Limiting(lim; _{ k \\to \\infty }; Div(1; k)), 0; =, =, =, =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "a_k = \\frac{1}{k(k-1)(k-2) \\cdots 3 \\cdot 2} = \\frac{1}{k!} .",
+        "Chain(a_k, Div(1; Mul(k, Add(k, Neg(1)), Add(k, Neg(2)), Dots(), 3, 2)), Div(1; Factorial(k)); =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\begin{bmatrix} 0 \\\\ 6 \\end{bmatrix} = {\\vec{x}}'(0) = \\begin{bmatrix} 1 \\\\ 2 \\end{bmatrix} b_1 + \\begin{bmatrix} 1 \\\\ -1 \\end{bmatrix} 2 b_2 = \\begin{bmatrix} b_1+2b_2 \\\\ 2b_1-2b_2 \\end{bmatrix} .",
+        "Chain(MatrixOf(0, 6), Call(\\vec{x}'; 0), Add(Mul(MatrixOf(1, 2), b_1), Mul(MatrixOf(1, Neg(1)), 2, b_2)), MatrixOf(Add(b_1, Mul(2, b_2)), Add(Mul(2, b_1), Neg(Mul(2, b_2)))); =, =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\vec{x}'' = M^{-1}K \\vec{x} + M^{-1} \\vec{G} \\cos(\\omega t) \\qquad \\text{or} \\qquad \\vec{x}'' = A \\vec{x} + \\vec{F} \\cos(\\omega t) ,",
+        "System(Chain(\\vec{x}'', Add(Mul(Pow(M; Neg(1)), K, \\vec{x}), Mul(Pow(M; Neg(1)), \\vec{G}, Call(cos; Mul(\\omega, t)))); =), Words(\\text{~or~}), Chain(\\vec{x}'', Add(Mul(A, \\vec{x}), Mul(\\vec{F}, Call(cos; Mul(\\omega, t)))); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "G_q(a) = \\sum_{x \\bmod q} \\chi_q(a, x) e^{\\frac{2i\\pi x}q}",
+        "Chain(Call(G_q; a), Limiting(sum; _{ x \\bmod q }; Mul(Call(\\chi_q; a, x), Pow(e; Div(Mul(2, i, \\pi, x); q)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "{}_pF_q(a_1,\\ldots,a_p;b_1,\\ldots,b_q;z) = \\sum_{k=0}^\\infty \\frac{(a_1)_k\\dots(a_p)_k}{(b_1)_k\\dots(b_q)_k} \\frac {z^k} {k!}.",
+        "Chain(Call(\\prescript { } { p } { F } _ { q }; Given(a_1, Dots(), a_p; Given(b_1, Dots(), b_q; z; ;); ;)), BigSum(k; 0; Infinity(); Mul(Div(Mul(Marked(a_1; _{ k }), Dots(), Marked(a_p; _{ k })); Mul(Marked(b_1; _{ k }), Dots(), Marked(b_q; _{ k }))), Div(Pow(z; k); Factorial(k)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\operatorname{Ei}(z) = z {}_2F_2(1, 1; 2, 2; z) + \\gamma + \\frac{1}{2} \\left(\\log(z) - \\log\\left(\\frac{1}{z}\\right) \\right)",
+        "Chain(Call(\\text{Ei}; z), Add(Mul(z, Call(\\prescript { } { 2 } { F } _ { 2 }; Given(1, 1; Given(2, 2; z; ;); ;))), \\gamma, Mul(Div(1; 2), Add(Call(log; z), Neg(Call(log; Div(1; z)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "Q_n^m(z) = \\frac{\\pi}{2 \\sin(\\pi m)} \\left( \\cos(\\pi m) P_n^m(z) - \\frac{\\Gamma(1+m+n)}{\\Gamma(1-m+n)} P_n^{-m}(z)\\right)",
+        "Chain(Call(Q _ { n } ^ { m }; z), Mul(Div(\\pi; Mul(2, Call(sin; Mul(\\pi, m)))), Add(Mul(Call(cos; Mul(\\pi, m)), Call(P _ { n } ^ { m }; z)), Neg(Mul(Div(Call(Gamma; Add(1, m, n)); Call(Gamma; Add(1, Neg(m), n))), Call(P _ { n } ^ { - m }; z))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "= m^{1/k} [1 - \\exp(\\log(1-r/m)/k)]",
+        "Chain(Blank(), Mul(Pow(m; Div(1; k)), Add(1, Neg(Call(exp; Div(Call(log; Add(1, Neg(Div(r; m)))); k))))); =)",
+        "fredrik-johansson/arb/doc/source/arb.rst",
+    ),
+    (
+        "\\frac{1}{\\pi} = 12 \\sum^\\infty_{k=0} \\frac{(-1)^k (6k)! (13591409 + 545140134k)}{(3k)!(k!)^3 640320^{3k + 3/2}}",
+        "Chain(Div(1; \\pi), Mul(12, BigSum(k; 0; Infinity(); Div(Mul(Pow(Neg(1); k), Factorial(Mul(6, k)), Add(13591409, Mul(545140134, k))); Mul(Factorial(Mul(3, k)), Pow(Factorial(k); 3), Pow(640320; Add(Mul(3, k), Div(3; 2))))))); =)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "|f_{[k]}| \\le g_{[k]} = A {{N+k} \\choose k} \\nu^k.",
+        "Chain(Bars(f_{[k]}), g_{[k]}, Mul(A, Binomial(Add(N, k); k), Pow(\\nu; k)); \\le, =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "F(z) = C \\times {}_{p+1}F_{q}\\left( \\begin{matrix} 1, (1 + l_u - l_i), (1 + l_u + b - a_i)^* \\\\ 1 + l_u, (1 + l_u - k_i), (1 + l_u + b - b_i)^* \\end{matrix} \\middle| (-1)^{p-m-n} z\\right),",
+        "Chain(Call(F; z), Cross(C; Call(\\prescript { } { p + 1 } { F } _ { q }; Given(MatrixOf(1, Add(1, l_u, Neg(l_i)), Marked(Add(1, l_u, b, Neg(a_i)); ^*), Add(1, l_u), Add(1, l_u, Neg(k_i)), Marked(Add(1, l_u, b, Neg(b_i)); ^*)); Mul(Pow(Neg(1); Add(p, Neg(m), Neg(n))), z); |))); =)",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "mR^2\\sin^2\\theta\\ddot{\\phi} + mR^2\\sin(2\\theta)\\dot{\\theta}\\dot{\\phi} + k\\frac{\\partial L_{total}}{\\partial \\phi}(L_{total} - L_0) = 0",
+        "Chain(Add(Mul(m, Pow(R; 2), Pow(Call(sin; Call(\\theta)); 2), Call(\\ddot{\\phi})), Mul(m, Pow(R; 2), Call(sin; Mul(2, Call(\\theta))), Call(\\dot{\\theta}), Call(\\dot{\\phi})), Mul(k, Derivative(Call(L_{total}); \\phi, 1; True), Add(Call(L_{total}), Neg(L_0)))), 0; =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/muscle_model_example.rst",
+    ),
+    (
+        "1 = p_1 \\prod_{i \\ne 1}q_i + \\cdots + p_n \\prod_{i \\ne n}q_i",
+        "Chain(1, Add(Mul(p_1, Limiting(prod; _{ i \\ne 1 }; q_i)), Dots(), Mul(p_n, Limiting(prod; _{ i \\ne n }; q_i))); =)",
+        "sympy/sympy/sympy/functions/elementary/_trigonometric_special.py",
+    ),
+    (
+        "\\hat{\\bm g}_{s_{1}} = {\\vphantom{\\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\end{bmatrix}}}^{\\mathcal{B}\\!}{\\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\end{bmatrix}} \\quad\\quad \\hat{\\bm g}_{s_{2}} = {\\vphantom{\\begin{bmatrix} 0 \\\\ 1 \\\\ 0 \\end{bmatrix}}}^{\\mathcal{B}\\!}{\\begin{bmatrix} 0 \\\\ 1 \\\\ 0 \\end{bmatrix}} \\quad\\quad \\hat{\\bm g}_{s_{3}} = {\\vphantom{\\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\end{bmatrix}}}^{\\mathcal{B}\\!}{\\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\end{bmatrix}} \\quad\\quad \\hat{\\bm g}_{s_{4}} = {\\vphantom{\\begin{bmatrix} 0.57735 \\\\ 0.57735 \\\\ 0.57735 \\end{bmatrix}}}^{\\mathcal{B}\\!}{\\begin{bmatrix} 0.57735 \\\\ 0.57735 \\\\ 0.57735 \\end{bmatrix}}",
+        "System(Chain(\\hat{\\bm{g}}_{s_1}, Marked(MatrixOf(1, 0, 0); _{ \\mathcal { B } }); =), Chain(\\hat{\\bm{g}}_{s_2}, Marked(MatrixOf(0, 1, 0); _{ \\mathcal { B } }); =), Chain(\\hat{\\bm{g}}_{s_3}, Marked(MatrixOf(0, 0, 1); _{ \\mathcal { B } }); =), Chain(\\hat{\\bm{g}}_{s_4}, Marked(MatrixOf(0.57735, 0.57735, 0.57735); _{ \\mathcal { B } }); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secTest.tex",
+    ),
+    (
+        "\\bm g_{t_{1}} = \\begin{bmatrix} +0.707107, +0.707107, 0 \\end{bmatrix}^{T} \\quad\\quad \\bm g_{t_{2}} = \\begin{bmatrix} -0.707107, +0.707107, 0 \\end{bmatrix}^{T} \\\\ \\bm g_{t_{3}} = \\begin{bmatrix} -0.707107, -0.707107, 0 \\end{bmatrix}^{T} \\quad\\quad \\bm g_{t_{4}} = \\begin{bmatrix} +0.707107, -0.707107, 0 \\end{bmatrix}^{T} \\\\ \\bm g_{t_{5}} = \\begin{bmatrix} +0.707107, +0.707107, 0 \\end{bmatrix}^{T} \\quad\\quad \\bm g_{t_{6}} = \\begin{bmatrix} -0.707107, +0.707107, 0 \\end{bmatrix}^{T} \\\\ \\bm g_{t_{7}} = \\begin{bmatrix} -0.707107, -0.707107, 0 \\end{bmatrix}^{T} \\quad\\quad \\bm g_{t_{8}} = \\begin{bmatrix} +0.707107, -0.707107, 0 \\end{bmatrix}^{T}",
+        "System(Chain(\\bm{g}_{t_1}, Transpose(MatrixOf(0.707107, 0.707107, 0)); =), Chain(\\bm{g}_{t_2}, Transpose(MatrixOf(Neg(0.707107), 0.707107, 0)); =), Chain(\\bm{g}_{t_3}, Transpose(MatrixOf(Neg(0.707107), Neg(0.707107), 0)); =), Chain(\\bm{g}_{t_4}, Transpose(MatrixOf(0.707107, Neg(0.707107), 0)); =), Chain(\\bm{g}_{t_5}, Transpose(MatrixOf(0.707107, 0.707107, 0)); =), Chain(\\bm{g}_{t_6}, Transpose(MatrixOf(Neg(0.707107), 0.707107, 0)); =), Chain(\\bm{g}_{t_7}, Transpose(MatrixOf(Neg(0.707107), Neg(0.707107), 0)); =), Chain(\\bm{g}_{t_8}, Transpose(MatrixOf(0.707107, Neg(0.707107), 0)); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/thrForceMapping/_Documentation/secTest.tex",
+    ),
+    (
+        "\\dot{\\bm \\sigma}_{RN} = \\frac{{\\bm \\sigma}_{RN}(\\textrm{t}) - {\\bm \\sigma}_{RN}(\\textrm{t-1})}{\\Delta \\textrm{t}}",
+        "Chain(Call(\\dot{\\bm{\\sigma}}_{RN}), Div(Add(Call(\\bm{\\sigma}_{RN}; \\text{t}), Neg(Call(\\bm{\\sigma}_{RN}; \\text{t-1}))); Mul(\\Delta, \\text{t})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "m_j l_j^2\\ddot{\\varphi}_j\\cos^2(\\vartheta_j) -m_{j} \\bm{\\hat{p}}_{0_j,3}^T [\\bm{\\tilde{l}_j}]([\\bm{\\tilde{l}_j}]+ [\\bm{\\tilde{d}}]) \\bm{\\dot{\\omega}}_{B/N} +m_{j} \\bm{\\hat{p}}_{0_j,3}^{T} [\\bm{\\tilde{l}_j}] \\bm{\\ddot{r}}_{B/N} =-m_{j} \\bm{\\hat{p}}_{0_j,3}^{T} [\\bm{\\tilde{l}_j}][\\bm{\\tilde{\\omega}}_{\\cal B/N}][\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\bm{d}\\\\+\\bm{\\hat{p}}_{0_j,3}^T \\bm{L}_{T,j}+2m_j l_j^2\\dot{\\varphi}_j\\dot{\\vartheta}\\cos(\\vartheta_j)\\sin(\\vartheta_j)- m_j \\bm{\\hat{p}}_{0_j,3}^T [\\bm{\\tilde{l}_j}]\\bigg[2[\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\bm{l_j'}+[\\bm{\\tilde{\\omega}}_{\\cal B/N}][\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\bm{l_j}\\bigg]",
+        "Chain(Add(Mul(m_j, Pow(l_j; 2), Call(\\ddot{\\varphi}_j), Pow(Call(cos; \\vartheta_j); 2)), Neg(Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], Add([ \\bm { \\tilde { l } } _ { j } ], [ \\bm { \\tilde { d } } ]), \\bm{\\dot{\\omega}}_{B/N})), Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], \\bm{\\ddot{r}}_{B/N})), Add(Neg(Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{d})), Mul(Transpose(\\bm{\\hat{p}}_{0_j,3}), \\bm{L}_{T,j}), Mul(2, m_j, Pow(l_j; 2), Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}), Call(cos; \\vartheta_j), Call(sin; \\vartheta_j)), Neg(Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], Add(Mul(2, [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{l}_j'), Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{l}_j))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bm m = {\\vphantom{\\begin{bmatrix} g_{1}^{1} \\\\ h_{1}^{1} \\\\ g_{1}^{0} \\end{bmatrix}}}^{\\mathcal{E}\\!}{\\begin{bmatrix} g_{1}^{1} \\\\ h_{1}^{1} \\\\ g_{1}^{0} \\end{bmatrix}}",
+        "Chain(\\bm{m}, Marked(MatrixOf(Pow(g_1; 1), Pow(h_1; 1), Pow(g_1; 0)); _{ \\mathcal { E } }); =)",
+        "AVSLab/basilisk/src/simulation/environment/magneticFieldCenteredDipole/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "|\\mathbf{R}| = \\begin{vmatrix}r_{11} & r_{12} & r_{13} \\\\ r_{21} & r_{22} & r_{23} \\\\ r_{31} & r_{32} & r_{33}\\end{vmatrix}= r_{11}\\begin{vmatrix}r_{22} & r_{23}\\\\r_{32} & r_{33}\\end{vmatrix} - r_{12}\\begin{vmatrix}r_{21} & r_{23}\\\\r_{31} & r_{33}\\end{vmatrix} + r_{13}\\begin{vmatrix}r_{21} & r_{22}\\\\r_{31} & r_{32}\\end{vmatrix}",
+        "Chain(Bars(\\mathbf{R}), Bars(MatrixOf(r_{11}, r_{12}, r_{13}, r_{21}, r_{22}, r_{23}, r_{31}, r_{32}, r_{33})), Add(Mul(r_{11}, Bars(MatrixOf(r_{22}, r_{23}, r_{32}, r_{33}))), Neg(Mul(r_{12}, Bars(MatrixOf(r_{21}, r_{23}, r_{31}, r_{33})))), Mul(r_{13}, Bars(MatrixOf(r_{21}, r_{22}, r_{31}, r_{32})))); =, =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "\\begin{array}{rcl} \\dot{\\mathbf{q}} &=& \\underset{\\Delta t\\to 0}{\\mathrm{lim}} \\frac{\\mathbf{q}(t+\\Delta t) - \\mathbf{q}(t)}{\\Delta t} \\\\ &=& \\frac{1}{2}\\boldsymbol\\Omega_t\\mathbf{q}_{t-1} \\\\\\ &=& \\frac{1}{2} \\begin{bmatrix} -\\omega_x q_x -\\omega_y q_y - \\omega_z q_z\\\\ \\omega_x q_w + \\omega_z q_y - \\omega_y q_z\\\\ \\omega_y q_w - \\omega_z q_x + \\omega_x q_z\\\\ \\omega_z q_w + \\omega_y q_x - \\omega_x q_y \\end{bmatrix} \\end{array}",
+        "Chain(Call(\\dot{\\mathbf{q}}), Limiting(lim; _{ \\Delta t \\to 0 }; Div(Add(Call(\\mathbf{q}; Add(t, \\Delta t)), Neg(Call(\\mathbf{q}; t))); \\Delta t)), Mul(Div(1; 2), \\boldsymbol{\\Omega}_t, \\mathbf{q}_{t-1}), Mul(Div(1; 2), MatrixOf(Add(Neg(Mul(\\omega_x, q_x)), Neg(Mul(\\omega_y, q_y)), Neg(Mul(\\omega_z, q_z))), Add(Mul(\\omega_x, q_w), Mul(\\omega_z, q_y), Neg(Mul(\\omega_y, q_z))), Add(Mul(\\omega_y, q_w), Neg(Mul(\\omega_z, q_x)), Mul(\\omega_x, q_z)), Add(Mul(\\omega_z, q_w), Mul(\\omega_y, q_x), Neg(Mul(\\omega_x, q_y))))); =, =, =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "L(\\mathbf{C}) = \\frac{1}{2}\\Big[\\frac{1}{2}\\|^b\\mathbf{a}-\\mathbf{C}\\,^r\\mathbf{a}\\|^2+\\frac{1}{2}\\|^b\\mathbf{m}-\\mathbf{C}\\,^r\\mathbf{m}\\|^2\\Big]",
+        "Chain(Call(L; \\mathbf{C}), Mul(Div(1; 2), Add(Mul(Div(1; 2), Pow(Norm(Add(\\prescript { b } { } { \\mathbf { a } }, Neg(Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { a } })))); 2)), Mul(Div(1; 2), Pow(Norm(Add(\\prescript { b } { } { \\mathbf { m } }, Neg(Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { m } })))); 2)))); =)",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "\\begin{bmatrix}n_x \\\\ n_y\\end{bmatrix}= \\begin{bmatrix}\\cos\\psi & -\\sin\\psi \\\\ \\sin\\psi & \\cos\\psi\\end{bmatrix} \\begin{bmatrix}^em_x \\\\ ^em_y\\end{bmatrix}",
+        "Chain(MatrixOf(n_x, n_y), Mul(MatrixOf(Call(cos; \\psi), Neg(Call(sin; \\psi)), Call(sin; \\psi), Call(cos; \\psi)), MatrixOf(\\prescript { e } { } { m } _ { x }, \\prescript { e } { } { m } _ { y })); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "{}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} = \\mathbf C_{I\\!B}^T \\cdot \\mathbf E(\\mbox{\\boldmath $\\chi$}) \\cdot \\dot{\\mbox{\\boldmath $\\chi$}}",
+        "Chain(\\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }, Mul(Transpose(\\mathbf{C}_{I\\!B}), Call(\\mathbf{E}; Call(\\boldsymbol{\\chi})), Call(\\dot{\\boldsymbol{\\chi}}); 2); =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\frac{d\\Delta v}{d\\Delta i} = \\frac{v_1 v_{t1}\\sin\\Delta i}{\\sqrt{v_1^2 + v_{t1}^2 - 2v_1v_{t1}\\cos\\Delta i}} - \\frac{v_2 v_{t2}\\sin\\left(28.6° - \\Delta i\\right)}{\\sqrt{v_2^2 + v_{t2}^2 - 2v_2v_{t2}\\cos\\left(28.6° - \\Delta i\\right)}} = 0",
+        "Chain(Derivative(Call(\\Delta v); \\Delta i, 1), Add(Div(Mul(v_1, v_{t1}, Call(sin; \\Delta i)); Sqrt(Add(Pow(v_1; 2), Pow(v_{t1}; 2), Neg(Mul(2, v_1, v_{t1}, Call(cos; \\Delta i)))))), Neg(Div(Mul(v_2, v_{t2}, Call(sin; Add(Degrees(28.6), Neg(\\Delta i)))); Sqrt(Add(Pow(v_2; 2), Pow(v_{t2}; 2), Neg(Mul(2, v_2, v_{t2}, Call(cos; Add(Degrees(28.6), Neg(\\Delta i)))))))))), 0; =, =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-example.md",
+    ),
+    (
+        "(I_1 + I_2 + m_2 l_1^2 + 2m_2 l_1 l_{c2} c_2) \\ddot{q}_1 + (I_2 + m_2 l_1 l_{c2} c_2)\\ddot{q}_2 - 2m_2 l_1 l_{c2} s_2 \\dot{q}_1 \\dot{q}_2 \\\\ \\quad -m_2 l_1 l_{c2} s_2 \\dot{q}_2^2 + m_1 g l_{c1}s_1 + m_2 g (l_1 s_1 + l_{c2} s_{1+2}) = 0 \\\\ (I_2 + m_2 l_1 l_{c2} c_2) \\ddot{q}_1 + I_2 \\ddot{q}_2 + m_2 l_1 l_{c2} s_2 \\dot{q}_1^2 + m_2 g l_{c2} s_{1+2} = \\tau",
+        "System(Chain(Add(Mul(Add(I_1, I_2, Mul(m_2, Pow(l_1; 2)), Mul(2, m_2, l_1, l_{c2}, c_2)), Call(\\ddot{q}_1)), Mul(Add(I_2, Mul(m_2, l_1, l_{c2}, c_2)), Call(\\ddot{q}_2)), Neg(Mul(2, m_2, l_1, l_{c2}, s_2, Call(\\dot{q}_1), Call(\\dot{q}_2))), Neg(Mul(m_2, l_1, l_{c2}, s_2, Pow(Call(\\dot{q}_2); 2))), Mul(m_1, g, l_{c1}, s_1), Mul(m_2, g, Add(Mul(l_1, s_1), Mul(l_{c2}, s_{1+2})))), 0; =), Chain(Add(Mul(Add(I_2, Mul(m_2, l_1, l_{c2}, c_2)), Call(\\ddot{q}_1)), Mul(I_2, Call(\\ddot{q}_2)), Mul(m_2, l_1, l_{c2}, s_2, Pow(Call(\\dot{q}_1); 2)), Mul(m_2, g, l_{c2}, s_{1+2})), \\tau; =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "{\\bf x} = \\begin{bmatrix}x_1 \\\\ x_2\\end{bmatrix}, \\text{ and } x_1[n], x_2[n] \\in \\mathbb{Z}.",
+        "System(Chain(\\mathbf{x}, MatrixOf(x_1, x_2); =), Chain(Indexed(x_1; n), \\mathbb{Z}; \\in), Chain(Indexed(x_2; n), \\mathbb{Z}; \\in))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\min_\\tau || x(t) - x^*(\\tau) || \\rightarrow 0.",
+        "Chain(Limiting(min; _{ \\tau }; Norm(Add(Call(x; t), Neg(Call(x ^ { * }; \\tau))))), 0; \\rightarrow)",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "\\mathit{VAR}(X) = \\frac{1}{n}\\sum_{i=1}^n (x_i - \\mu)^2",
+        "Chain(Call(\\text{VAR}; X), Mul(Div(1; n), BigSum(i; 1; n; Pow(Add(x_i, Neg(\\mu)); 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\mathbf{q} = \\begin{bmatrix} q_w \\ q_x \\ q_y \\ q_z \\end{bmatrix} = \\begin{bmatrix} \\cos (\\frac{\\theta}{2}) \\\\ n_x \\sin (\\frac{\\theta}{2}) \\\\ n_y \\sin (\\frac{\\theta}{2}) \\\\ n_z \\sin (\\frac{\\theta}{2}) \\end{bmatrix}",
+        "Chain(\\mathbf{q}, MatrixOf(q_w, q_x, q_y, q_z), MatrixOf(Call(cos; Div(\\theta; 2)), Mul(n_x, Call(sin; Div(\\theta; 2))), Mul(n_y, Call(sin; Div(\\theta; 2))), Mul(n_z, Call(sin; Div(\\theta; 2)))); =, =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\mathbf{M}_k \\dot{\\bar{q}} + \\bar{g}_k = 0 \\rightarrow - \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & 1 & 0 \\\\ 0 & 0 & 1 \\\\ \\end{bmatrix} \\begin{bmatrix} \\dot{q}_1 \\\\ \\dot{q}_2 \\\\ \\dot{q}_3 \\end{bmatrix} + \\begin{bmatrix} u_1 \\\\ u_2 \\\\ u_3 \\end{bmatrix} = \\begin{bmatrix} 0 \\\\ 0 \\\\ 0 \\end{bmatrix}",
+        "Implies(Chain(Add(Mul(\\mathbf{M}_k, Call(\\dot{\\bar{q}})), \\bar{g}_k), 0; =); Chain(Add(Neg(Mul(MatrixOf(1, 0, 0, 0, 1, 0, 0, 0, 1), MatrixOf(Call(\\dot{q}_1), Call(\\dot{q}_2), Call(\\dot{q}_3)))), MatrixOf(u_1, u_2, u_3)), MatrixOf(0, 0, 0); =))",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "-\\bar{F}^*_r = \\bar{F}_r \\rightarrow \\mathbf{M}(\\bar{q}, t) \\dot{\\bar{u}} + \\bar{C}(\\bar{u}, \\bar{q}, t) = \\bar{F}(\\bar{u}, \\bar{q}, t)",
+        "Implies(Chain(Neg(\\bar { F } _ { r } ^ { * }), \\bar{F}_r; =); Chain(Add(Mul(Call(\\mathbf{M}; \\bar{q}, t), Call(\\dot{\\bar{u}})), Call(\\bar{C}; Call(\\bar{u}), \\bar{q}, t)), Call(\\bar{F}; Call(\\bar{u}), \\bar{q}, t); =))",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "\\frac{Likelihood*Prior}{Marginal}",
+        "Div(Operated(*; \\text{Likelihood}; \\text{Prior}); \\text{Marginal})",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
+    (
+        "[RN(\\bm\\sigma_{R/N})] = [R_{0}R(\\bm\\sigma_{R_{0}/R})]^{T} [R_{0}N(\\bm\\sigma_{R_{0}/N})] = [R_{0}R(-\\bm\\sigma_{R_{0}/R})] [R_{0}N(\\bm\\sigma_{R_{0}/N})]",
+        "Chain(Call([ R N ]; \\bm{\\sigma}_{R/N}), Mul(Transpose(Call([ R _ { 0 } R ]; \\bm{\\sigma}_{R_0/R})), Call([ R _ { 0 } N ]; \\bm{\\sigma}_{R_0/N})), Mul(Call([ R _ { 0 } R ]; Neg(\\bm{\\sigma}_{R_0/R})), Call([ R _ { 0 } N ]; \\bm{\\sigma}_{R_0/N})); =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attTrackingError/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "[R_{0}N] = [R_{0}N ( \\bm\\sigma_{R_{0}/N})]",
+        "Chain(Call([ R _ { 0 } N ]), Call([ R _ { 0 } N ]; \\bm{\\sigma}_{R_0/N}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/mrpRotation/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "W = W(\\boldsymbol{q},\\boldsymbol{D}) = W(\\boldsymbol{q},E,D_2,\\cdots,D_s)",
+        "Chain(Call(W), Call(W; \\boldsymbol{q}, \\boldsymbol{D}), Call(W; \\boldsymbol{q}, E, D_2, Dots(), D_s); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boldsymbol{r}_i = \\boldsymbol{r}_i(q_1,q_2,\\cdots,q_s),\\quad i = 1,2,\\cdots,n",
+        "System(Chain(Call(\\boldsymbol{r}_i), Call(\\boldsymbol{r}_i; q_1, q_2, Dots(), q_s); =), Values(i; 1, 2, Dots(), n))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "Y = Y(y_1,y_2,\\cdots,y_n) = \\sum_{i=1}^n y_ix_i - X(x_1,x_2,\\cdots,x_n)",
+        "Chain(Call(Y), Call(Y; y_1, y_2, Dots(), y_n), Add(BigSum(i; 1; n; Mul(y_i, x_i)), Neg(Call(X; x_1, x_2, Dots(), x_n))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "x' = x (c F_2 - b F_3), \\enspace y' = y (a F_3 - c F_1), \\enspace z' = z (b F_1 - a F_2)",
+        "System(Chain(x', Mul(x, Add(Mul(c, F_2), Neg(Mul(b, F_3)))); =), Chain(y', Mul(y, Add(Mul(a, F_3), Neg(Mul(c, F_1)))); =), Chain(z', Mul(z, Add(Mul(b, F_1), Neg(Mul(a, F_2)))); =))",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "2 \\sqrt{\\frac{R^{2} k^{2} \\left(4 R^{2} k^{2} - y^{2} + \\left(- 2 R k + R\\right)^{2} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} \\right)}{\\left(4 R^{2} k^{2} - y^{2}\\right) \\left(\\left(R - h\\right)^{2} - \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} \\right)}} \\sqrt{\\left(R - h\\right)^{2} - \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}}} \\operatorname{atan}{\\left(\\frac{ \\sqrt{4 R^{2} k^{2} - y^{2} - \\left(R - h\\right)^{2} + \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + \\left(- 2 R k + R\\right) ^{2}}}{\\sqrt{\\left(R - h\\right)^{2} - \\left(- 4 R k + 2 R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}} + 2 \\left(- 2 R k + R\\right) \\sqrt{4 R^{2} k^{2} - y^{2}}}} \\right)}",
+        "Mul(2, Sqrt(Div(Mul(Pow(R; 2), Pow(k; 2), Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)), Pow(Add(Neg(Mul(2, R, k)), R); 2), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))); Mul(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))), Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))))), Sqrt(Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))), Call(atan; Div(Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)), Neg(Pow(Add(R, Neg(h)); 2)), Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))), Pow(Add(Neg(Mul(2, R, k)), R); 2))); Sqrt(Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))))))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
 )
+
 REFUSED = (  # LaTeX with two readings, repository and path
     ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),
     ("E = 0.383Re^{0.356}-0.207Re^{0.396} - \\frac{0.143}{1+(\\log_{10} Re)^2}", "CalebBell/fluids/fluids/drag.py"),
@@ -1613,4 +2214,88 @@ REFUSED = (  # LaTeX with two readings, repository and path
     ("Re = \\frac{\\rho v_s d_p}{\\mu}", "CalebBell/fluids/fluids/packed_bed.py"),
     ("q = f^{-1}_{kin}(X^G),", "RussTedrake/manipulation/book/trajectories.html"),
     ("y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y'(1) = 0.", "jirilebl/diffyqs/ch-eigenvalue-probs.tex"),
+    (
+        "\\begin{array}{rcl} \\mathbf{f}_D(\\mathbf{q}) &=& \\mathbf{CD}^r - \\mathbf{D}^b \\\\ &=& \\mathbf{P}_D\\mathbf{q} - \\mathbf{D}^b \\\\ &=& (D_x^r\\mathbf{P}_1 + D_y^r\\mathbf{P}_2 + D_z^r\\mathbf{P}_3)\\mathbf{q} - \\mathbf{D}^b \\\\ &=& D_x^r\\mathbf{C}_1 + D_y^r\\mathbf{C}_2 + D_z^r\\mathbf{C}_3 - \\mathbf{D}^b \\end{array}",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "\\text{cost} = -\\sum_i (n^i_{G_x})^2,",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "|[t^k] R_n(z+t)| \\le 2 |B_{2n}| \\frac{\\Gamma(2n+k-1)}{\\Gamma(k+1) \\Gamma(2n+1)} \\; |z| \\; \\left(\\frac{b}{|z|}\\right)^{2n+k}",
+        "fredrik-johansson/arb/doc/source/gamma.rst",
+    ),
+    (
+        "res_{s = b + l_u + t} \\Gamma(b - s) = -\\frac{(-1)^{l_u + t}}{(l_u + t)!} = -\\frac{(-1)^{l_u}}{l_u!} \\frac{(-1)^t}{(l_u+1)_t}.",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "f^k(x) + \\sum\\limits_{j=0}^{k-1} A_j f^j(x) = 0",
+        "sympy/sympy/sympy/series/formal.py",
+    ),
+    (
+        "m_1\\text{-}P\\text{-}Q = O\\text{-}P\\text{-}Q - O\\text{-}m_1\\text{-}Q = \\frac{a^2 E}{2} - \\frac{a^2 e \\sin{E}}{2}",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "0 = e^2 - \\frac{r_0}{a}\\cos\\nu_0 e - \\left(1 + \\frac{r_0}{a}\\right)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "V = \\int_C \\rho gh \\mathrm{d} l = \\int_0^\\pi \\rho g R\\sin \\alpha R\\mathrm{d} \\alpha = 2\\rho gR^2",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\ell(\\theta) = \\mathbb{E}_{{\\bf x}, {\\bf \\epsilon}, \\sigma} || {\\bf f}_\\theta(-{\\bf K}{\\bf x} + \\sigma {\\bf \\epsilon}, \\sigma, {\\bf x}) - {\\bf \\epsilon} ||^2,",
+        "RussTedrake/underactuated/book/imitation.html",
+    ),
+    (
+        "\\frac{\\tilde{\\mathrm{d}} \\boldsymbol{L}}{\\mathrm{d} t} + \\boldsymbol{\\omega} \\times \\boldsymbol{L} = \\boldsymbol{M}",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\frac{\\mathrm{d} \\boldsymbol{\\omega}_0}{\\mathrm{d} t} = \\frac{\\tilde{\\mathrm{d}} \\boldsymbol{\\omega}_0}{\\mathrm{d} t} + \\boldsymbol{\\omega}_0 \\times \\boldsymbol{\\omega}_0 = \\frac{\\tilde{\\mathrm{d}} \\boldsymbol{\\omega}_0}{\\mathrm{d} t}",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "\\text{SA} = \\pi h \\left(\\frac{a^2 + R^2}{a}\\right)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "Q = 0.821 \\left[\\frac{(P_1-P_2)D^5}{L \\cdot {SG} (1 + 91.44/D + 0.0018D)}\\right]^{0.5}",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\widehat{\\Delta\\mathbf{q}}_\\mathrm{acc} = \\frac{\\overline{\\Delta\\mathbf{q}}_\\mathrm{acc}}{\\|\\overline{\\Delta\\mathbf{q}}_\\mathrm{acc}\\|}",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\phi_i(t) = \\sum_{i=0}^N {N \\choose i} \\left( \\frac{t}{T} - t \\right)^{N-i} \\left( \\frac{t}{T} \\right)^i",
+        "python-control/python-control/control/flatsys/bezier.py",
+    ),
+    (
+        "\\sqrt{{f^{c_i}_{C_x}}^2 + {f^{c_i}_{C_y}}^2} \\le \\mu f^{c_i}_{C_z},",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\widehat{f \\star g}(\\chi) = \\hat f(\\chi)\\hat g(\\chi)",
+        "fredrik-johansson/arb/doc/source/acb_dft.rst",
+    ),
+    (
+        "\\text{albedoAtInstrument} = ALB \\frac{f_1 \\cdot f_2 \\cdot f_3 \\cdot d_{Area}}{\\pi \\cdot |\\mathbf{r}_{IdA}|^2}",
+        "AVSLab/basilisk/src/simulation/environment/albedo/albedo.rst",
+    ),
+    (
+        "\\min_{{\\bf x},{\\bf u},{\\bf s}_x,{\\bf s}_u} \\sum_n^{N-1} {\\bf s}_x[n] + {\\bf s}_u[n], \\quad \\text{s.t.} \\quad {\\bf s}_x[n] \\ge {\\bf x}[n], \\quad {\\bf s}_x[n] \\ge -{\\bf x}[n], \\quad ...",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "u = k_f r - K_p x - K_i \\int(C x - r)",
+        "python-control/python-control/control/statefbk.py",
+    ),
+    (
+        "\\delta \\frac{\\partial \\eta_k}{\\partial t} = \\frac{\\partial (\\delta \\eta_k)}{\\partial t},\\quad \\delta \\frac{\\partial \\eta_k}{\\partial x_j} = \\frac{\\partial (\\delta \\eta_k)}{\\partial x_j}",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
 )

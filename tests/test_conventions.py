@@ -309,6 +309,7 @@ def test_an_equation_with_a_factor_before_a_letter_holds_for_all_values(relation
 
 # published without a word: equations, conditions and definitions, which nobody means for all values of their letters
 EQUATIONS = [
+    ("gain = -C A^{-1} B + D", []),
     (r"F_r + F_r^* = 0", []),
     (r"m\ddot{x} = u + f", []),
     (r"\ddot{\xi} + 4\omega_0^2 \xi = 0", []),
@@ -401,13 +402,11 @@ UNSAID = [
     (r"\bar v = (\bar v \cdot \hat a_x) \hat a_x + (\bar v \cdot \hat a_y) \hat a_y", []),
     (r"\bar v \cdot \bar w = |\bar v| |\bar w| \cos\theta", []),
     (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
-    (r"m\text{-}P = P\text{-}m", []),
     (r"m \ne n \Rightarrow \int_0^\pi \sin(mt) \sin(nt) \,dt = 0", []),
     (r"\sin(n\pi) = 0", []),
     (r"\int_0^{2\pi} \cos(m x) \cos(n x) \,dx = 0", []),
     (r"\mathrm{i}^2 = \mathrm{j}^2 = \mathrm{k}^2 = \mathrm{i}\mathrm{j}\mathrm{k} = -1", []),
     (r"i = \cos^{-1}(h_Z/h)", []),
-    ("gain = -C A^{-1} B + D", []),
     (r"\sin x y = y \sin x", []),
     (r"\sqrt{a^2 b} = a \sqrt{b}", []),
     (
@@ -418,6 +417,8 @@ UNSAID = [
 ]
 # letters before brackets that nobody writes around a factor, and that stand without them too
 APPLIED = [
+    (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
+    (r"m\text{-}P = P\text{-}m", []),
     ("v(t) = v t", []),
     (r"E_n = 2^n E_n\left(\frac{1}{2}\right)", []),
     (r"x = \int_0^t f(\tau) h(t - \tau) d\tau + f", []),

@@ -62,6 +62,14 @@ OPAQUE = (
     r"y = \left. \frac{df}{dx} \right|_{x_0}",
     r"\frac{{}^N d\bar{v}}{dt} = \bar{a}",
     r"y = \begin{bmatrix} a \\ b \end{bmatrix}'",
+    r"\min_x (x - 1)^2 \quad \text{subject to} \quad x \ge 2",
+    r"a = b, \quad \text{or} \quad b = a",
+    r"y = \sum_{\substack{n=1 \\ n \text{ odd}}}^\infty a_n",
+    r"a_1 = 1 \\ \vdots \\ a_n = n",
+    r"= a + b",
+    r"x = \begin{bmatrix} a \\ b \end{bmatrix}_{N}",
+    r"f(x; a; b) = f(a; x; b)",
+    r"v = f(x = a)",
     r"A = \mathbf{0}_{3 \times 2}",
 )
 
@@ -86,6 +94,8 @@ OPEN = (  # of letters of which too little is known, beside another relation tha
     (r"L = \sum_{i=1}^n m_i \mathbf{v}_i \mathbf{w}_i", r"L = \sum_{i=1}^n m_i \mathbf{w}_i \mathbf{v}_i"),
     (r"Q = Q^T \succeq 0", r"Q = Q^T \preceq 0"),
     (r"a_1 + \dots + a_n = b", r"a_1 - \dots + a_n = b"),
+    (r"\mathbb{E}[X] = \sum_{i=1}^n p_i x_i", r"\mathbb{E}[X] = \sum_{i=0}^n p_i x_i"),
+    (r"J = E\left[ \int_0^1 x \, dt \right]", r"J = E\left[ \int_0^1 t \, dt \right]"),
 )  # fmt: skip
 
 
@@ -103,13 +113,15 @@ def test_forms_are_never_decided(latex: str) -> None:
 
 TWO_WAYS = (
     r"u = \pi(\theta, \dot{\theta})",
-    r"\mathbb{E}[X] = \sum_{i=1}^n p_i \mathbf{x}_i",
     r"\mathcal{L} \{t\} = \mathbf{s}",
-    r"J = \mathbf{x}^T(t) \mathbf{Q} \mathbf{x}(t)",
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
     r"\mathbf{y} = P_n(z)^m",
     r"VAR(X) = \mathbf{x}",
+    r"\mathbf{u} = \int (x - r)",
+    r"\delta \frac{\partial x}{\partial t} = \frac{\partial (\delta x)}{\partial t}",
+    r"\mathbf{u} = \sum_n^N s[n] + t[n]",
+    r"\mathbf{u} = \mathbf{v} \to \mathbf{w} = \mathbf{x}",
 )
 
 
@@ -132,6 +144,11 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"y = \mathit{gain} + x": r"y = \mathrm{gain} + x",
+    r"y = \operatorname{atan}{\left(\frac{x}{2}\right)} b": r"y = \operatorname{atan}\left(\frac{x}{2}\right) b",
+    r"\mathbf{q} = \begin{bmatrix} a \ b \ c \end{bmatrix}": r"\mathbf{q} = \begin{bmatrix} a & b & c \end{bmatrix}",
+    r"[BN(\bm\sigma)] = \mathbf{x}": r"[BN](\bm\sigma) = \mathbf{x}",
+    r"a + b = 0 \rightarrow c + e = d": r"a + b = 0 \Rightarrow c + e = d",
     r"y = {a_j}^2 b": r"y = a_j^2 b",
     r"y = m_{\text{p}} b": r"y = m_p b",
     r"y = \left. f(x) \right|_{x = 1}": r"y = \left[ f(x) \right]_{x = 1}",
@@ -142,6 +159,16 @@ SAME = {  # two ways to print one thing
     r"y = \max\{ a, b \}": r"y = \max(a, b)",
     r"y = \sum_{i=1}^3 m_i r_i \times v_i": r"y = \sum_{i=1}^3 (m_i r_i \times v_i)",
     r"\mathbf{R_1(\phi)} = 1": r"\mathbf{R}_1(\phi) = 1",
+    r"J = \mathbf{x}^T(t) \mathbf{Q} \mathbf{x}(t)": r"J = \mathbf{x}(t)^T \mathbf{Q} \mathbf{x}(t)",
+    r"x = {\mathbf{BK}}_1": r"x = \mathbf{B} \mathbf{K}_1",
+    r"y = || a + b ||": r"y = \| a + b \|",
+    r"x = {}^B \begin{bmatrix} a \\ b \end{bmatrix}": r"x = \begin{bmatrix} a \\ b \end{bmatrix}_B",
+    r"A = {n \choose k}": r"A = \binom{n}{k}",
+    r"D = \begin{vmatrix} a \\ c \end{vmatrix}": r"D = \left| \begin{matrix} a \\ c \end{matrix} \right|",
+    r"v = \begin{bmatrix} a, b \end{bmatrix}": r"v = \begin{bmatrix} a & b \end{bmatrix}",
+    r"M^{-T} J = 1": r"\left( M^{-1} \right)^T J = 1",
+    r"i = 1 \ldots n": r"i = 1, \ldots, n",
+    r"y = mcos\theta": r"y = m \cos \theta",
     r"\operatorname{\text{argmin}}_x f = 1": r"\operatorname{argmin}_x f = 1",
 }
 
@@ -149,6 +176,22 @@ SAME = {  # two ways to print one thing
 @pytest.mark.parametrize("latex", SAME)
 def test_two_ways_to_print_one_thing_read_alike(latex: str) -> None:
     assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(SAME[latex])[0])
+
+
+APART = {  # what is read otherwise, and would be read as the second one if a sign were overlooked
+    r"y = g (m_1 + m_2)": r"y = g(t)",
+    r"x_i(t + 1) = x_i(t) + v_i(t + 1)": r"x_i(t + 1) = x_i(t) + v_i \cdot (t + 1)",
+    r"\dot{x} = a x (1 - x)": r"\dot{x} = a x(1)",
+    r"y = Q^E W^{N + 2} + Q^{2 F}": r"y = Q^E W^{N + 2} + Q^F",
+    r"y = \sum_{i=1}^3 s_{i1,2}": r"y = \sum_{i=1}^3 s_{i12}",
+    r"y = \cos\theta \hat{n}": r"y = \cos(\theta n)",
+    r"\dot{x} = 2 x, \quad x(0) = 1": r"\dot{x} = 2 x, \quad x \cdot 0 = 1",
+}
+
+
+@pytest.mark.parametrize("latex", APART)
+def test_what_looks_alike_reads_apart(latex: str) -> None:
+    assert bracketed(first_reading(latex)[0]) != bracketed(first_reading(APART[latex])[0])
 
 
 IN_DOUBT = {  # read as one name, of which nothing is said before somebody says what it is
@@ -172,3 +215,11 @@ def test_letters_of_an_abbreviated_number_are_factors_where_they_may_be() -> Non
     for latex in (r"z = R e^{i x}", r"\sum_{i=1}^3 r_i \times v = 0", r"y = \int_0 f \, dx"):
         with pytest.raises(SymcheckError):
             first_reading(latex)
+
+
+SUMS_OVER_NAMES = (r"\sum_{i=1}^2 I_{s_i} = 2 I_{s_i}", r"\sum_{n=1}^2 t_{n-1} = 2 t_{n-1}")
+
+
+@pytest.mark.parametrize("latex", SUMS_OVER_NAMES)
+def test_a_name_with_the_index_of_a_sum_is_no_constant(latex: str) -> None:
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)

@@ -563,7 +563,7 @@ MALFORMED = {
     r"\sin^{-1} \alpha": "inverse",
     r"\sin": "without an argument",
     r"\sin \frac{\alpha}{2} c": "belong",
-    r"\mathbf{K} \times \mathbf{K} \times \mathbf{K}": "does not fit",
+    r"\mathbf{K} \times \mathbf{K} \times \mathbf{K}": "which of these",
     r"\sum_{i=1}^3": "sum of nothing",
     r"\sum^3 c": "without an index",
     r"\sum_{c=1}^3 c": "bounds",

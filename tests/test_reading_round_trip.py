@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from reading_samples import NOTATION, SAMPLES, displays, formulas_of, inline
 
@@ -53,6 +53,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Values,
+    nodes,
     walk,
 )
 
@@ -203,6 +204,9 @@ lists = st.lists(plain, min_size=1, max_size=3).map(
 @settings(max_examples=150, deadline=None)
 @given(st.one_of(expressions, statements, plain, signed, lists))
 def test_any_tree_survives_printing(tree):
+    equations = [node for node in nodes(tree) if isinstance(node, Chain) and "=" in node.signs]
+    assume(not any(isinstance(member, Interval) for node in equations for member in node.members))  # they are lists
+
     def undotted(tree):  # a bracket behind a function is printed with a dot, which shows between vectors
         return re.sub(r"dotted=\([\d, ]*\)", "", repr(tree))
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Role, Seen
-from symcheck.reading.inference import PRINTED
+from symcheck.reading.guesses import PRINTED
 
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {

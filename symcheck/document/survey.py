@@ -9,7 +9,8 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Understood, definitions, plainly, readings
 from symcheck.reading import System, Tree, relations, to_latex
-from symcheck.reading.inference import Guess, Inference, inferred
+from symcheck.reading.guesses import Guess
+from symcheck.reading.inference import Inference, inferred
 from symcheck.reading.tree import Chain, Name, walk
 
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth

@@ -37,6 +37,19 @@ ACCENTS = frozenset(
     ]
 )
 ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
+# how many arguments belong to a command
+ARGUMENTS = {
+    r"\frac": 2,
+    r"\dfrac": 2,
+    r"\tfrac": 2,
+    r"\binom": 2,
+    r"\substack": 1,
+    r"\sqrt": 1,
+    r"\begin": 1,
+    r"\end": 1,
+    r"\tag": 1,
+}
+ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
 
 _WORDS = (
     "sin cos tan tg cot ctg cotan sec csc cosec arcsin arccos arctan arctg arccot arcctg asin acos atan sinh cosh tanh "

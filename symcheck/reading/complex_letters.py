@@ -118,9 +118,13 @@ def _equated(formula: str) -> tuple[tuple[str, str], ...]:
     return tuple((letter, other) for x, other in pairs if (letter := _letter(x)) and _plain(letter) == _plain(x))
 
 
+# what stands in no letter: most sides of equations need not be looked at closely
+_MORE = re.compile(r"[(\[&]|\\(?:d?frac|begin|sum|int|left|sqrt|cdot|times)(?![A-Za-z])")
+
+
 def _letter(latex: str) -> str:
-    """The spelling of the first letter."""
-    place = first(latex)
+    """The spelling of the first letter, unless there is more than one for certain."""
+    place = None if _MORE.search(latex) else first(latex)
     if place is None:
         return ""
     return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")

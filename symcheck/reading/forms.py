@@ -14,7 +14,7 @@ from dataclasses import fields
 
 from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import SymcheckError, Unsaid
-from symcheck.reading.names import INDEX_IN_NAME, KINDS_OPEN
+from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation
@@ -27,6 +27,7 @@ from symcheck.reading.tree import (
     Indexed,
     Infinity,
     Interval,
+    Limiting,
     Marked,
     Mul,
     Name,
@@ -110,19 +111,39 @@ def _refuse(tree: Tree, notation: Notation) -> None:
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
         if isinstance(part, Marked) and isinstance(part.value, Call) and isinstance(part.value.function, str):
             raise SymcheckError(f"{to_latex(part)}: is that a function here? say what it is")
+        if isinstance(part, Limiting) and part.operator == "int":
+            raise SymcheckError(f"{to_latex(part)}: the integral does not say what it is taken over")
+        if isinstance(part, Add) and (index := _index_behind(part)):
+            raise SymcheckError(f"index {index} is summed over, and used outside of its sum, in {to_latex(part)}")
         if isinstance(part, Indexed) and not is_sequence(part):
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
 
 
+_SUMMED = re.compile(r"_\{\s*([a-z])\s*\}")  # `\sum_i^N`
+
+
+def _index_behind(tree: Add) -> str:
+    """An index under a sum that stands in the terms behind it too, so that the sum may reach further."""
+    for k, each in enumerate(tree.terms):
+        inner = each.value if isinstance(each, Neg) else each
+        last = inner.factors[-1] if isinstance(inner, Mul) else inner
+        found = _SUMMED.match(last.scripts) if isinstance(last, Limiting) and last.operator == "sum" else None
+        used = "".join(map(to_latex, tree.terms[k + 1 :])) if found else ""
+        if found and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{found[1]}(?![A-Za-z])", used):
+            return found[1]
+    return ""
+
+
 def _applied(tree: Mul) -> Tree | None:
     """What may be applied to, or be one name with, what stands behind it: no factor for certain."""
-    lists = [each for each in tree.factors if isinstance(each, Dots | Tuple | Pair | Interval | Given)]
+    row = isinstance(tree.factors[0], Tuple) and tree.factors[0].kind == "[]"
+    lists = [each for each in tree.factors[row:] if isinstance(each, Dots | Tuple | Pair | Interval | Given)]
     if not all(isinstance(each, Tuple) and each.kind == "{}" and len(each.items) == 1 for each in lists):
         return tree.factors[0]
     for factor, after in itertools.pairwise(tree.factors):
         if isinstance(after, Tuple) and isinstance(factor.base if isinstance(factor, Pow) else factor, Name):
             return factor
-        if isinstance(factor, Name) and (factor.letter.startswith(_OPERATORS) or factor.letter in _CHANGES):
+        if isinstance(factor, Name) and _is_operator(factor):
             return factor
         if isinstance(after, Call) and isinstance(after.function, Name) and after.arguments:
             capitals = [
@@ -131,6 +152,11 @@ def _applied(tree: Mul) -> Tree | None:
             if all(capitals):
                 return factor
     return None
+
+
+def _is_operator(name: Name) -> bool:
+    """May this letter be an operator or a sign of a change?"""
+    return name.letter.startswith(_OPERATORS) or (name.letter in _CHANGES and not name.subscripts)
 
 
 def refuse_doubt(tree: Tree, letter: Letter) -> None:
@@ -175,7 +201,8 @@ def is_sequence(tree: Indexed) -> bool:
     tree
         A letter before square brackets.
     """
-    return len(tree.places) > 1 or all(map(_is_place, tree.places))
+    expected = isinstance(tree.name, Name) and tree.name.letter in EXPECTED
+    return expected or len(tree.places) > 1 or all(map(_is_place, tree.places))
 
 
 def _is_place(tree: Tree) -> bool:
@@ -188,4 +215,9 @@ def _is_place(tree: Tree) -> bool:
 
 
 def _is_plain(tree: Tree) -> bool:
-    return isinstance(tree, Name) and tree.letter.isalpha() and tree.letter.islower() and tree == Name(tree.letter)
+    if not isinstance(tree, Name) or tree != Name(tree.letter):
+        return False
+    return tree.letter in _LAST or (tree.letter.isalpha() and tree.letter.islower())
+
+
+_LAST = frozenset("NMKT")  # places of the last entry of a sequence

@@ -74,7 +74,7 @@ SPELLED = {  # other names of the same functions
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
 OF_MATRICES = ("det", "tr", "Tr", "Re", "Im", "rank", "sign", "max", "min", "log")
 OPAQUE = (  # that are read and have no algebraic form
-    "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "adj", "span", "sgn", "floor", "ceil",
+    "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "adj", "span", "sgn", "floor", "ceil", "sn", "cn", "dn", "am",
 )  # fmt: skip
 NAMES = frozenset(REAL) | frozenset(SPELLED) | frozenset(OF_MATRICES) | frozenset(OPAQUE)
 

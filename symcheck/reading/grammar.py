@@ -6,17 +6,15 @@ ends, whether brackets behind a letter are a factor or an argument - depends on 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from symcheck.reading import tex
 from symcheck.reading.lexer import Lexeme
 from symcheck.reading.tree import Name
 
-if TYPE_CHECKING:
-    from lark import Lark
-
-ParseNode = Any  # a Tree of lark, with `data` and `children`, or a Token, whose `value` is a Lexeme
+ParseNode = Any  # a Tree of lark, with `data` and `children`, or a Leaf, whose `value` is a Lexeme
 
 GRAMMAR = r"""
 start: listing
@@ -31,9 +29,9 @@ entry: LABEL? formula (COLON formula)? | FORALL formula
 exists: EXISTS NAME (COMMA NAME)* COLON implies
 ?chain: sum | sum (REL sum)+
 sum: (MINUS | PM | PLUS)? term ((PLUS | MINUS | PM) term)*
-term: product ((SLASH | TIMES) product | (OPERATOR product)+)?
+term: product ((SLASH | TIMES) product | TIMES product TIMES product | (OPERATOR product)+)?
 product: (item | CDOT)+
-item: primary BANG? (CARET LB sum RB | TRANSPOSE | DEGREE | PRIMES | MARK (CARET LB sum RB | TRANSPOSE)?
+item: primary BANG? (CARET LB sum RB TRANSPOSE? | TRANSPOSE | DEGREE | PRIMES | MARK (CARET LB sum RB | TRANSPOSE)?
     | AT LB chain RB (LB sum RB)?)?
 primary: NUMBER | BLANK | NAME | FN | D | DOTS | INFINITY | LPAR listing RPAR | LBRA listing RBRA | LSET listing RSET
        | LHALF listing RHALF | LBAR sum RBAR | LNORM sum RNORM | LANGLE sum RANGLE | FRAC LB sum RB LB sum RB
@@ -52,27 +50,57 @@ row: sum (CELL sum)*
 """
 
 
-@cache
-def _lark() -> Lark:
-    from lark import Lark
+@dataclass(slots=True)
+class Leaf:
+    """A token in the parser's tree."""
 
-    return Lark(GRAMMAR, parser="lalr", lexer="basic")
+    type: str
+    value: Lexeme
+
+
+@cache
+def _tables() -> tuple[dict[int, dict[str, tuple[bool, Any]]], int, int]:
+    """What lark makes of the grammar: whether to shift, and the next state or the rule, by state and token."""
+    from lark import Lark
+    from lark.parsers.lalr_analysis import Shift
+
+    parser: Any = Lark(GRAMMAR, parser="lalr", lexer="basic").parser
+    table, made = parser.parser._parse_table, parser.parser.parser.callbacks
+    states = {
+        state: {
+            name: (True, where) if action is Shift else (False, (where.origin.name, len(where.expansion), made[where]))
+            for name, (action, where) in actions.items()
+        }
+        for state, actions in table.states.items()
+    }
+    return states, table.start_states["start"], table.end_states["start"]
 
 
 def parse(source: str, lexemes: list[Lexeme]) -> ParseNode:
-    """lark's tree of a token list; SymcheckError at the first token that does not fit."""
-    from lark import Token, UnexpectedInput
-
-    interactive = _lark().parse_interactive("")
-    for lexeme in lexemes:
-        try:
-            interactive.feed_token(Token(lexeme.type, lexeme, start_pos=lexeme.at))
-        except UnexpectedInput:
-            raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here") from None
-    try:
-        return interactive.feed_eof()  # type: ignore[no-untyped-call]
-    except UnexpectedInput:
-        raise tex.fault(source, len(source), "the formula breaks off") from None
+    """The tree of a token list; SymcheckError at the first token that does not fit."""
+    states, start, end = _tables()
+    path, values = [start], list[ParseNode]()
+    for lexeme in (*lexemes, None):
+        kind = "$END" if lexeme is None else lexeme.type
+        while True:
+            try:
+                shift, what = states[path[-1]][kind]
+            except KeyError:
+                if lexeme is None:
+                    raise tex.fault(source, len(source), "the formula breaks off") from None
+                raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here") from None
+            if shift:
+                path.append(what)
+                values.append(Leaf(kind, lexeme) if lexeme else None)
+                break
+            name, size, made = what
+            below = values[-size:]
+            del path[-size:], values[-size:]
+            values.append(made(below))
+            path.append(states[path[-1]][name][1])
+            if path[-1] == end:
+                return values[-1]
+    raise AssertionError("the end is no token")
 
 
 def _shown(lexeme: Lexeme) -> str:

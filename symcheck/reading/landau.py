@@ -18,6 +18,8 @@ MOST = 12  # derivatives: each is longer than the one before
 
 def terms_of_order(*trees: Tree, notation: Notation) -> list[tuple[Tree, Path, Call]]:
     """The terms O(...) and o(...), with the tree in which they stand and where."""
+    if all(letter.order is None for letter in notation.letters):
+        return []
     return [
         (tree, path, part)
         for tree in trees

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NoReturn
 
@@ -66,8 +66,28 @@ OPERATORS = frozenset(  # between two terms, of which no notation says what they
 )  # fmt: skip
 CLOSED = frozenset({r"\oint", r"\iint", r"\iiint"})  # integrals over curves, surfaces and bodies
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
-MARKS = frozenset({"+", "-", "*", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"})  # scripts that are no power
-SETS = frozenset({r"\in", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\ne", r"\neq", r"\notin", r"\subset"})
+MARKS = frozenset(
+    {"+", "-", "*", r"\#", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"}
+)  # scripts that are no power
+SETS = frozenset(
+    {
+        r"\substack",
+        r"\bmod",
+        r"\mod",
+        r"\in",
+        "<",
+        ">",
+        r"\le",
+        r"\leq",
+        r"\ge",
+        r"\geq",
+        r"\ne",
+        r"\neq",
+        r"\notin",
+        r"\subset",
+    }
+)
+NUMBERS = frozenset({r"\text{Re}", r"\text{Pr}"})  # with an index they are no functions
 BASES = {"10": "lg", "2": "lb", "e": "ln"}  # of logarithms, with the functions that they are
 _ENDS = frozenset(
     {"MARK", "BLANK", "NUMBER", "NAME", "BANG", "TRANSPOSE", "DEGREE", "PRIMES", "DOTS", "INFINITY", *PARTNER}
@@ -172,8 +192,11 @@ class Lexer(tex.Reader):
 
     def step(self) -> None:
         """The next token, command or letter."""
-        text, at = self.peek(), self.at()
-        if text in SPACES:
+        text, at = self.toks[self.i]
+        if len(text) == 1 and text.isalpha():
+            if not (self.notation.wholes and self.whole()):
+                self.letter()
+        elif text in SPACES:
             self.space()
         elif (self.notation.wholes and self.whole()) or self.condition() or self.parting():
             return
@@ -364,7 +387,7 @@ class Lexer(tex.Reader):
             self.i += 1
         elif bracket in ("|", r"\|", r"\Vert"):
             self.bar(opening={r"\left": True, r"\right": False}.get(text))
-        elif bracket not in OPEN and bracket not in CLOSE:
+        elif bracket not in OPEN and bracket not in CLOSE and bracket not in (r"\langle", r"\rangle"):
             self.fail(f"a bracket must follow {text}")
 
     def one_sided(self) -> None:
@@ -521,19 +544,21 @@ class Lexer(tex.Reader):
             self.emit("NEWLINE", text, at)
         elif self.environments and self.environments[-1][0] == "cases":
             self.fail("a value with its condition cannot be read; state one implication for each case", at)
-        else:
+        elif len(self.out) != self.bounds:
             self.emit("GAP", text, at)
 
     def spacing_follows(self) -> bool:
         """Is this `[` the beginning of a length such as `[2pt]`?"""
         ahead = 1
-        while self.peek(ahead).isdigit() or self.peek(ahead) == ".":
+        while self.peek(ahead).isdigit() or self.peek(ahead) in (".", ","):
             ahead += 1
         unit = self.peek(ahead) + self.peek(ahead + 1)
         return unit in {"pt", "em", "ex", "mm", "cm"} and self.peek(ahead + 2) == "]"
 
     def limiting(self) -> bool:
         r"""`\lim_{x \to 0}`, `\min_x`, `\arg\min_x`: the operator with what is printed below it."""
+        if self.peek()[:1] != "\\":
+            return False
         start, at = self.i, self.at()
         operator = ""
         while self.peek()[:1] == "\\" and not operator.endswith(("lim", "min", "max", "sup", "inf")):
@@ -546,6 +571,9 @@ class Lexer(tex.Reader):
             operator += text.removeprefix("\\")
             if not any(name.startswith(operator) for name in LIMITING):
                 break
+        if operator in ("min", "max") and self.peek() in (r"\sum", r"\int", r"\max", r"\min"):
+            self.emit("UNDER", (operator, ""), at)
+            return True
         if operator not in LIMITING or self.peek() != "_" or self.notation.knows(self.toks[start].text):
             self.i = start
             return False
@@ -588,6 +616,9 @@ class Lexer(tex.Reader):
                 below = " ".join(tok.text for tok in self.toks[start : self.i])
                 self.emit("OVER", (r"\int", below), at)
                 return
+            if not any(tok.text == "d" for tok in self.toks[self.i :]):  # over something that is not printed
+                self.emit("UNDER", ("int", ""), at)
+                return
             self.emit("ANTI", r"\int", at)
             return
         self.emit(kind, {"SUM": r"\sum", "PROD": r"\prod"}.get(kind, r"\int"), at)
@@ -614,7 +645,8 @@ class Lexer(tex.Reader):
             self.i += 1
             found[mark] = " ".join(tok.text for tok in self.group())
         below = found.get("_", "").split()
-        if not below or not (SETS & set(below) or ("^" in found and "=" not in below)):
+        set_like = SETS & set(below) or below[:1] == ["("] if below else False
+        if not below or not (set_like or ("^" in found and "=" not in below)):
             self.i = start
             return ""
         return "".join(f"{mark}{{ {found[mark]} }}" for mark in ("_", "^") if mark in found)
@@ -661,8 +693,11 @@ class Lexer(tex.Reader):
         elif inside == [r"\circ"]:
             self.group()
             self.emit("DEGREE", None, at)
-        elif inside in (["T"], [r"\top"], [r"\intercal"]) and self.transposes():
+        elif inside[-1:] in (["T"], [r"\top"], [r"\intercal"]) and inside[:-1] in ([], ["-"]) and self.transposes():
             self.group()
+            if inside[:-1]:
+                for kind, value in (("CARET", "^"), ("LB", "{"), ("MINUS", "-"), ("NUMBER", "1"), ("RB", "}")):
+                    self.emit(kind, value, at)
             self.emit("TRANSPOSE", None, at)
         else:
             self.emit("CARET", "^", at)
@@ -716,7 +751,12 @@ class Lexer(tex.Reader):
         else:
             word = self.word() or self.spelling()
         plain = word.removeprefix(r"\text{").removesuffix("}").removeprefix("\\")
-        if word.startswith("\\") and (plain in FUNCTIONS or plain == "diag") and not self.notation.knows(word):
+        number = word in NUMBERS and self.peek() == "_"  # of Reynolds, with an index
+        if (
+            word.startswith("\\")
+            and (plain in FUNCTIONS or plain == "diag")
+            and not (number or self.notation.knows(word))
+        ):
             if plain == "log" and self.peek() == "_":
                 plain = self.based(at)
             self.emit("DIAG" if plain == "diag" else "FN", plain, at)
@@ -747,9 +787,8 @@ class Lexer(tex.Reader):
 
     def whole(self) -> bool:
         """A declared name that is printed with several tokens, such as `E[\\rho]`; the longest that begins here."""
-        first = self.peek()
-        for tokens, spelling, dots in self.notation.wholes:
-            if tokens[0] == first and all(self.peek(k) == text for k, text in enumerate(tokens)):
+        for tokens, spelling, dots in self.notation.wholes.get(self.peek(), ()):
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 at = self.at()
                 self.i += len(tokens)
                 self.emit("NAME", Name(spelling, (), self.primes(), dots), at)
@@ -792,7 +831,7 @@ class Lexer(tex.Reader):
         self.refuse_bracketed(word)
         primes = self.primes()
         power: list[Lexeme] = []
-        tokens: list[tex.Tok] | None = None
+        tokens: Sequence[tex.Tok] | None = None
         if self.peek() == "^" and self.subscript_after_exponent():
             mark = len(self.out)
             self.script()
@@ -819,9 +858,13 @@ class Lexer(tex.Reader):
         self.i = start
         return after
 
-    def declared(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+    def declared(
+        self, word: str, tokens: Sequence[tex.Tok] | None, primes: int, at: int, place: int
+    ) -> tuple[Name, str]:
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
+        if "$" in word and "\\" in word[5:]:
+            self.fail("a formula in text; write it outside of the text", at)
         bare, dots = undotted(word)
         fixed = bare + tex.subscript(tokens) if tokens else bare
         if dots and not notation.knows(word) and (notation.knows(bare) or notation.knows(fixed)):
@@ -859,7 +902,7 @@ class Lexer(tex.Reader):
                 self.fail(f"index {value} of {word} is outside its range {', '.join(map(str, letter.range))}", at)
         return Name(word, subscripts, primes), "NAME"
 
-    def refuse_digits(self, word: str, tokens: list[tex.Tok], at: int) -> None:
+    def refuse_digits(self, word: str, tokens: Sequence[tex.Tok], at: int) -> None:
         """A run of digits is one number or several indices; where both are declared it may be either."""
         digits, single = "".join(tok.text for tok in tokens), self.notation.find(word, 1)
         if single is None or len(digits) < 2 or not digits.isdigit() or not digits.isascii():
@@ -867,7 +910,7 @@ class Lexer(tex.Reader):
         if int(digits) in single.range and self.notation.find(word, len(digits)) is not None:
             self.fail(f"one index {digits}, or {len(digits)} indices? write commas between them, or name a letter", at)
 
-    def dotted(self, word: str, tokens: list[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
+    def dotted(self, word: str, tokens: Sequence[tex.Tok] | None, primes: int, at: int, place: int) -> tuple[Name, str]:
         """A letter below dots that are its derivative by the time."""
         bare, dots = undotted(word)
         found, kind = self.declared(bare, tokens, primes, at, place)
@@ -883,7 +926,7 @@ class Lexer(tex.Reader):
             self.fail(f"{word} stands without an index but is declared with {' or '.join(map(str, arities))}", at)
         self.fail(tex.no_letter(word) if known(word) else f"unknown letter {word}; {self.notation.nearest(word)}", at)
 
-    def indices(self, tokens: list[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
+    def indices(self, tokens: Sequence[tex.Tok], arities: list[int], at: int) -> tuple[int | str, ...]:
         """The indices of a subscript; a run of digits is one number where the letter has one index only."""
         found: list[int | str] = []
         together = max(arities) == 1 or any(t.text == "," for t in tokens)
@@ -921,7 +964,8 @@ class Lexer(tex.Reader):
             if not out or not rest or out[-1].type not in _ENDS or rest[0].type in _JOINS:
                 continue
             left, right = _says(reversed(out), PARTNER), _says(rest, PARTNER.values())
-            if lexeme.value in THICK:
+            wide = lexeme.value not in THICK or sum(1 for each in self.out[k : k + 3] if each.type == "GAP") > 2
+            if not wide:
                 if left and right:
                     self.fail(
                         "does this space part two relations, or two factors? write a comma, or no space", lexeme.at
@@ -938,15 +982,30 @@ class Lexer(tex.Reader):
         end = next((m for m in range(k, len(self.out)) if self.out[m].type == "NEWLINE"), len(self.out))
         return any(lexeme.type == "REL" for lexeme in self.out[k:end])
 
+    def ordered(self, before: Sequence[Lexeme], first: Lexeme) -> bool:
+        """Do the lines before and behind this place both say between which values something lies?"""
+        k = self.out.index(first)
+        end = next((m for m in range(k, len(self.out)) if self.out[m].type == "NEWLINE"), len(self.out))
+        start = max((m for m, lexeme in enumerate(before) if lexeme.type == "NEWLINE"), default=-1)
+        signs = [[x.value for x in line if x.type == "REL"] for line in (before[start + 1 :], self.out[k:end])]
+        return all(len(line) == 2 and {*line} <= {"<", r"\le"} for line in signs)
+
     def joined(self) -> list[Lexeme]:
         """Line breaks settled: a sign repeated over a break is one sign; one after a comma or at an end is layout."""
         self.parted()
+        self.out = _listed(self.out)
+        if (
+            self.notation.inferred and self.out and self.out[0].type == "REL"
+        ):  # a display that goes on from the one before
+            self.out.insert(0, Lexeme("BLANK", "", self.out[0].at))
         out: list[Lexeme] = []
         pending: Lexeme | None = None
         for lexeme in self.out:
             if lexeme.type == "NEWLINE":
                 pending = pending or lexeme
                 continue
+            if out and out[-1].type == "COMMA" and lexeme.type in ("IMPLIES", "IFF"):
+                out.pop()
             if pending and out:
                 before = out[-1]
                 if (before.type, before.value) == ("COMMA", ","):
@@ -956,15 +1015,52 @@ class Lexer(tex.Reader):
                         pending = None
                         continue
                 elif before.type not in _BREAKS and before.type not in PARTNER.values():
-                    if lexeme.type in {"MINUS", "PM"} and self.relates(lexeme):
+                    goes_on = _relates(out) and self.relates(lexeme)
+                    if lexeme.type in {"MINUS", "PM"} and goes_on and not self.ordered(out, lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
-                    if lexeme.type not in _OPERATORS | _BREAKS and lexeme.type not in PARTNER:
+                    begins = lexeme.type == "MINUS" and goes_on
+                    if (begins or lexeme.type not in _OPERATORS | _BREAKS) and lexeme.type not in PARTNER:
                         out.append(pending)
             pending = None
             out.append(lexeme)
         if out and out[-1].type in {"COMMA", "SEMI", "FOR"}:
             out.pop()
         return out
+
+
+def _relates(lexemes: Sequence[Lexeme]) -> bool:
+    """Does a relation stand behind the last separator of these?"""
+    kinds = [lexeme.type for lexeme in lexemes]
+    last = max((k for k, kind in enumerate(kinds) if kind in ("NEWLINE", "SEMI")), default=-1)
+    return "REL" in kinds[last + 1 :]
+
+
+def _listed(lexemes: Sequence[Lexeme]) -> list[Lexeme]:
+    r"""The same with the commas of the lists `1 \ldots n` and `x_1, \dots x_n`."""
+    if not any(lexeme.type == "DOTS" for lexeme in lexemes):
+        return [*lexemes]
+    out: list[Lexeme] = []
+    for k, lexeme in enumerate(lexemes):
+        comma = Lexeme("COMMA", ",", lexeme.at)
+        before, behind = lexemes[max(k - 1, 0)], lexemes[min(k + 1, len(lexemes) - 1)]
+        if lexeme.type == "DOTS" and behind.type in ("NAME", "NUMBER") and behind is not lexeme and k > 1:
+            low = lexeme.value != r"\cdots"
+            first = before.type == "NUMBER" and lexemes[k - 2].type in ("REL", "COMMA")
+            if (low and first) or _in_row(lexemes, k, low=low):
+                out += [comma, lexeme, comma]
+                continue
+            if low and before.type == "COMMA":
+                out += [lexeme, comma]
+                continue
+        out.append(lexeme)
+    return out
+
+
+def _in_row(lexemes: Sequence[Lexeme], k: int, *, low: bool) -> bool:
+    r"""Are these the dots of two letters in square brackets, as in `[\mathbf{v}_1 \cdots \mathbf{v}_n]`?"""
+    ends = [lexeme.type for lexeme in (*lexemes[k - 2 : k], *lexemes[k + 1 : k + 3])]
+    row = ends == ["LBRA", "NAME", "NAME", "RBRA"]
+    return row and (low or "{" in lexemes[k - 1].value.letter.partition("_")[0])
 
 
 def _says(lexemes: Iterable[Lexeme], into: Collection[str]) -> bool:

@@ -88,6 +88,8 @@ def _inverted(body: Term, x: str) -> tuple[Term, Term]:
 
 def _order(bottom: Term, x: str, at: Term) -> int:
     """How often a denominator vanishes at a place; that it does is part of what is stated."""
+    if isinstance(bottom, int) and bottom:
+        return 0
     import sympy
 
     try:

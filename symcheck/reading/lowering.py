@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache, partial
 from math import comb, factorial
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeVar
 
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.calculus import nodes as nodes_of
@@ -124,6 +124,7 @@ Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot b
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
 
 
+Kind = TypeVar("Kind", bound=Tree)
 Defined = Mapping[str, tuple[tuple[Tree, ...], Tree]]  # the letters of functions, their arguments, and what they are
 
 
@@ -291,6 +292,7 @@ class Lowering:
         self.standing: dict[Name, Value] = {}  # what the arguments of a defined function stand for
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
         self.arities: dict[str, int] = {}  # how many arguments each function has
+        self.kinds: frozenset[type[Tree]] | None = None  # of all parts of the relation, where it is a whole one
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
 
     # -- formulas ------------------------------------------------------------------------------------------------
@@ -308,7 +310,9 @@ class Lowering:
     def whole(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, in which every letter that is printed occurs."""
         self.met.clear()
-        refuse_uneven(relation.tree)
+        self.kinds = frozenset(type(part) for part in nodes(relation.tree))
+        if Total in self.kinds:
+            refuse_uneven(relation.tree)
         formulas = self.relation(relation)
         names = set(_names(tuple(formulas)))
         for name, printed in self.met.items():
@@ -354,7 +358,7 @@ class Lowering:
 
     def signed(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """One link; the double signs in it switch together."""
-        double = [any(isinstance(tree, PlusMinus) for tree in nodes(side)) for side in (left, right)]
+        double = [any(self.held(PlusMinus, side)) for side in (left, right)]
         if not any(double):
             return self.compare(left, sign, right, env)
         upper, lower = (
@@ -369,10 +373,15 @@ class Lowering:
             )
         return [node("or", _and(upper), _and(lower))]
 
+    def held(self, kind: type[Kind], *sides: Tree) -> Iterator[Kind]:
+        """The parts of one kind, in printed order."""
+        if self.kinds is None or kind in self.kinds:
+            yield from (part for side in sides for part in nodes(side) if isinstance(part, kind))
+
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
-        if found := [part for side in (left, right) for part in nodes(side) if isinstance(part, Piecewise)]:
+        if found := [*self.held(Piecewise, left, right)]:
             return [self.by_cases(found[0], left, sign, right, env)]
-        if any(isinstance(part, Antiderivative) for side in (left, right) for part in nodes(side)):
+        if any(self.held(Antiderivative, left, right)):
             return self.primitive(left, sign, right, env)
         if isinstance(left, Limiting) != isinstance(right, Limiting) and sign == "=":
             return self.limit(left, right, env) if isinstance(left, Limiting) else self.limit(right, left, env)
@@ -407,6 +416,8 @@ class Lowering:
         """An equation that says what a limit is."""
         assert isinstance(tree, Limiting)
         goes = tends(tree.scripts) if tree.operator == "lim" else None
+        if tree.operator == "int":
+            self.value(tree, env)  # refused
         if goes is None:
             raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
         letter, place = goes
@@ -552,6 +563,8 @@ class Lowering:
     def value(self, tree: Tree, env: Env) -> Value:
         """The term, vector or matrix of an expression."""
         method: Callable[[Any, Env], Value] | None = getattr(self, f"of_{type(tree).__name__.lower()}", None)
+        if isinstance(tree, Limiting) and tree.operator == "int":
+            raise SymcheckError(f"{to_latex(tree)}: this integral does not say what it is taken over")
         if method is None:
             error = NoForm if isinstance(tree, Limiting | Dots) else Unsaid
             raise error(f"{to_latex(tree)} has no algebraic form; state it formally")

@@ -10,17 +10,18 @@ import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ROMAN, STYLES, known
-from symcheck.reading.lexer import SPACES
-from symcheck.reading.occurrences import occurrences
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
+from symcheck.reading.lexer import SIZES, SPACES
+from symcheck.reading.occurrences import SIGNED_SUMS, occurrences
 
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
-_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat"})
+_SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
 _BOUNDED = frozenset({r"\sum", r"\prod", r"\int", r"\oint", r"\iint", r"\bigcup", r"\bigcap"})
 _NO_BASE = frozenset(
@@ -31,11 +32,12 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
-    "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
+    "SG": "specific-gravity", "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
 }  # fmt: skip
 # Those of them that may be products too: forces times radii, masses times accelerations.
 PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
+EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before square brackets is an expectation
 KINDS_OPEN = "too many of these may be vectors or matrices"
 INDEX_IN_NAME = "an index of a name is not summed over"
 POWER_OR_LABEL = "a power, or a label? say what {} is, or write brackets around the base of the power"
@@ -51,6 +53,15 @@ class Scripted:
     above: tuple[str, ...]
     framed: bool  # does a script stand at its left?
     plain: bool = False  # is it a power for certain unless it is a label for certain?
+    applied: bool = False  # do brackets stand behind it that hold no sum?
+
+
+# where names of the other kinds can be
+_SQUARE_OR_CHANGE = re.compile(r"\[|\\(?:Delta|delta|nabla)(?![A-Za-z])")
+# accents that make one name of several letters
+_ACCENT = re.compile("|".join(re.escape(accent) for accent in sorted(ACCENTS - {*tex.DOTTED})))
+# names of numbers like Re, Mach and Prandtl
+_ABBREVIATED = re.compile("|".join(rf"{word[0]}\s*{word[1]}" for word in sorted(DIMENSIONLESS)))
 
 
 def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, str]:
@@ -60,23 +71,37 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     """
     found = {latex: "" for latex in said if not is_letter(latex)}
     declared = {re.sub(r"[\s{}]", "", latex) for latex in found}
-    numbers = {word for formula in formulas for word in _Numbers(formula).run()} | said.keys()
-    bound = {place.word for formula in formulas for place in occurrences(formula) if place.role == "index"}
-    scripted = [each for formula in formulas for each in _scripted(formula)]
+    raised = [formula for formula in formulas if "^" in formula or r"\prescript" in formula]
+    numbers = (
+        {word for formula in formulas for word in _Numbers(formula).run()} | said.keys() if raised else said.keys()
+    )
+    summed = [formula for formula in formulas if any(sign in formula for sign in SIGNED_SUMS)]
+    indices = [place for formula in summed for place in occurrences(formula) if place.role == "index"]
+    bound, loose = {place.word for place in indices}, {p.word for p in indices if not "".join(p.arguments or ())}
+    scripted = [each for formula in raised for each in _scripted(formula)]
+    told = Told(
+        numbers,
+        {each.word for each in scripted if _is_power(each.above)},
+        {each.above for each in scripted if each.applied and each.word != each.bare and _letters(each.above)},
+        loose,
+    )
     labelled = {
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
     }
     for each in scripted:
         if re.sub(r"[\s{}]", "", each.latex) in declared:
             continue
-        if each.word not in bound and (doubt := _doubt(each, numbers, labelled)) is not None:
+        if each.word not in bound and (doubt := _doubt(each, told, labelled)) is not None:
             found.setdefault(each.latex, doubt)
         elif each.framed:
             found.setdefault(each.bare, "")
     for formula in formulas:
-        found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
-        found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
-        found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
+        if _SQUARE_OR_CHANGE.search(formula):
+            found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+        if _ACCENT.search(formula):
+            found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
+        if _ABBREVIATED.search(formula):
+            found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
@@ -84,10 +109,28 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     return found
 
 
-def _doubt(of: Scripted, numbers: Collection[str], labelled: Collection[str]) -> str | None:
+@dataclass(frozen=True, slots=True)
+class Told:
+    """What formulas tell of superscripts."""
+
+    numbers: Collection[str]  # letters that stand for numbers somewhere
+    powers: Collection[str]  # letters that are raised to powers for certain
+    labels: Collection[tuple[str, ...]]  # superscripts of functions that have subscripts too, as in P_n^m(x)
+    loose: Collection[str]  # indices of sums without bounds
+
+
+def _is_power(above: Sequence[str]) -> bool:
+    """Is this superscript a power for certain, as 2n and N + 2 are?"""
+    texts = [text for text in above if text not in SPACES]
+    plain = all(text.isalnum() or text in "+-" for text in texts) and not _letters(texts)
+    return plain and any(text.isalpha() for text in texts) and any(text.isdigit() for text in texts)
+
+
+def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     """What is in doubt about a superscript that may be a label; None if it is a power, transposes, or is none."""
     inside = [text for text in of.above if text not in SPACES]
-    if not inside or (of.word in _NO_BASE or of.word.startswith(r"\mathbb")):
+    sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
+    if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
     if _is_label(inside):
         return ""
@@ -97,7 +140,16 @@ def _doubt(of: Scripted, numbers: Collection[str], labelled: Collection[str]) ->
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
-    if not letters or of.plain or (not of.framed and any(letter in numbers for letter in letters)):
+    if inside[:1] == ["-"] and of.applied and of.word != of.bare and tuple(inside[1:]) in told.labels:
+        return ""  # as in P_n^{-m}(x)
+    if not letters or of.plain or of.word in told.powers:
+        return None
+    if of.above in told.labels and of.word != of.bare:
+        return ""
+    loose = letters[0] in told.loose or (of.applied and not any(letter[:1].isupper() for letter in letters))
+    if loose and not of.framed:
+        return POWER_OR_LABEL.format(letters[0])
+    if not of.framed and any(letter in told.numbers for letter in letters):
         return None
     points = "_" in letters[0] or len(letters) > 1 or letters[0] in FRAMES
     if of.framed or "," in inside or letters[0].startswith(BOLD):
@@ -152,12 +204,14 @@ class _Numbers(tex.Reader):
                 self._skip(2)
             elif text in (r"\begin", r"\end"):
                 self.i += 1
-                self._skip(1)
+                columns = "".join(self._inside()) == "array" and text == r"\begin" and self.peek() == "{"
+                self._skip(1 if columns else 0)
             elif text in ("_", "^"):
                 self.i += 1
                 start, inside = self.i, self._inside()
                 end = self.i
-                if base == "sign" or (text == "^" and not (base == "letter" and _letters(inside))):
+                label = base == "letter" and (_letters(inside) or inside[-1:] in (["T"], [r"\top"]))
+                if base == "sign" or (text == "^" and not label):
                     self.i = start
                     yield from self.run(end)
                 self.i = end
@@ -202,7 +256,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
     toks = reader.toks
     while reader.i < len(toks):
         start, text = reader.i, reader.peek()
-        framed = text == r"\prescript"
+        framed, changed = text == r"\prescript", text in (r"\Delta", r"\delta") and _begins_letter(reader.peek(1))
         if not framed and not tex.is_letter(text):
             reader.i += 1
             continue
@@ -213,6 +267,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                     reader.group()
                 word = " ".join(tok.text for tok in [*toks[start : reader.i], *reader.group()])
             else:
+                reader.i += changed
                 word = reader.spelling()
             behind = low = end = reader.i
             above = list[str]()
@@ -228,10 +283,19 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 before = [tok.text for tok in toks[:start]]
                 coefficient = before[-len(above) - 3 :] == ["_", "{", *above, "}"]
                 plain = not framed and (before[-1:] in (["d"], [r"\partial"]) or coefficient)
-                yield Scripted(name, bare, word, tuple(above), framed, plain)
-            reader.i = behind
+                yield Scripted(name, bare, word, tuple(above), framed, plain, _is_applied(toks[end:]))
+            reader.i = start + 1 if changed and not above else behind
         except SymcheckError:
             reader.i = max(reader.i, start + 1)
+
+
+def _is_applied(behind: Sequence[tex.Tok]) -> bool:
+    """Do brackets open here that hold no sum, as those of arguments do?"""
+    inner = [tok.text for tok in itertools.dropwhile(lambda tok: tok.text in SIZES, behind)]
+    if inner[:1] != ["("]:
+        return False
+    end = inner.index(")") if ")" in inner else len(inner)
+    return not {"+", "-", "=", r"\pm"} & set(inner[:end]) and inner[end + 1 : end + 2] != ["^"]
 
 
 def _matrices_and_differences(formula: str) -> Iterator[str]:
@@ -240,12 +304,12 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
     toks = reader.toks
     while reader.i < len(toks):
         start, text = reader.i, reader.peek()
-        if text == "[" and (end := _bracketed(toks, start)):
+        if text == "[" and not _is_place(toks, start) and (end := _bracketed(toks, start)):
             yield " ".join(tok.text for tok in toks[start:end])
             reader.i = end
             continue
         reader.i += 1
-        if text not in (r"\Delta", r"\delta") or not _begins_letter(reader.peek()):
+        if text not in (r"\Delta", r"\delta", r"\nabla") or not _begins_letter(reader.peek()):
             continue
         try:
             reader.spelling()
@@ -255,6 +319,19 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             yield " ".join(tok.text for tok in toks[start : reader.i])
         except SymcheckError:
             reader.i = start + 1
+
+
+def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
+    """Do these brackets stand behind a letter behind which others hold a number or a letter, as in `x[0], x[N]`?
+
+    Behind the sign of an expectation they hold its argument.
+    """
+    before = toks[start - 1].text if start else ""
+    texts = [tok.text for tok in toks]
+    four = zip(texts, texts[1:], texts[2:], texts[3:], strict=False)
+    return texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"] or any(
+        (a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four
+    )
 
 
 _UPRIGHT = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}")  # words, whose letters are none of the formula
@@ -304,9 +381,16 @@ def _accented(formula: str) -> Iterator[tuple[str, str]]:
             continue
         inside = [tok.text for tok in reader.group()]
         letters = _outside_scripts(inside)
-        if len(letters) < 2 or not all(letter.isalpha() or letter in (r"\Delta", r"\delta") for letter in letters):
+        own = STYLES | LETTER_COMMANDS | {"(", ")", r"\star"}
+        if len(letters) < 2 or not all(letter.isalpha() or letter in own for letter in letters):
             reader.i = start + 1
             continue
+        if len(letters) < 3 and letters[0] in STYLES:
+            reader.i = start + 1
+            continue
+        while reader.peek() == "_":
+            reader.i += 1
+            reader.group()
         name = " ".join(tok.text for tok in toks[start : reader.i])
         points = text == r"\vec" and len(letters) == 2 and all(letter.isupper() for letter in letters)
         yield name, "" if points else f"one name, or something done with {' '.join(inside)}? say what {name} is"
@@ -319,7 +403,11 @@ def _begins_letter(text: str) -> bool:
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
-    if len(inside) == 3 and inside[1] == "/" and inside[0].isupper() and inside[2].isupper():
+    if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
+        return True
+    if r"\times" in inside[1:]:  # rows and columns
+        return True
+    if len(inside) > 2 and inside[-2] == "/" and inside[1] in "/(" and inside[0].isupper() and inside[-1].isupper():
         return True  # of one point or frame to another
     word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
     return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
@@ -348,6 +436,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     return end + 1 + reader.i
 
 
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
 def is_letter(latex: str) -> bool:
     """Is this one letter, with a subscript at most?"""
     reader = tex.Reader(latex)

@@ -358,7 +358,7 @@ class Notation:
         self._check_variables()
         if bracket and self.letter(bracket, 1).kind != "vector":
             raise SymcheckError(f"brackets cannot combine {bracket}; declare it as a vector with one index")
-        self.wholes = tex.names(tuple(x.latex for x in self.letters if x.whole))
+        self.wholes = tex.beginning(tuple(x.latex for x in self.letters if x.whole))
         self.words = tuple(sorted({k for k, _ in self._letters if len(k) > 1 and k.isalpha()}, key=len, reverse=True))
 
     def _check_variables(self) -> None:

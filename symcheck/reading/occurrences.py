@@ -9,18 +9,19 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ROMAN, known
-from symcheck.reading.lexer import CLOSE, FUNCTIONS, OPEN, SIZES, SPACES
+from symcheck.reading.lexer import CLOSE, FUNCTIONS, NUMBERS, OPEN, SIZES, SPACES
 from symcheck.reading.notation import undotted
 
 BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
 SIGNED_SUMS = frozenset({r"\sum", r"\prod"})
 FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac"})
-TRANSPOSED = frozenset({("T",), (r"\top",), (r"\intercal",)})  # superscripts that transpose a matrix
+# superscripts that transpose a matrix, or its inverse
+TRANSPOSED = frozenset((*minus, sign) for minus in ((), ("-",)) for sign in ("T", r"\top", r"\intercal"))
 INTEGRALS = frozenset({r"\int", r"\iint", r"\iiint", r"\oint"})
 DIFFERENTIALS = frozenset({"d", r"\partial", r"\text{d}"})
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # never changed; frozen ones take twice as long to make
 class Occurrence:
     """One place where a letter is printed.
 
@@ -58,6 +59,9 @@ class Occurrence:
     followed: bool = False  # does a small bold letter follow without a sign, behind its arguments?
 
 
+_SPECIAL = SIGNED_SUMS | FRACTIONS | INTEGRALS | {r"\begin", r"\end", "_", "^", r"\partial"}
+
+
 @dataclass(slots=True)
 class Scope:
     """What is known of the group that is being scanned."""
@@ -91,13 +95,12 @@ class Scan(tex.Reader):
 
     def __init__(self, source: str, wholes: Sequence[str] = ()) -> None:
         super().__init__(source)
-        self.wholes = tex.names(tuple(wholes))
+        self.wholes = tex.beginning(tuple(wholes))
 
     def whole(self) -> tuple[str, int]:
         """The name of several tokens that begins here, and the dots over it; "" if none does."""
-        first = self.peek()
-        for tokens, spelling, dots in self.wholes:
-            if tokens[0] == first and all(self.peek(k) == text for k, text in enumerate(tokens)):
+        for tokens, spelling, dots in self.wholes.get(self.peek(), ()):
+            if all(self.peek(k) == text for k, text in enumerate(tokens)):
                 self.i += len(tokens)
                 return spelling, dots
         return "", 0
@@ -112,8 +115,11 @@ class Scan(tex.Reader):
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
         stop = len(self.toks) if stop is None else stop
         while self.i < stop:
-            text = self.peek()
-            before = self.peek(-1) if self.i else ""
+            text = self.toks[self.i].text
+            if not (text in _SPECIAL or tex.is_letter(text) or text in self.wholes):
+                self.i += 1
+                continue
+            before = self.toks[self.i - 1].text if self.i else ""
             if self.wholes and (whole := self.whole())[0]:
                 name, dots = whole
                 yield Occurrence(
@@ -307,14 +313,18 @@ class Scan(tex.Reader):
 
     def letter(self, scope: Scope) -> Iterator[Occurrence]:
         """One letter with its scripts and arguments; then the letters in these."""
-        before = next((text for k in range(self.i - 1, -1, -1) if (text := self.toks[k].text) not in SPACES), "")
-        start = self.i
+        start, before = self.i, ""
+        for k in range(self.i - 1, -1, -1):
+            if (text := self.toks[k].text) not in SPACES:
+                before = text
+                break
         try:
             word, dots = undotted(self.spelling())
         except SymcheckError:
             self.i = start + 1
             return
-        if word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word):
+        number = word in NUMBERS and self.peek() == "_"
+        if (word.removeprefix(r"\text{").removesuffix("}") in FUNCTIONS or known(word)) and not number:
             return
         primes, scripts, inner = 0, dict[str, tuple[str, ...]](), list[Occurrence]()
         transposed = False
@@ -340,8 +350,11 @@ class Scan(tex.Reader):
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
-        ahead = range(self.i, len(self.toks))
-        after = next((text for k in ahead if (text := self.toks[k].text) not in _UNPRINTED), "")
+        after = ""
+        for k in range(self.i, len(self.toks)):
+            if (text := self.toks[k].text) not in _UNPRINTED:
+                after = text
+                break
         yield Occurrence(
             word,
             dots,
@@ -356,7 +369,7 @@ class Scan(tex.Reader):
             exponent=scope.exponent,
             transposed=transposed,
             powered=arguments is not None and self.peek_at(self.behind()) == "^",
-            followed=self.vector_follows(),
+            followed=word[:1] == "\\" and self.vector_follows(),
         )
         yield from inner
 
@@ -389,7 +402,7 @@ class Scan(tex.Reader):
         found, depth, parts = list[str](), 0, list[list[str]]([[]])
         for k in range(ahead, len(self.toks)):
             tok = self.toks[k]
-            depth += (tok.text in OPEN or tok.text == "{") - (tok.text in CLOSE or tok.text == "}")
+            depth += (tok.text in OPEN or tok.text in _ALSO_OPEN) - (tok.text in CLOSE or tok.text in _ALSO_CLOSE)
             if depth == 0:
                 break
             if tok.text == "," and depth == 1:
@@ -401,6 +414,7 @@ class Scan(tex.Reader):
 
 
 _UNPRINTED = SPACES | SIZES
+_ALSO_OPEN, _ALSO_CLOSE = frozenset({"{", r"\langle"}), frozenset({"}", r"\rangle"})
 
 
 def _begins_with_differential(part: Sequence[tex.Tok]) -> bool:

@@ -15,7 +15,7 @@ from symcheck.reading import tex
 from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
-from symcheck.reading.names import DIMENSIONLESS, PRODUCTS
+from symcheck.reading.names import DIMENSIONLESS, EXPECTED, PRODUCTS
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
@@ -83,16 +83,23 @@ from symcheck.reading.tree import (
 )
 from symcheck.reading.tree import nodes as walked  # where a rule of the grammar calls its own parts nodes
 
-OF_MATRICES = ("det", "tr")  # functions of which one letter without brackets is the argument
+OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
 SIMPLE_KINDS = ("scalar", "index", "function")
-_BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair)
+_BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair, Norm)
 COUNTERS = frozenset("nkijml")  # letters that count
-ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi"})
+ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
+OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
+LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "k", "T"})  # what wave numbers multiply
+_D = re.compile(r"(?:\\[a-z]+\{)?(?:d|\\text\{d\})\}?")  # upright or not, with an accent or without
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
+SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
+_BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
+ASIDE = frozenset({SUBJECT, r"\text{~or~}"})  # words between relations
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
+_ARROWS = frozenset({r"\to", r"\rightarrow", r"\longrightarrow"})
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
 
@@ -301,7 +308,9 @@ class Builder:
         if len(parts) == 1 and not qualifiers:
             return parts[0]
         if any(isinstance(part, STATEMENTS) for part in parts):
-            parts = [Words(part) if _is_words(part) else part for part in parts]
+            problem = any(_is_words(part) and to_latex(part) == SUBJECT for part in parts)
+            aside = (Limiting, Name) if problem else ()
+            parts = [Words(part) if _is_words(part) or isinstance(part, (Dots, *aside)) else part for part in parts]
         stated = [isinstance(part, STATEMENTS) for part in parts]
         if not all(stated) and (any(stated) or qualifiers):
             raise self.fail(
@@ -464,6 +473,9 @@ class Builder:
     def is_listed(self, tree: Tree) -> bool:
         """A letter alone, which may share a relation with others: those of `a, b > 0`."""
         name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+        name = name.name if isinstance(name, Indexed) else name
+        if isinstance(name, Name) and name.letter in ASIDE:
+            return False
         return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
 
     def is_index(self, tree: Tree) -> bool:
@@ -521,14 +533,17 @@ class Builder:
         signs = tuple(node.value.value for node in nodes[1::2])
         for k, sign in enumerate(signs, 1):
             right = members[k]
-            if (
-                not self.notation.bracket
-                and sign == "="
-                and isinstance(members[0], Name)
-                and isinstance(right, Interval)
-                and right.ends == "[]"
-            ):
+            whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
+            if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        inner = [k for k in range(1, len(signs) - 1) if signs[k] in _ARROWS]  # between relations
+        if inner and (len(inner) > 1 or isinstance(members[inner[0] + 1], Number | Name | Infinity)):
+            at, sign = nodes[2 * inner[0] + 1].value.at, signs[inner[0]]
+            told = "does one follow from the other, or is it a limit? write"
+            raise self.fail(at, rf"{sign} between relations: {told} \Rightarrow")
+        if inner:
+            end = inner[0] + 1
+            return Implies(Chain(tuple(members[:end]), signs[: end - 1]), Chain(tuple(members[end:]), signs[end:]))
         return Chain(tuple(members), signs)
 
     def term_of(self, node: ParseNode) -> Tree:
@@ -575,7 +590,7 @@ class Builder:
                 raise self.fail(_place(part), "both signs, or the error of a measured value? write it out")
         for term, part in zip(terms[:-1], parts, strict=False):
             last = term.factors[-1] if isinstance(term, Mul) else term
-            if isinstance(last, Limiting):
+            if isinstance(last, Limiting) and last.operator not in ("sum", "prod"):  # which end before a sign
                 raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         forms = [isinstance(term.factors[-1] if isinstance(term, Mul) else term, Over) for term in terms]
         if any(forms) and any(
@@ -592,6 +607,8 @@ class Builder:
         right = self.items(nodes[2])
         if nodes[1].type == "OPERATOR":
             return self.operated(nodes)
+        if len(nodes) > 3:
+            return self.crossed_twice([left, right, self.items(nodes[4])], nodes[3].value.at)
         if nodes[1].type == "TIMES":
             crossed = self.plain(right)
             if left[0].kind == "sum" and left[0].bounds and len(left) > 1 and self.runs_over(left, crossed):
@@ -613,11 +630,24 @@ class Builder:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
 
+    def crossed_twice(self, several: list[list[Item]], at: int) -> Tree:
+        """`a \\times a \\times b`, which has one reading that is not zero, and products with numbers."""
+        if any(item.kind in ("sum", "integral", "over", "under") for items in several for item in items):
+            raise self.fail(at, "a cross product behind a sum is ambiguous")
+        first, second, third = map(self.plain, several)
+        bare = first.factors[-1] if isinstance(first, Mul) else first
+        if bare == second != third and self.is_vector(second):
+            return Cross(first, Cross(second, third))
+        if isinstance(first.factors[0] if isinstance(first, Mul) else first, Number):
+            return Cross(Cross(first, second), third)
+        raise self.fail(at, "which of these cross products comes first? write brackets")
+
     def runs_over(self, items: list[Item], crossed: Tree) -> bool:
         """Does the index of the only sum, which comes first, stand in what is behind the cross, too?"""
         inner = any(item.kind in ("sum", "integral", "over", "under") for item in items[1:])
         names = [node for node in nodes(crossed) if isinstance(node, Name)]
         used = {index for name in names for index in (name.letter, *name.subscripts)}
+        used |= {tok.text for name in names for tok in tex.tokenize(name.letter)}
         bounds = items[0].bounds
         return not inner and bounds is not None and bool(used.intersection(bounds[0]))
 
@@ -635,7 +665,7 @@ class Builder:
         """Where d is a letter, d f / d x is no quotient without a word."""
         firsts = [tree.factors[0] if isinstance(tree, Mul) else tree for tree in (top, bottom)]
         firsts = [tree.base if isinstance(tree, Pow) else tree for tree in firsts]
-        if isinstance(bottom, Mul) and all(isinstance(tree, Name) and tree.letter == "d" for tree in firsts):
+        if isinstance(bottom, Mul) and all(isinstance(tree, Name) and _D.fullmatch(tree.letter) for tree in firsts):
             raise self.fail(
                 at, "a derivative, or a quotient by the letter d? write the d elsewhere, or name the letter D"
             )
@@ -704,8 +734,10 @@ class Builder:
         if not isinstance(factor, Name) or not factor.letter.startswith(r"\text{"):
             return
         beside = [other for other in (*before, *behind) if other.kind != "dot"]
+        if beside and not any(map(str.isalnum, factor.letter.removeprefix(r"\text{"))):
+            raise self.fail(item.at, "punctuation in text is no factor; name what is printed with it")
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
-        if (beside and _REMARK.match(factor.letter)) or function:
+        if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
@@ -713,13 +745,20 @@ class Builder:
         after = rest[0] if rest else None
         if after is None or after.kind == "dot" or not alone:
             return
+        if item.square and isinstance(node, Pow) and isinstance(node.base, Name) and not item.postfix:
+            raise self.fail(item.at, "the coefficient of this power, or idle brackets? leave them out")
         fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
         if fraction and all(isinstance(each, Number) for each in (node, *fraction)):
             raise self.fail(after.at, r"a mixed number, or a product? write \cdot, or one fraction")
         name = node.base if isinstance(node, Pow) else node
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
+        bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
+        if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
+            raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
         if not self.in_brackets(after):
+            return
+        if isinstance(node, Derivative) and _is_step(node, self.inside(after)):
             return
         if isinstance(node, Derivative) or (item.kind == "group" and self.has_function(node)):
             raise self.fail(
@@ -729,6 +768,8 @@ class Builder:
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
+        if letter is not None and self.notation.inferred and _is_factor(name, letter, inside):
+            return
         if isinstance(node, Pow) and node.exponent == Neg(Number("1")) and not isinstance(inside, Add | Neg):
             raise self.fail(
                 after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
@@ -799,7 +840,8 @@ class Builder:
             alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
             if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
                 alone = self.call(items, k + 1)[1] == len(items)
-            alone = alone or (k + 1 < len(items) and items[k + 1].kind == "integral")  # which reaches to the end
+            reaching = ("integral", "antiderivative", "over", "sum", "under")  # to the end
+            alone = alone or (k + 1 < len(items) and items[k + 1].kind in reaching)
             if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
@@ -813,11 +855,20 @@ class Builder:
             after = items[k + 1]
             bracketed = after.kind == "group" and not after.postfix
             return Total(self.atom(after)) if bracketed else self.total(self.atom(after), item.at), k + 2
-        if isinstance(item.node, Number) and not dotted:
+        if isinstance(item.node, Number) and not dotted and not self.ends_clearly(items[k - 1]):
             raise self.fail(item.at, "a number behind a factor is ambiguous")
         if isinstance(item.node, Name):
             return self.applied(items, k)
         return self.alone(item), k + 1
+
+    def ends_clearly(self, item: Item) -> bool:
+        """Does this factor end in a bracket, a factorial or a fraction with letters, behind which a number is one?"""
+        if item.postfix and item.postfix != "CARET":
+            return False
+        lettered = any(isinstance(node, Name) for node in walked(item.node)) if item.node is not None else True
+        return (
+            (item.kind in ("group", "fraction") and lettered) or item.square or isinstance(item.node, MatrixOf | Dots)
+        )
 
     def integral(self, items: list[Item], k: int) -> Tree:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
@@ -874,19 +925,25 @@ class Builder:
         if isinstance(name, Name) and after is not None and after.kind == "given" and not item.postfix:
             assert after.node is not None
             return self.postfixed(Call(name, (after.node,)), after), k + 2
-        if isinstance(name, Name) and after is not None and not item.postfix and (places := self.places(name, after)):
+        apart = after is None or item.postfix or item.square
+        if isinstance(name, Name) and after is not None and not apart and (places := self.places(name, after)):
             return self.postfixed(Indexed(name, places), after), k + 2
-        if not isinstance(name, Name) or after is None or after.kind != "group" or item.postfix not in ("", "CARET"):
+        apart = item.postfix not in ("", "CARET", "TRANSPOSE")
+        if not isinstance(name, Name) or after is None or after.kind != "group" or apart:
             return self.atom(item), k + 1
         if not self.applies(name):
             return self.atom(item), k + 1
-        arguments = self.entries(after.listing)
+        arguments = self.arguments(after.listing)
         if self.kind(name) != "function" and not self.is_declared(name, arguments):
             return self.atom(item), k + 1  # refused as a product
         call = Call(name, arguments)
+        if item.postfix == "TRANSPOSE":  # J^T(q), as J(q)^T
+            return self.postfixed(Transpose(call), after), k + 2
         if item.power is None:
             return self.postfixed(call, after), k + 2
-        if after.postfix or isinstance(item.power, Neg):
+        letter = self.notation.find(name.letter, len(name.subscripts))
+        matrix = letter is not None and len(letter.size) == 2 and item.power == Neg(Number("1"))  # its inverse
+        if after.postfix or (isinstance(item.power, Neg) and not matrix):
             shown = to_latex(name)
             if after.postfix:
                 raise self.fail(
@@ -906,11 +963,19 @@ class Builder:
             return ()
         if isinstance(inside, Interval | Tuple):
             return children(inside)
+        if name.letter in EXPECTED and not (name.letter == "E" and _BARE_E.search(self.source)):
+            return (inside,)
         counted = isinstance(inside, Add) and all(
             isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
         )
-        counts = counted and any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
+        counts = counted and (
+            self.is_sequence(name) or any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
+        )
         return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
+
+    def is_sequence(self, name: Name) -> bool:
+        """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
+        return re.search(rf"{re.escape(name.letter[-1])} ?\}}? ?\[ ?[A-Za-z0-9] ?\]", self.source) is not None
 
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
         """Are these the very letters that the letter is declared to depend on?"""
@@ -962,7 +1027,9 @@ class Builder:
             return self.powered(head, (self.atom(items[k]),)), k + 1
         if head.name in OF_MATRICES and k < len(items) and self.is_matrix(items[k]):
             beside = items[k + 1] if k + 1 < len(items) else None
-            if items[k].postfix or (beside is not None and (beside.kind == "group" or self.is_matrix(beside))):
+            if items[k].postfix not in ("", "TRANSPOSE") or (
+                beside is not None and (beside.kind == "group" or self.is_matrix(beside))
+            ):
                 raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
             return self.powered(head, (self.atom(items[k]),)), k + 1
         start = k
@@ -973,8 +1040,10 @@ class Builder:
                 raise self.fail(item.at, f"does this power belong to {head.name} or to its argument?")
             if k > start and isinstance(item.node, Number):
                 raise self.fail(item.at, "a number behind a factor is ambiguous")
-            if k > start and isinstance(item.node, Name) and item.node.dots:
-                break  # no angle is multiplied by a rate
+            if k > start and isinstance(item.node, Name) and (item.node.dots or _changes(item.node, items[k - 1].node)):
+                break  # no angle is multiplied by a rate, or by its own change
+            if k > start and self.ends_clearly_at(items[start : k + 1]):
+                break
             if k > start and self.ends_angle(items[start : k + 1]) and not self.runs_on(item, head.name):
                 break
             if k > start and item.at in self.spaced and not self.runs_on(item, head.name):
@@ -985,13 +1054,27 @@ class Builder:
         factors = tuple(self.atom(item) for item in items[start : k - 1])
         last, k = self.applied(items, k - 1)
         factors += (last,)
-        if k < len(items) and self.continues(items[k]):
+        if k < len(items) and self.continues(items[k]) and not self.sum_behind(items[k - 1], items[k]):
             if all(isinstance(factor, Number) for factor in factors):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
             if self.runs_on(items[k], head.name):
                 factors += (self.atom(items[k]),)
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def ends_clearly_at(self, items: list[Item]) -> bool:
+        r"""Does an accented letter follow an angle: `\cos\theta \hat{n}`?"""
+        names = [item.node for item in items if isinstance(item.node, Name)]
+        first = names[0].letter.partition("_")[0] if names else ""
+        accented = len(names) == 2 and names[1].letter.startswith(("\\hat", "\\vec", "\\tilde", "\\widehat"))
+        return accented and len(items) == 2 and first in ANGLES | OFTEN_ANGLES
+
+    def sum_behind(self, last: Item, item: Item) -> bool:
+        r"""Does a sum in brackets stand apart behind an angle: `\sin\lambda \, (x - y)`?"""
+        name = last.node.letter.partition("_")[0] if isinstance(last.node, Name) else ""
+        inside = self.inside(item) if item.kind == "group" else None
+        spaced = item.at in self.spaced and name in ANGLES | OFTEN_ANGLES
+        return self.notation.inferred and spaced and isinstance(inside, Add)
 
     def ends_angle(self, items: list[Item]) -> bool:
         """Is the first of two letters an angle, which the second hardly multiplies: `\\cos\\theta E`?"""
@@ -1000,6 +1083,8 @@ class Builder:
             return False
         first, second = (name.letter.partition("_")[0] for name in names)
         if second.startswith(("\\hat", "\\vec", "\\tilde", "\\widehat")):
+            return True
+        if first in OFTEN_ANGLES and second.isalpha() and second not in LENGTHS:
             return True
         return first in ANGLES and second not in ("t", r"\tau", "x") and second not in ANGLES
 
@@ -1024,7 +1109,7 @@ class Builder:
         return self.notation.argument == "long"
 
     def is_matrix(self, item: Item) -> bool:
-        return isinstance(item.node, Name) and self.kind(item.node) == "matrix"
+        return isinstance(item.node, Name) and self.kind(item.node) in ("matrix", "vector")
 
     def simple(self, item: Item) -> bool:
         if isinstance(item.node, Name):
@@ -1043,6 +1128,21 @@ class Builder:
                 )
             return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
+
+    def arguments(self, listing: Listing | None) -> tuple[Tree, ...]:
+        """What a function is applied to; semicolons part its arguments from its parameters."""
+        assert listing is not None
+        if "SEMI" not in listing.separators:
+            placed = self.notation.inferred and all(
+                not isinstance(tree, STATEMENTS) or (isinstance(tree, Chain) and tree.signs == ("=",))
+                for _, tree in listing.entries
+            )  # f(x = a), the value there
+            return (
+                tuple(tree for _, tree in listing.entries) if placed and _has_chain(listing) else self.entries(listing)
+            )
+        k = listing.separators.index("SEMI") + 1
+        first, rest = _part(listing, 0, k), _part(listing, k, len(listing.entries))
+        return (Given(self.entries(first), self.arguments(rest), ";"),)
 
     def entries(self, listing: Listing | None) -> tuple[Tree, ...]:
         """The expressions in a pair of brackets."""
@@ -1085,6 +1185,8 @@ class Builder:
         if item.postfix == "PRIMES":
             return Derivative(node, tuple(Counter(item.letters).items()), partial=True)
         assert item.power is not None
+        if isinstance(node, Number) and isinstance(item.power, Cross):
+            raise self.fail(item.at, "rows and columns, or a power? write them below")
         return Pow(node, item.power)
 
     def bracketed(self, listing: Listing | None, kind: str) -> Tree:
@@ -1172,6 +1274,9 @@ class Builder:
         if len(nodes) > 2 and nodes[1].type == "MARK":
             marked = Marked(self.atom(item), nodes[1].value.value)
             item, nodes = Item("fraction", item.at, marked), [nodes[0], *nodes[2:]]
+        if len(nodes) == 6 and nodes[5].type == "TRANSPOSE":  # of the inverse
+            inverse = Item("fraction", item.at, Pow(self.atom(item), self.term_of(nodes[3])))
+            item, nodes = inverse, [nodes[0], nodes[5]]
         if len(nodes) > 1:
             item.postfix = nodes[1].type
             if item.kind in ("sum", "integral", "antiderivative", "over", "under") or (
@@ -1362,6 +1467,35 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+def _is_step(node: Derivative, inside: Tree | None) -> bool:
+    """Is this no place, but a sum in which the variable of the derivative stands, or what is derived?"""
+    told = [each for part in (node.body, *(x for x, _ in node.variables)) for each in nodes(part)]
+    names = {each for each in told if isinstance(each, Name)}
+    return isinstance(inside, Add) and any(each in names for each in nodes(inside))
+
+
+def _is_factor(name: Name, letter: Letter, inside: Tree | None) -> bool:
+    """Does a letter that varies stand before brackets that hold no argument of it: rates, its own value, a fraction?"""
+    if letter.kind == "function" or not letter.depends or not isinstance(inside, Add | Neg | Mul | Div | Derivative):
+        return False
+    held = [node for node in nodes(inside) if isinstance(node, Name)]
+    if any(each.dots or each.letter == name.letter for each in held):
+        return True
+    terms = [term.value if isinstance(term, Neg) else term for term in getattr(inside, "terms", ())]
+    sums = bool(terms) and any(isinstance(term, Div | Mul | Pow) for term in terms)
+    return isinstance(inside, Derivative) or (bool(name.dots) and sums)
+
+
+def _changes(name: Name, of: Tree | None) -> bool:
+    r"""Is this the change of another letter, `\delta\alpha` behind `\alpha`?"""
+    changes = (r"\delta", r"\Delta")
+    return isinstance(of, Name) and any(name.letter.split() == [sign, *of.letter.split()] for sign in changes)
+
+
+def _has_chain(listing: Listing) -> bool:
+    return any(isinstance(tree, Chain) for _, tree in listing.entries)
 
 
 def _part(listing: Listing, start: int, end: int) -> Listing:

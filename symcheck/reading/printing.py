@@ -291,7 +291,7 @@ def _sum(tree: BigSum) -> str:
 
 
 def _operator(tree: Limiting) -> str:
-    return rf"\{tree.operator}" if tree.operator in ("sum", "prod") else rf"\operatorname{{{tree.operator}}}"
+    return rf"\{tree.operator}" if tree.operator in ("sum", "prod", "int") else rf"\operatorname{{{tree.operator}}}"
 
 
 def _integral(tree: Integral) -> str:

@@ -7,17 +7,19 @@ stays what it is: nothing is dropped that a reader sees, but phantoms, colours, 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES
+from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, ROMAN, STYLES
 from symcheck.reading.functions import COMMANDS
+from symcheck.reading.phrases import phrased
+from symcheck.reading.typed import typed
 
 FONTS = {  # switches that hold to the end of their group
     r"\bf": r"\mathbf", r"\bm": r"\bm", r"\pmb": r"\pmb", r"\boldsymbol": r"\boldsymbol", r"\rm": r"\mathrm",
-    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
+    r"\cal": r"\mathcal", r"\it": "", r"\sf": r"\mathsf", r"\tt": r"\mathrm",
+    r"\mathbf": r"\mathbf", r"\mathrm": r"\mathrm",
 }  # fmt: skip
 SAME = {  # other spellings
     r"\lvert": "|", r"\rvert": "|", r"\vert": "|", r"\lVert": r"\|", r"\rVert": r"\|", r"\Vert": r"\|",
@@ -27,7 +29,8 @@ SAME = {  # other spellings
     r"\mathbin": "",
     r"\mathord": "", r"\ensuremath": "", r"\boxed": "", r"\smash": "", r"\coloneqq": "=", r"\triangleq": "=",
     r"\overrightarrow": r"\vec", r"\mathbfit": r"\mathbf", r"\textbf": r"\mathbf", r"\mathit": "", r"\mathnormal": "",
-    r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text", r"\symbf": r"\mathbf",
+    r"\mathtt": r"\mathrm", r"\boldmath": r"\mathbf", r"\textit": "", r"\textsf": r"\mathsf", r"\texttt": r"\text",
+    r"\symbf": r"\mathbf",
     r"\enspace": r"\ ", r"\thinspace": r"\,", r"\medspace": r"\:",
     r"\thickspace": r"\;", r"\negthinspace": r"\!", r"\lbrack": "[", r"\rbrack": "]", r"\wedge": r"\wedge",
     r"\leqq": r"\le", r"\gets": r"\leftarrow", r"\iff": r"\iff", r"\longleftarrow": r"\leftarrow", r"\geqq": r"\ge",
@@ -47,9 +50,8 @@ SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # 
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
-ARGUMENTS = {r"\frac": 2, r"\dfrac": 2, r"\tfrac": 2, r"\binom": 2, r"\sqrt": 1, r"\begin": 1, r"\end": 1, r"\tag": 1}
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
-ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
+_ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 
 
 @dataclass(slots=True)
@@ -67,150 +69,17 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
     Formulas beside it tell whether a capital gamma is the function.
     """
-    source = _OPTIONS.sub("", source)
+    source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     if not any(map(_GAMMA.search, (source, *beside))):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
-    tokens = _with_numbers(source)
+    tokens = typed(source)
     try:
         parts, rest = _groups(tokens, 0)
     except IndexError:
         return source
     if rest != len(tokens):
         return source
-    text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", _printed(_made_plain(parts))))
-    text = _STOP.sub("", text)
-    for layout, change in _SPELLINGS:
-        text = layout.sub(change, text)
-    for pattern, sign in WORDS:
-        text = pattern.sub(partial(_parting, sign), text)
-    return text
-
-
-def _parting(sign: str, found: re.Match[str]) -> str:
-    """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
-
-    A wide `or` may say the same in other words, and is left as it is printed.
-    """
-    printed = found[0]
-    wide = "," in printed or "quad" in printed
-    if wide and sign == r"\lor":
-        return printed
-    return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "
-
-
-def _with_words(source: str) -> list[tex.Tok]:
-    """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
-    toks, found = tex.tokenize(source), list[tex.Tok]()
-    k, text_ends = 0, -1
-    scripts: list[bool] = []  # is each open brace that of a script, or of an argument?
-    while k < len(toks):
-        tok = toks[k]
-        if tok.text == "{":
-            scripts.append(k > 0 and (toks[k - 1].text in ("_", "^") or toks[k - 1].text[:1] == "\\"))
-        elif tok.text == "}" and scripts:
-            scripts.pop()
-        if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
-            text_ends = _closing(toks, k + 1)
-        if k < text_ends:
-            spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
-            found += [tex.Tok("~", tok.at - 1)] if spaced else []
-        elif not any(scripts) and (count := _digits_behind(toks, k)):
-            found += [
-                tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
-            ]
-            k += 1 + count
-            continue
-        elif tok.text.isalpha() and (greek := _greek(toks, k)):
-            found.append(tex.Tok(f"\\{greek}", tok.at))
-            k += len(greek)
-            continue
-        elif tok.text.isalpha() and (word := _function_of_letters(toks, k)):
-            found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
-            k += len(word)
-            continue
-        found.append(tok)
-        k += 1
-    return found
-
-
-def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
-    """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
-    before = toks[k - 1] if k else tex.Tok("", -2)
-    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text[:1] == "\\":
-        return 0
-    if before.at == toks[k].at - 1 and before.text.isalnum():
-        return 0
-    end = k + 1
-    while end < len(toks) and toks[end].text.isdigit() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    behind = toks[end] if end < len(toks) else tex.Tok("", -2)
-    adjacent = behind.at == toks[k].at + end - k and (behind.text.isalnum() or behind.text == ".")
-    return 0 if adjacent else end - k - 1
-
-
-_TEXTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"})
-_TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
-_TYPED |= {"exp", "log", "ln", "max", "min"}
-_OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
-
-
-def _closing(toks: Sequence[tex.Tok], k: int) -> int:
-    """Where the brace that opens here is closed."""
-    depth = 0
-    for m in range(k, len(toks)):
-        depth += (toks[m].text == "{") - (toks[m].text == "}")
-        if not depth:
-            return m
-    return len(toks)
-
-
-def _greek(toks: Sequence[tex.Tok], k: int) -> str:
-    """The Greek letter that is typed here by its name; those of two letters may be products."""
-    if k and toks[k - 1].text.isalpha() and toks[k - 1].at == toks[k].at - 1:
-        return ""
-    end = k
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
-    return word if len(word) > 2 and f"\\{word}" in LETTER_COMMANDS else ""
-
-
-def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
-    """The function whose name is typed here as letters: `max(a, b)`, `v cos\\theta`."""
-    start, end = k, k
-    while start and toks[start - 1].text.isalpha() and toks[start - 1].at == toks[start].at - 1:
-        start -= 1
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
-    behind = [tok.text for tok in toks[end : end + 2]]
-    brackets = behind[:1] == ["("] or behind == [r"\left", "("]
-    angle = word[-3:] in ("sin", "cos", "tan") and bool(behind) and behind[0] in LETTER_COMMANDS
-    whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
-    if word not in _TYPED or k - start > 1 or not (brackets or angle or whole):
-        return ""
-    return word
-
-
-def _with_numbers(source: str) -> list[str]:
-    """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
-    found: list[str] = []
-    end = -1
-    for tok in _with_words(source):
-        digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
-        before = found[-2] if len(found) > 1 else ""
-        if (
-            digit
-            and tok.at == end
-            and found[-1][-1:].isdigit()
-            and before not in ("_", "^")
-            and before not in ARGUMENTS
-        ) or (tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit()):
-            found[-1] += tok.text
-        else:
-            found.append(tok.text)
-        end = tok.at + len(tok.text)
-    return found
+    return phrased(_printed(_made_plain(parts)))
 
 
 def _groups(tokens: Sequence[str], start: int, inside: bool = False) -> tuple[list[Part], int]:
@@ -239,6 +108,7 @@ def _made_plain(parts: list[Part]) -> list[Part]:
 
 _SPACES = frozenset({r"\,", r"\!", r"\;", r"\:", "\\ ", "~"})
 _NO_BASE = frozenset("+-=<>(,;|&[/") | {
+    r"\|",
     "",
     r"\cdot",
     r"\times",
@@ -254,15 +124,23 @@ _NO_BASE = frozenset("+-=<>(,;|&[/") | {
 
 def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
     r"""`{}^A x` as `\prescript{A}{}{x}`: scripts behind nothing belong to the letter that follows."""
+    if "^" not in parts and "_" not in parts:
+        return parts
     found: list[Part] = []
     k = 0
     while k < len(parts):
         part = parts[k]
         empty = isinstance(part, Group) and not part.parts
         start = k + 1 if empty else k
+        if start >= len(parts) or parts[start] not in ("^", "_"):
+            found.append(part)
+            k += 1
+            continue
         before = next((p for p in reversed(found) if not (isinstance(p, str) and p in _SPACES)), "")
-        bare = isinstance(before, str) and before in _NO_BASE
-        if start < len(parts) and parts[start] in ("^", "_") and (empty or bare or _is_apart(parts, start, found)):
+        opened = isinstance(before, Group) and r"\begin" in found[-3:]
+        opened = opened or (isinstance(before, str) and before in _NO_BASE)
+        bare = opened and not (before in ("|", r"\|") and _closes(found, str(before)))
+        if empty or bare or _is_apart(parts, start, found):
             scripts: dict[Part, Part] = {}
             m = start
             while m + 1 < len(parts) and parts[m] in ("^", "_") and str(parts[m]) not in scripts:
@@ -275,18 +153,47 @@ def _scripts_at_the_left(parts: list[Part]) -> list[Part]:
                 found += [r"\prescript", scripts.get("^", Group([])), scripts.get("_", Group([])), Group(letter)]
                 k = end
                 continue
+            if parts[m : m + 1] == [r"\begin"] and [*scripts] == ["^"]:  # a matrix in a frame, written below it too
+                end = _end_of_environment(parts, m)
+                frame = [*_texts([scripts["^"]])][1:-1]
+                below = Group([each for each in frame if each not in _SPACES])
+                found += [*parts[m:end], "_", below]
+                k = end
+                continue
         found.append(parts[k])
         k += 1
     return found
 
 
+def _closes(before: Sequence[Part], bar: str) -> bool:
+    """Does the bar that comes last close what is between two bars?"""
+    return before[-2:-1] == [r"\right"] or before.count(bar) % 2 == 0
+
+
 def _is_apart(parts: list[Part], k: int, before: list[Part]) -> bool:
-    r"""Does a space part the script here from what stands before it, as in `\mathbf{C} \, ^r \mathbf{m}`?"""
-    if not before or before[-1] not in (r"\,", r"\;", r"\:", "\\ ") or k + 1 >= len(parts):
+    r"""Does a space part the script here from what stands before it, as in `\mathbf{C} \, ^r \mathbf{m}`?
+
+    One in a calligraphic letter behind a matrix in brackets is a frame of what follows.
+    """
+    if not before or k + 1 >= len(parts):
         return False
     script = parts[k + 1]
     inside = script.parts if isinstance(script, Group) else [script]
+    if before[-1] == "]" and parts[k] == "^" and inside[:1] == [r"\mathcal"]:
+        return True
+    if before[-1] not in (r"\,", r"\;", r"\:", "\\ "):
+        return False
     return len(inside) == 1 and isinstance(inside[0], str) and inside[0].isalpha() and inside[0] != "T"
+
+
+def _end_of_environment(parts: Sequence[Part], k: int) -> int:
+    """Where the environment ends that begins here."""
+    depth = 0
+    for m in range(k, len(parts)):
+        depth += (parts[m] == r"\begin") - (parts[m] == r"\end")
+        if not depth:
+            return m + 2
+    return len(parts)
 
 
 def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
@@ -372,11 +279,16 @@ MARKS = frozenset({"{", "}", "*", "+", "-", "'", r"\ast", r"\star", r"\prime", r
 
 def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     """An accent or style over a letter with scripts, which stand behind it; a style over several letters is of each."""
+    if "'" in inner[-2:] and len(inner) > 1:  # primes stand behind it
+        count = 1 + (inner[-2] == "'")
+        return [*_over_letters(command, inner[:-count]), *inner[-count:]]
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
     above = (rest[k + 1] for k in range(0, len(rest) - 1, 2) if rest[k] == "^")
-    power = command not in STYLES and any(text not in MARKS for part in above for text in _texts([part]))
+    power = command not in STYLES and any(
+        text not in MARKS and not text.isupper() for part in above for text in _texts([part])
+    )
     if letter and rest and len(rest) % 2 == 0 and scripts and not power:  # the mean of x^2 is not the square of a mean
         return [command, Group(letter), *rest]
     scripted = next((k for k in range(0, len(rest), 2) if rest[k] not in ("^", "_")), len(rest))
@@ -407,7 +319,7 @@ def _is_size(script: Sequence[Part]) -> bool:
 
 def _is_switch(command: str) -> bool:
     """Does it hold to the end of the group rather than for an argument?"""
-    return command in (r"\bf", r"\rm", r"\cal", r"\it", r"\sf")
+    return command in (r"\bf", r"\rm", r"\cal", r"\it", r"\sf", r"\tt")
 
 
 def _argument_count(parts: Sequence[Part], k: int, count: int) -> int:
@@ -459,17 +371,22 @@ def _second(command: str, first: Part, second: Part) -> list[Part]:
     """What stands over or under a sign is a note; over anything else it is refused where it is read."""
     inner = _inner(second)
     sign = "".join(part for part in inner if isinstance(part, str))
+    if command == r"\underset" and re.sub(
+        r"[^a-z]", "", sign.removeprefix(r"\operatorname").removeprefix(r"\mathrm") + "".join(_texts(inner))
+    ).endswith(("lim", "min", "max")):
+        return [*inner, "_", first if isinstance(first, Group) else Group([first])]
     if command == r"\textcolor" or sign in SIGNS_OVER:
         return inner
     return [command, first, second]
 
 
 def _over(parts: list[Part]) -> list[Part]:
-    r"""`a \over b` as a fraction."""
-    if r"\over" not in parts:
-        return parts
-    k = parts.index(r"\over")
-    return [r"\frac", Group(parts[:k]), Group(parts[k + 1 :])]
+    r"""`a \over b` as a fraction, and `n \choose k` as a binomial."""
+    for sign, command in ((r"\over", r"\frac"), (r"\choose", r"\binom")):
+        if sign in parts:
+            k = parts.index(sign)
+            return [command, Group(parts[:k]), Group(parts[k + 1 :])]
+    return parts
 
 
 def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]:
@@ -481,8 +398,31 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     if after == "^" and len(inner) == 4 and inner[0] in ACCENTS | STYLES and inner[2] == "_":
         return inner
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
+        if after in ("^", "_") and _runs_on(inner):
+            return inner
+        if after == "^" and all(part in ("_", "^") for part in inner[-4:-1:2]) and len(inner) in (5, 6):
+            return ["(", *inner, ")"]  # a letter with scripts of its own
         return [Group(inner)]  # the script belongs to all of it
     return inner
+
+
+def _runs_on(inner: Sequence[Part]) -> bool:
+    """Do letters side by side, or brackets or bars, end here, so that the script stands at the last of them?"""
+    if inner[-1] in (")", "]", "|", r"\|"):
+        return not {"+", "-", "=", r"\pm"} & _outside(inner)
+    units = _units(inner)
+    return all(isinstance(part, str) and (tex.is_letter(part) or part in _SPACES) for part in units)
+
+
+def _outside(parts: Sequence[Part]) -> set[str]:
+    """The tokens that stand in no brackets."""
+    found, depth = set[str](), 0
+    for part in parts:
+        depth += (part in ("(", "[")) - (part in (")", "]"))
+        if not depth and isinstance(part, str):
+            found.add(part)
+    bars = "|" in found or r"\|" in found
+    return found - {"+", "-"} if bars and parts[0] in (r"\left", "|", r"\|") else found
 
 
 def _is_bracket(parts: Sequence[Part]) -> bool:
@@ -528,58 +468,22 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
             yield part
 
 
-_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
-_STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
-_LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + r") \{ \S+ \}|[A-Z])"
-_SPELLINGS = (  # of one thing in several tokens, with the usual one
-    (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
-    (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
-    # a matrix in brackets, and one of zeros
-    (re.compile(rf"\\left \[ ({_LETTER}(?: _ \{{ [^{{}}]* \}})?) \\right \]"), r"[ \1 ]"),
-    (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
-    # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
-    (
-        re.compile(
-            r"\\frac \{ \\prescript (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \{ \} \{ (d|\\mathrm \{ d \}) \} "
-            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ (?:d|\\mathrm \{ d \}) [^{}]* \})"
-        ),
-        r"\\left ( \\frac { d ( \3 ) } \4 \\right ) _ \1",
-    ),
-    (
-        re.compile(
-            r"\\frac \{ \{ \} \^ (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \\partial "
-            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ \\partial (?:[^{}]|\{[^{}]*\})* \})"
-        ),
-        r"\\left ( \\frac { \\partial ( \2 ) } \3 \\right ) _ \1",
-    ),
-)
+_SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold letter in text
 # the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
-WIDE = r", \quad"
-WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
-    for words, sign in (
-        ("w h e r e|w i t h", WIDE),
-        ("a n d", r"\text{and}"),
-        ("o r", r"\lor"),
-        (
-            "(?:f o r|i f|w h e n|w h e n e v e r|a s ~ l o n g ~ a s|p r o v i d e d|p r o v i d e d ~ t h a t)",
-            r"\text{for}",
-        ),
-        ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
-    )
-)
-_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")  # T above in any style
-_DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
-Change = Callable[[str], str]
 # an upright d before the letter of an integration or derivative
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")
 
 
+_IN_WORDS = re.compile(
+    r"\\(?:text|mathrm|operatorname|begin|end)\s*\{(?!\s*d\s*\})[^{}]*\}"
+)  # no letters of the formula
+
+
 def with_plain_differentials(source: str) -> str:
     r"""An upright d of a differential as an italic one, unless d is a letter here too."""
-    rest = _DIFFERENTIAL.sub("", source)
+    rest = _IN_WORDS.sub("", _DIFFERENTIAL.sub("", source))
     if re.search(r"(?<![A-Za-z\\])d(?![A-Za-z])", rest):
         return source
     return _DIFFERENTIAL.sub("d", source)

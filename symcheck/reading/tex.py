@@ -5,9 +5,8 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
-from typing import NoReturn
+from typing import NamedTuple, NoReturn
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
@@ -26,12 +25,14 @@ _STYLED = STYLES | ACCENTS
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
 
 
-@dataclass(frozen=True, slots=True)
-class Tok:
+class Tok(NamedTuple):
     """One TeX token: a command, or a single character; `at` is its place in the source string."""
 
     text: str
     at: int
+
+
+_NEW = tuple.__new__  # of hundreds of tokens for each formula
 
 
 def fault(source: str, at: int, message: str) -> SymcheckError:
@@ -76,7 +77,7 @@ def tokenize(source: str) -> list[Tok]:
 
 @lru_cache(maxsize=2048)  # a formula is scanned for several kinds of evidence, and by the reader
 def _tokens(source: str) -> tuple[Tok, ...]:
-    return tuple(Tok(m[0], m.start()) for m in _TOKEN.finditer(source))
+    return tuple([_NEW(Tok, (m[0], m.start())) for m in _TOKEN.finditer(source)])
 
 
 @lru_cache(maxsize=2048)
@@ -105,7 +106,7 @@ class Reader:
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.toks = tokenize(source)
+        self.toks = _tokens(source)
         self.i = 0
         self.refuse_depth()
 
@@ -127,7 +128,7 @@ class Reader:
     def fail(self, message: str, at: int | None = None) -> NoReturn:
         raise fault(self.source, self.at() if at is None else at, message)
 
-    def group(self) -> list[Tok]:
+    def group(self) -> Sequence[Tok]:
         """One TeX argument: the inside of `{...}` or a single token."""
         if self.i >= len(self.toks):
             self.fail("an argument is missing")
@@ -169,7 +170,7 @@ class Reader:
         return text
 
 
-def _spaced(tokens: list[Tok]) -> list[str]:
+def _spaced(tokens: Sequence[Tok]) -> list[str]:
     return [f"{t.text} " if t.text.startswith("\\") else t.text for t in tokens]
 
 
@@ -183,6 +184,7 @@ def no_letter(latex: str) -> str:
     return f"{latex} is no letter, and the reader does not know it; say it in other words, or exclude the formula"
 
 
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
 def spelled(latex: str) -> str | None:
     """The canonical spelling if `latex` is one letter and nothing else, otherwise None."""
     reader = Reader(latex)
@@ -192,7 +194,7 @@ def spelled(latex: str) -> str | None:
     return text if reader.i == len(reader.toks) else None
 
 
-def subscript(tokens: list[Tok]) -> str:
+def subscript(tokens: Sequence[Tok]) -> str:
     r"""The canonical text of a subscript that belongs to the letter: `_1`, `_{\max}`, `_{s1}`."""
     kept = [t.text for t in tokens if t.text not in {"{", "}"} | ROMAN]
     parted = (text + " " * _runs_on(text, after) for text, after in itertools.zip_longest(kept, kept[1:], fillvalue=""))
@@ -205,7 +207,7 @@ def _runs_on(text: str, after: str) -> bool:
     return text[:1] == "\\" and text[1:].isalpha() and after[:1].isalpha()
 
 
-def superscript(tokens: list[Tok]) -> str | None:
+def superscript(tokens: Sequence[Tok]) -> str | None:
     """The canonical text of a superscript in brackets, `^{(2)}` or `^{[2]}`; None if it is another one."""
     text = "".join(t.text for t in tokens)
     pair = {"(": ")", "[": "]"}.get(text[:1])
@@ -257,7 +259,7 @@ def without_dots(latex: str) -> str:
     return " ".join([*tokens[:start], *tokens[start + 2 : end - 1], *tokens[end:]])
 
 
-@lru_cache(maxsize=512)  # all readings of a formula have the same
+@lru_cache(maxsize=512)
 def names(wholes: tuple[str, ...]) -> tuple[tuple[tuple[str, ...], str, int], ...]:
     """The tokens of names of several tokens, also with dots over their letters, the longest first."""
     forms = {
@@ -266,3 +268,12 @@ def names(wholes: tuple[str, ...]) -> tuple[tuple[tuple[str, ...], str, int], ..
         for dots in range(1 if latex.startswith("[") else len(DOTTED))
     }
     return tuple(sorted(forms, key=lambda form: (-len(form[0]), form)))
+
+
+@lru_cache(maxsize=512)  # all readings of a formula have the same
+def beginning(wholes: tuple[str, ...]) -> dict[str, list[tuple[tuple[str, ...], str, int]]]:
+    """The same by their first tokens."""
+    found: dict[str, list[tuple[tuple[str, ...], str, int]]] = {}
+    for form in names(wholes):
+        found.setdefault(form[0][0], []).append(form)
+    return found

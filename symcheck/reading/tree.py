@@ -435,17 +435,22 @@ STATEMENTS = (Chain, Values, System, CaseList, Located, And, Or, Implies, Iff, E
 BRACKETED = frozenset({"Gamma"})  # functions whose argument always stands in brackets
 LOGIC = (And, Or, Implies, Iff, Exists)
 
+LEAVES = frozenset({Number, Name, Infinity, Dots, Blank})  # nodes with nothing below them
 Path = tuple[int, ...]
 
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """The nodes directly below, in printed order."""
+    kind = tree.__class__
+    if kind in LEAVES:
+        return ()
+    names = _FIELDS.get(kind) or _names(kind)
     found: list[Tree] = []
-    for name in _names(type(tree)):
+    for name in names:
         value = getattr(tree, name)
         if isinstance(value, Tree):
             found.append(value)
-        elif isinstance(value, tuple):
+        elif value.__class__ is tuple and value:
             found += _trees(value)
     return tuple(found)
 
@@ -464,9 +469,15 @@ def _names(kind: type[Tree]) -> tuple[str, ...]:
 def _trees(value: object) -> list[Tree]:
     if isinstance(value, Tree):
         return [value]
-    if isinstance(value, list | tuple):
-        return [each for item in value for each in _trees(item)]
-    return []
+    if value.__class__ is not tuple:
+        return []
+    found: list[Tree] = []
+    for item in value:
+        if isinstance(item, Tree):
+            found.append(item)
+        elif item.__class__ is tuple:
+            found += _trees(item)
+    return found
 
 
 def with_children(tree: T, new: tuple[Tree, ...]) -> T:
@@ -494,7 +505,8 @@ def nodes(tree: Tree) -> Iterator[Tree]:
     while waiting:
         tree = waiting.pop()
         yield tree
-        waiting += reversed(children(tree))
+        if tree.__class__ not in LEAVES:
+            waiting += children(tree)[::-1]
 
 
 def replaced(tree: Tree, path: Path, new: Tree) -> Tree:

@@ -1,0 +1,259 @@
+"""What is done with each letter of formulas: all its places, and what is said of it."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from symcheck.reading import tex
+from symcheck.reading.arguments import is_product
+from symcheck.reading.complex_letters import equated
+from symcheck.reading.faces import is_styled
+from symcheck.reading.names import INDEX_IN_NAME, names_of_several_tokens
+from symcheck.reading.occurrences import Occurrence, occurrences, words
+
+# what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
+_ECCENTRIC = re.compile(
+    r"1\s*[-+]\s*e\s*(?:\^\s*\{?\s*2\s*\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin|cosh|sinh)(?![A-Za-z])"
+)
+_SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
+# The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
+_CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
+
+
+@dataclass(slots=True)
+class Evidence:
+    """All places of one letter, and what is said of it."""
+
+    spelling: str
+    places: list[Occurrence] = field(default_factory=list)
+    indices: int = 0
+    values: set[int] = field(default_factory=set)
+    said: str = ""
+    index: bool = False
+    whole: bool = False
+    doubt: str = ""
+    running: bool = False
+    orbital: bool = False
+    below: bool = False  # does it stand in a subscript anywhere?
+    endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
+    shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
+
+    @property
+    def transposed(self) -> bool:
+        """Does it stand with a T above, or with another sign of the transposed?"""
+        return any(place.transposed for place in self.places)
+
+    @property
+    def capital(self) -> bool:
+        """Is it bold, without an arrow, and capital?"""
+        return is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling
+
+    @property
+    def multiplied(self) -> bool:
+        """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
+        return self.capital and any(place.followed for place in self.places)
+
+    @property
+    def idle(self) -> bool:
+        """Would all brackets behind it be idle if they were factors?"""
+        return all(map(is_product, self.arguments)) and not any(place.powered for place in self.places)
+
+    @property
+    def framed(self) -> str:
+        """Is it a vector, or a matrix, because a frame stands at its left?"""
+        if not self.whole or not self.spelling.startswith(r"\prescript"):
+            return ""
+        return "matrix" if _CAPITAL_IN_FRAME.match(self.spelling) else "vector"
+
+    @property
+    def dotted(self) -> bool:
+        return any(place.dots for place in self.places)
+
+    @property
+    def derived(self) -> bool:
+        """Is it differentiated by another letter?"""
+        return any(place.role == "derived" and self.spelling not in place.by for place in self.places)
+
+    @property
+    def arguments(self) -> list[tuple[str, ...]]:
+        return [place.arguments for place in self.places if place.arguments is not None]
+
+    @property
+    def bare(self) -> bool:
+        """Does it stand anywhere without brackets behind it?"""
+        return any(place.arguments is None and place.role != "subscript" for place in self.places)
+
+    @property
+    def by(self) -> list[str]:
+        """The letters by which it, or something in which it stands, is differentiated."""
+        return list(dict.fromkeys(x for place in self.places for x in place.by))
+
+
+def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evidence]:
+    """All letters with their places; those below a sum and those said to be are indices."""
+    wholes = names_of_several_tokens(formulas, said)
+    places = [place for formula in formulas for place in _paired(occurrences(formula, [*wholes]))]
+    summed = {place.word for place in places if place.role == "index"}
+    index = summed.copy()
+    index |= {canonical(latex) for latex, phrase in said.items() if phrase == "index"}
+    ends = {place.word: place.arguments for place in places if place.role == "index" and place.arguments}
+    below = {word for place in places if place.role == "subscript" for word in (place.word, *words(place.subscript))}
+    for letter, low, high in _ranges(formulas):
+        if letter in below and letter not in said:
+            index.add(letter)
+            ends.setdefault(letter, (low, high))
+    families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
+    phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
+    shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
+    found: dict[str, Evidence] = {}
+    initials = _initials(formulas) | _forms(formulas)
+    for place in places:
+        if place.role == "subscript":
+            continue
+        tokens, latex = words(place.subscript), place.word
+        family = place.word in families and bool(tokens) and all(t in index or t.isdigit() for t in tokens)
+        family = family and not _is_mixed(place.subscript or ())
+        if tokens and not family:
+            latex += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
+        key = f"{latex} {len(tokens)}" if family else latex
+        own = found.setdefault(key, Evidence(latex, indices=len(tokens) if family else 0))
+        own.places.append(place)
+        own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
+        own.said = phrases.get(latex, "")
+        own.index = latex in index and not tokens
+        own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
+        if tokens and not family and (inside := summed.intersection(tokens)):
+            own.doubt = own.doubt or f"{INDEX_IN_NAME}: {min(inside)}"
+        own.shape = shapes.get(latex, ())
+        own.below = latex in below
+        own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
+        own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
+        for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
+            low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
+            if low.isdigit() and high.isdigit():
+                own.values |= {int(low), int(high)}
+            elif high:
+                own.running = True
+    _complete(found)
+    return found
+
+
+def _is_mixed(subscript: Sequence[str]) -> bool:
+    """Do commas part this subscript into indices of which one has several letters: `i1,3`?"""
+    parts = [part.split() for part in " ".join(subscript).split(",")]
+    return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
+
+
+# capitals that an equation begins with, which may be one name, and its subscript
+_INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
+# three capitals or more behind the sign
+_CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])")
+
+
+def _initials(formulas: Sequence[str]) -> dict[str, str]:
+    """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
+    toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
+    bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
+    found: dict[str, str] = {}
+    runs = [match for formula in formulas for match in _CAPITALS.finditer(formula)]
+    for match in [*filter(None, map(_INITIALS.match, formulas)), *runs]:
+        *letters, last = match[1].split()
+        once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
+        if all(once) or (len(once) > 2 and any(once)):
+            name = "".join([*letters, last])
+            told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
+            found |= dict.fromkeys([*letters, last], told)
+    return found
+
+
+# x'Qx, a quadratic form
+_FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")
+
+
+def _forms(formulas: Sequence[str]) -> dict[str, str]:
+    """The letters of quadratic forms `x' Q x`, where a prime may transpose."""
+    found = {match[1] for formula in formulas for match in _FORM.finditer(formula)}
+    return dict.fromkeys(found, "does the prime transpose? write a T for that, or name another letter")
+
+
+_RANGE = re.compile(
+    r"((?:(?:[A-Za-z]|\\[a-z]+)\s*,\s*)*(?:[A-Za-z]|\\[a-z]+))\s*=\s*(\d+)\s*,(?:\s*(?:\d+|\\[lc]?dots)\s*,)*"
+    r"\s*(\d+|(?<=dots ,)\s*[A-Za-z](?:\s*[-+]\s*\d+)?|\\[lc]?dots)"
+)  # `i, j = 0, 1, \dots, n - 1`: the letters, the first value and the last one
+
+
+def _ranges(formulas: Sequence[str]) -> Iterator[tuple[str, str, str]]:
+    """The letters whose values are listed, with the first and the last."""
+    for formula in formulas:
+        for found in _RANGE.finditer(formula):
+            for letter in found[1].split(","):
+                yield letter.strip(), found[2], found[3].strip()
+
+
+def _complete(evidence: dict[str, Evidence]) -> None:
+    """Letters that are meant without being printed: the time, where there are dots, and the d of differentials."""
+    if any(each.dotted for each in evidence.values()) and not {"t", r"\tau"} & evidence.keys():
+        evidence["t"] = Evidence("t", [Occurrence("t")])
+    used = any(
+        p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places
+    )
+    if used and "d" not in evidence:
+        evidence["d"] = Evidence("d", [Occurrence("d")], said="differential")
+    own = evidence.get("d")
+    behind = {place.after for place in own.places} if own is not None else set()
+    if own is not None and not own.said and (len(behind) > 1 or behind == {"t"}):
+        forms = all(p.arguments is None and p.superscript is None and tex.is_letter(p.after) for p in own.places)
+        own.said = "differential" if forms and not own.dotted else ""
+    for each in [*evidence.values()]:
+        if each.whole and not each.said and (skew := _SKEW.fullmatch(each.spelling)):
+            each.said = f"skew matrix of {skew[1]}"
+        if each.said.startswith("skew matrix of "):
+            name = canonical(each.said.removeprefix("skew matrix of "))
+            own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
+            own.said = own.said or "vector"
+
+
+def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
+    """The same, each with the letters beside it behind a dot or a cross."""
+    found = list(places)
+    own = [k for k, place in enumerate(places) if place.role != "subscript"]
+    for k, m in itertools.pairwise(own):
+        if places[k].after in (r"\cdot", r"\times") and places[m].before == places[k].after:
+            found[k] = replace(found[k], beside=(*found[k].beside, spelling(places[m])))
+            found[m] = replace(found[m], beside=(*found[m].beside, spelling(places[k])))
+    return found
+
+
+def spelling(place: Occurrence) -> str:
+    """The spelling of the letter at one place, with its subscript."""
+    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+
+
+def canonical(latex: str) -> str:
+    """The spelling of a letter as evidence is kept."""
+    found = occurrences(latex)
+    if not found:
+        return latex
+    return spelling(found[0])
+
+
+# a matrix that contains no other environment, perhaps transposed
+_ENTRIES = re.compile(
+    r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}(\s*\^\s*\{?\s*T\s*\}?)?\s*[.,;]?\s*",
+    re.DOTALL,
+)
+
+
+def _shape(latex: str) -> tuple[int, ...]:
+    """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
+    if not (found := _ENTRIES.fullmatch(tex.compact(latex))):
+        return ()
+    rows = [row for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
+    columns = {row.count("&") + 1 for row in rows}
+    if len(columns) != 1:
+        return ()
+    (size, *_) = sizes = (*columns, len(rows)) if found[3] else (len(rows), *columns)
+    return sizes if sizes[1] != 1 else (size,)

@@ -1,0 +1,22 @@
+"""The faces of letters: bold type, arrows and accents."""
+
+from __future__ import annotations
+
+import re
+
+STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
+HAT = re.compile(r"\\(hat|widehat|vec)\{")  # accents of unit vectors and of vectors
+ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde)\{")  # accents that make a letter of their own
+
+
+def face(latex: str) -> str:
+    """What is printed in bold type or below an arrow, where a letter, or a name of several tokens, is; else nothing."""
+    printed = re.sub(r"^\\(?:Delta|delta)(?=\\)", "", latex.replace(" ", ""))
+    found = STYLED.match(printed)
+    return printed[found.end() :] if found else ""
+
+
+def is_styled(latex: str, *, capital: bool) -> bool:
+    """Is a letter bold or with an arrow, and capital or not?"""
+    inner = face(latex).lstrip("\\")
+    return bool(inner) and inner[:1].isupper() == capital

@@ -1,0 +1,488 @@
+"""What one letter may be, by what is done with it: its options, each with the reason."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import tex
+from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
+from symcheck.reading.evidence import Evidence
+from symcheck.reading.faces import ACCENT, HAT, face, is_styled
+from symcheck.reading.names import is_letter
+from symcheck.reading.notation import SAID, Letter
+from symcheck.reading.occurrences import Occurrence
+
+_MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
+_TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
+
+
+@dataclass(frozen=True, slots=True)
+class Guess:
+    """What one letter is taken for.
+
+    Parameters
+    ----------
+    letter
+        Its declaration.
+    taken
+        What that means, in words.
+    why
+        The evidence.
+    remote
+        Whether hardly anybody would mean this where the other possibility makes sense.
+    """
+
+    letter: Letter
+    taken: str
+    why: str
+    remote: bool = False
+
+
+COMPLEX = "a complex number"
+
+
+_VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
+
+
+def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> list[Guess]:
+    """All that a letter may be, marked if it may be a function of what stands in brackets behind it, or a factor."""
+    found = [*_options(of, every, defined)]
+    if of.spelling == r"\delta" and not of.said and any(x != of.spelling and _VARIED.match(x) for x in every):
+        return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
+    letters = [guess.letter for guess in found if not guess.remote]
+    applied = all(each.kind == "function" or each.depends for each in letters)
+    unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
+    if of.said or applied or not unclear:
+        return found
+    sums = all(map(is_sum, (place.arguments or () for place in unclear)))
+    named = letters[0].latex[:1] in ("m", "M") or not is_letter(letters[0].latex)  # masses are no functions
+    if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and named)):
+        return found
+    return [replace(guess, letter=replace(guess.letter, open=True)) for guess in found]
+
+
+def _multiplies(of: Evidence, place: Occurrence) -> bool:
+    """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?"""
+    power = place.superscript or ()
+    raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
+    return raised or any(of.spelling in arg.split() for arg in place.arguments or ())
+
+
+def in_doubt(guess: Guess, doubt: str) -> Guess:
+    """The same guess, of a letter of which this must be said first."""
+    return replace(guess, letter=replace(guess.letter, doubt=doubt))
+
+
+def _is_before_letter(place: Occurrence) -> bool:
+    after = place.after
+    return (
+        place.subscript is None
+        and place.superscript is None
+        and (after in ("(", r"\left", r"\bigl") or tex.is_letter(after))
+    )
+
+
+ORDERS = {"O": 0, r"\mathcal{O}": 0, "o": 1, r"\mathcal{o}": 1}  # how far terms are above the printed power
+
+
+def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> Iterator[Guess]:
+    latex, arguments, bare = of.spelling, of.arguments, of.bare
+    if of.said:
+        yield _as_said(of, every)
+        return
+    if of.index:
+        yield Guess(Letter(latex, kind="index", name=variable_name(latex)), "an index", "a sum runs over it")
+        return
+    if number := _number(of, every):
+        yield from number
+        return
+    listed = bool(arguments) and all(len(args) > 1 for args in arguments)  # a distance
+    if latex == "d" and not listed and all(map(_is_before_letter, of.places)):
+        sign = Letter(latex, kind="differential")
+        yield Guess(sign, "the sign of a differential", "it stands before letters and brackets only")
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it", remote=True)
+        return
+    if latex in ORDERS and arguments and not bare and latex not in defined:
+        told = f"a term of {'a higher' if ORDERS[latex] else 'this'} order"
+        yield Guess(_letter(of, kind="function", order=ORDERS[latex]), told, "it stands before brackets only")
+        return
+    base, _, below = latex.partition("_")
+    parts = below.strip("{}")
+    if defined.get(base) and parts and set(parts) <= set(defined[base]):
+        derived = _letter(of, kind="function", partial=(base, *parts))
+        yield Guess(derived, f"the derivative of {base} by {', '.join(parts)}", f"{base} is a function of these")
+        return
+    variables = defined.get(latex)
+    simple = _common_arguments(of)
+    applied = bool(arguments) and not bare and (bool(simple) or not _may_be_factor(of))
+    if not variables and applied and face(latex):
+        yield from _of_vectors(of, simple)
+    elif variables:
+        letters = ", ".join(variables)
+        yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
+    elif applied:
+        depends = ", ".join(simple) if simple else None
+        yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
+    elif arguments and simple and _varies(of):
+        kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
+        for kind in kinds:
+            dependent = _letter(of, kind=kind, depends=", ".join(simple))
+            yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
+    elif arguments and not bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
+        function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
+        yield in_doubt(function, FACTOR) if _holds_factors(of) else function
+    elif arguments and not bare and not of.dotted and _is_function(of, every):
+        yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
+    elif arguments and not bare and not of.dotted and not face(latex):
+        yield from _before_sums(of)
+    elif bare and not of.dotted and not of.derived and any(map(is_lone, of.places)):
+        yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
+    elif bare and not of.dotted and not of.derived and (any(map(is_listed, arguments)) or _equals_itself(of)):
+        yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
+    elif of.dotted and not of.shape and not of.capital and any(map(is_lone, of.places)):
+        on = _letter(of, kind="function", depends=_time(every), size=(0,) if face(latex) else ())
+        yield Guess(on, f"a function of {on.depends}", "its rate stands beside its value at a place")
+    elif of.dotted or of.derived:
+        yield from _dependent(of, every, latex in defined)
+    elif of.framed:
+        kind = of.framed
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
+    elif of.whole and latex.startswith("["):
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
+    elif latex in _IDENTITIES and (size := _matrix_size(every)) is not None:
+        own = (size, size) if size else ()
+        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
+        if latex != r"\mathbf{1}":
+            yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
+    elif (sized := _sized_identity(latex, every)) and _matrix_size(every) is not None:
+        own = (int(sized[2]), int(sized[2]))
+        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "its size is printed with it")
+        yield Guess(_letter(of, kind="matrix"), "a matrix", "it is capital", remote=latex[0] == "\\")
+        if latex[0] != "\\":
+            yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+    elif of.shape:
+        kind = "matrix" if len(of.shape) > 1 else "vector"
+        yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
+    elif face(latex):
+        yield from _styled(of)
+    elif of.transposed and "T" not in every:
+        kind = "matrix" if latex[:1].isupper() else "vector"
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
+    elif latex.isupper() and not of.indices and any(x.transposed and x.spelling.isalpha() for x in every.values()):
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+    elif _beside_vectors(of, every):
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
+    else:
+        yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+FACTOR = "a factor before brackets, or a function? say what it is"
+# what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
+_FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
+
+
+def _equals_itself(of: Evidence) -> bool:
+    """Is it equal to itself before arguments: W = W(x, y)?"""
+    return any(
+        a.arguments is None and b.arguments is not None and len(b.arguments) > 1 and a.after == b.before == "="
+        for a, b in itertools.pairwise(of.places)
+    )
+
+
+def _before_sums(of: Evidence) -> Iterator[Guess]:
+    """A letter that stands before brackets only, of which some hold sums: a factor, or a function."""
+    product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
+    function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
+    crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
+    factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
+    constant = of.spelling in ("g", "G") and not any(map(is_shift, of.arguments))  # of gravity
+    weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
+    coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
+    typical = of.spelling in _TYPICAL and not weight and not coefficient
+    doubtful = _holds_factors(of) and (typical or (len(of.spelling) == 1 and of.spelling.isupper()))
+    if doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
+        yield in_doubt(function, FACTOR)
+    else:
+        yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
+
+
+_MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
+
+
+def _holds_factors(of: Evidence) -> bool:
+    """Do all brackets behind a Latin letter hold what may be a factor as well?"""
+    latin = of.spelling[:1] != "\\" and of.spelling not in ("f", "F") and not any(p.powered for p in of.places)
+    return latin and all(map(_FACTORS.match, (args[0] for args in of.arguments)))
+
+
+def _is_function(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Is a letter that stands before brackets only a function for certain, by its face or by what stands beside it?"""
+    if of.spelling.startswith((r"\mathcal", r"\mathscr")) or _is_primed(of):
+        return True
+    accented = ACCENT.match(of.spelling)
+    plain = every.get(of.spelling[accented.end() : -1]) if accented else None
+    others = [each for each in every.values() if each.arguments and not each.bare and each is not of]
+    return any(
+        (any(map(is_lone, each.places)) or _is_primed(each))
+        and (each is plain or bool(set(each.arguments) & set(of.arguments)))
+        for each in others
+    )
+
+
+def _is_primed(of: Evidence) -> bool:
+    return any(place.primes and place.arguments for place in of.places)
+
+
+_SIZED = re.compile(r"(.+)_\{?(\d)\}?")  # a letter with a number below, as I_3
+_IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\mathbb{I}", r"\mathbf{1}"})
+
+
+def _sized_identity(latex: str, every: Mapping[str, Evidence]) -> re.Match[str] | None:
+    """An identity with its size below, such as I_3; beside an I_1 it is one of several."""
+    sized = _SIZED.fullmatch(latex)
+    if not sized or sized[1] not in _IDENTITIES:
+        return None
+    several = any(x != latex and (other := _SIZED.fullmatch(x)) and other[1] == sized[1] for x in every)
+    return None if several else sized
+
+
+def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
+    """The number of rows of the matrices that are said to be some, or are capital and bold; 0 if it is not said."""
+    found = None
+    for each in every.values():
+        if each.spelling in _IDENTITIES:
+            continue
+        if match := re.fullmatch(r"real (\d+) (\d+)", each.said):
+            return int(match[1])
+        if each.said.startswith(("matrix", "skew matrix")):
+            return 3
+        if is_styled(each.spelling, capital=True):
+            found = 0
+    return found
+
+
+def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does a dot or a cross stand between it and a vector, or is it the length of something with a hat?"""
+
+    def is_vector(spelling: str) -> bool:
+        each = every.get(spelling)
+        styled = is_styled(spelling, capital=False) or spelling.startswith(r"\prescript")
+        return each is not None and (
+            styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
+        )
+
+    beside = {x for place in of.places for x in place.beside}
+    accented = HAT.match(of.spelling) is not None
+    hats = any(map(HAT.match, (of.spelling, *beside))) and any(r"\cdot" in (p.before, p.after) for p in of.places)
+    if hats and any(map(ACCENT.match, beside)) and ACCENT.match(of.spelling):
+        return True
+    return any(map(is_vector, beside)) or (
+        accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
+    )
+
+
+def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
+    """A letter of which something is said."""
+    phrase, why = of.said, SAID
+    if phrase in ("scalar", "constant", "integer"):
+        whole = phrase == "integer"
+        return Guess(_letter(of, depends="", integer=whole), "a whole number" if whole else "a real number", why)
+    if match := re.fullmatch(r"the number (\d+)", phrase):
+        return Guess(Letter(of.spelling, value=int(match[1]), name=variable_name(of.spelling)), phrase, why)
+    if phrase == "complex":
+        return Guess(_letter(of, depends=""), COMPLEX, why)
+    if phrase == "index":
+        return Guess(Letter(of.spelling, kind="index", name=variable_name(of.spelling)), "an index", why)
+    if phrase == "differential":
+        return Guess(Letter(of.spelling, kind="differential"), "the sign of a differential", why)
+    if phrase == "imaginary unit":
+        return Guess(Letter(of.spelling, number="i"), "the imaginary unit", why)
+    depends = _time(every) if of.dotted else ""
+    if phrase in ("vector", "matrix"):
+        return Guess(_letter(of, kind=phrase, depends=depends), f"a {phrase}", why)
+    if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
+        kind = "function" if match[1] == "function of" else "scalar"
+        return Guess(_letter(of, kind=kind, depends=match[2]), f"a function of {match[2]}", why)
+    if phrase == "rotation":
+        return Guess(_letter(of, kind="matrix", depends=depends), "a rotation matrix", why)
+    if match := re.fullmatch(r"skew matrix of (.+)", phrase):
+        return Guess(_letter(of, kind="matrix", skew=match[1]), f"the skew matrix of {match[1]}", why)
+    if match := re.fullmatch(r"real (\d+)(?: (\d+))?", phrase):
+        size = tuple(int(n) for n in match.groups() if n)
+        kind = "vector" if len(size) == 1 else "matrix"
+        return Guess(_letter(of, kind=kind, size=size, depends=depends), f"a {kind}", why)
+    raise SymcheckError(
+        f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, constant, complex, vector, "
+        "matrix, integer, index, function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
+    )
+
+
+def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
+    """What e, i, j and pi may be."""
+    latex = of.spelling
+    derived = any(p.role == "derived" and p.before in ("d", r"\partial") and p.superscript is None for p in of.places)
+    if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
+        return []  # a number depends on nothing
+    if latex == r"\pi":
+        return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
+    if latex in ("e", r"\text{e}"):
+        euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
+        letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
+        powers = [place.superscript for place in of.places]
+        variable = [power is not None and not "".join(power).strip("{}").isdigit() for power in powers]
+        series = all(power is not None and "".join(power).strip("{}") in every for power in powers) and all(
+            every["".join(power or ()).strip("{}")].index for power in powers
+        )
+        if latex == "e" and powers and series:  # in the powers of a letter
+            return [replace(letter, why="a series runs over its powers"), euler]
+        if of.orbital and not any(variable):
+            return [replace(letter, why="it stands as an eccentricity does"), replace(euler, remote=True)]
+        if latex != "e" or all(variable):
+            return [euler]
+        if any(variable) or of.endless:
+            return [euler, replace(letter, remote=any(variable))]
+        return [letter, euler]
+    if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        if {"i", "j"} <= every.keys() and not any(p.exponent for key in "ij" for p in every[key].places):
+            doubt = "a unit of quaternions, an index, or the imaginary unit? say what it is"
+            return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
+        unit = Guess(Letter(latex, number="i"), "the imaginary unit", "so it is written")
+        plain = Guess(
+            _letter(of, depends="", name=variable_name(latex)), "a real number", "it is a letter like others", True
+        )
+        if latex[0] == "\\" or any(place.exponent for place in of.places):
+            return [unit]
+        if of.below:
+            return [replace(plain, why="it is an index elsewhere", remote=False)]
+        return [unit, plain]
+    return []
+
+
+def _common_arguments(of: Evidence) -> tuple[str, ...]:
+    """The letters that stand in brackets behind it wherever there are any: (x, t)."""
+    found = set(of.arguments)
+    if len(found) != 1:
+        return ()
+    (args,) = found
+    return args if all(tex.spelled(arg) is not None for arg in args) else ()
+
+
+def _may_be_factor(of: Evidence) -> bool:
+    """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
+    powered = any(place.powered for place in of.places)
+    return all(len(args) == 1 and (powered or not is_idle(args[0])) for args in of.arguments)
+
+
+def _varies(of: Evidence) -> bool:
+    defined = any(p.after == "=" and p.arguments is None for p in of.places)  # as in x = x(t)
+    return all(place.dots or place.primes or place.arguments is not None for place in of.places) or bool(
+        (defined and len(of.arguments) == 1) or of.dotted or any(place.role == "derived" for place in of.places)
+    )
+
+
+def _time(every: Mapping[str, Evidence]) -> str:
+    return "t" if "t" in every or r"\tau" not in every else r"\tau"
+
+
+CONSTANT = "constant"
+PRINTED = "it is equal to one that is printed"
+MOVING = "it is differentiated"
+
+
+def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
+    """A letter with dots, or one in a derivative."""
+    on = [_time(every)] if of.dotted else []
+    on += [x for x in of.by if x not in on and x != of.spelling]
+    words = ", ".join(on)
+    if of.shape:
+        kind = "matrix" if len(of.shape) > 1 else "vector"
+        yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
+        return
+    if of.capital:
+        for kind in ("matrix", "vector")[: 1 if of.multiplied else 2]:
+            yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
+        return
+    kind = of.framed or ("vector" if face(of.spelling) else "scalar")
+    primed = any(place.primes for place in of.places)
+    direct = (
+        of.dotted
+        or primed
+        or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    )
+    within = any(x in every and _stands_in_body(every[x]) for x in on)
+    varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
+    constant = Guess(
+        _letter(of, kind=kind, depends=""), CONSTANT, "it has no dot, and the other letter stands beside it"
+    )
+    if direct or named:
+        yield varying
+    elif within:
+        yield constant
+    elif any(each.dotted for each in every.values()):
+        yield constant
+        yield replace(varying, remote=True)
+    else:
+        yield varying
+        yield constant
+
+
+def _stands_in_body(of: Evidence) -> bool:
+    return any(place.role == "derived" for place in of.places)
+
+
+def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
+    """A bold letter that stands before its arguments only: a function whose values are vectors or matrices."""
+    depends = ", ".join(simple) if simple else None
+    kinds = (("matrix", (0, 0)), ("vector", (0,)))
+    for kind, size in kinds[:1] if of.multiplied else kinds if of.capital else kinds[1:]:
+        told = f"a function whose values are {'matrices' if kind == 'matrix' else 'vectors'}"
+        yield Guess(_letter(of, kind="function", depends=depends, size=size), told, "it stands before its arguments")
+
+
+def _styled(of: Evidence) -> Iterator[Guess]:
+    """A bold letter, or one with an arrow."""
+    vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
+    matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
+    if not of.capital:
+        yield vector
+        return
+    long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
+    if of.multiplied:
+        yield matrix
+    else:
+        yield from (vector, matrix) if long and not of.transposed else (matrix, vector)
+
+
+def _letter(of: Evidence, **given: object) -> Letter:
+    values = tuple(range(min(of.values, default=1), max(of.values, default=3) + 1))
+    given.setdefault("name", variable_name(of.spelling))
+    given.setdefault("varies", any(place.before == "d" for place in of.places))
+    return Letter(
+        of.spelling,
+        indices=of.indices,
+        range=values,
+        whole=of.whole,
+        running=of.running,
+        doubt=of.doubt,
+        **given,  # type: ignore[arg-type]
+    )
+
+
+_SPOKEN = {  # signs in the names of variables
+    "-": "minus", "+": "plus", "/": "per", "*": "star", "'": "dash", "=": "is", "<": "below", ">": "above",
+}  # fmt: skip
+
+
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
+def variable_name(latex: str) -> str:
+    """The name of the variable that stands for a letter."""
+    for sign, word in _SPOKEN.items():
+        latex = latex.replace(sign, f" {word} ")
+    name = re.sub(r"[^A-Za-z0-9]+", "_", re.sub(r"\\(mathbf|boldsymbol|bm|text|mathrm)\b", "", latex)).strip("_")
+    return name if name[:1].isalpha() else f"x{name}"

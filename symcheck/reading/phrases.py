@@ -1,0 +1,159 @@
+"""Plain LaTeX in which what is written in several tokens, or in words, has its usual form."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+
+from symcheck.reading.commands import ACCENTS, STYLES
+
+_FRAME = r"\{ [^{}]*(?:\{[^{}]*\}[^{}]*)? \}"  # at the left of a d
+_D = r"(?:d|\\mathrm \{ d \}|\\text \{ d \})"
+_ROUND = r"\\left \( (?:(?!\\left|\\right).)* \\right \)"  # brackets without others
+_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
+_STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
+_BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
+_LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
+_SPELLINGS = (  # of one thing in several tokens, with the usual one
+    (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
+    (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
+    # a matrix in brackets, and one of zeros
+    (re.compile(rf"\\left \[ ({_LETTER}(?: _ {_BRACED})?) \\right \]"), r"[ \1 ]"),
+    (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
+    (re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
+    (re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
+    (re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
+    # a fraction at a place, with a bar on one side
+    (
+        re.compile(rf"(^|[-=+&] |\\[;,] )(\\frac {_BRACED} {_BRACED}) \\[bB]igg?[lr]? \| (?=_ \{{)"),
+        r"\1\\left . \2 \\right | ",
+    ),
+    # a derivative in a frame as an operator on one letter
+    (
+        re.compile(
+            rf"\\frac \{{ \\prescript ({_FRAME}) \{{ \}} \{{ ({_D}) \}} \}} (\{{ {_D} [^{{}}]* \}}) "
+            rf"((?:\\prescript {_BRACED} {_BRACED} {_BRACED}|\\[a-z]+ {_BRACED})(?: [_^] {_BRACED})*|{_ROUND})"
+            r"(?= [-+=,&]|$| \\\\| \\cdot)"
+        ),
+        r"\\left ( \\frac { \2 } \3 ( \4 ) \\right ) _ \1",
+    ),
+    # the matrix between two frames as a function of their attitude, a bold letter: `[BN(\bm{\sigma})]`
+    (
+        re.compile(
+            r"\[ ((?:[A-Z] (?:_ (?:\w|\{ [^{}]* \}) )?){2})(?:\\left )?"
+            r"(\( -? ?\\(?:bm|boldsymbol|mathbf|pmb) [^()\[\]]*\)) \]"
+        ),
+        r"[ \1] \2",
+    ),
+    # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
+    (
+        re.compile(
+            r"\\frac \{ \\prescript (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \{ \} \{ (d|\\mathrm \{ d \}) \} "
+            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ (?:d|\\mathrm \{ d \}) [^{}]* \})"
+        ),
+        r"\\left ( \\frac { d ( \3 ) } \4 \\right ) _ \1",
+    ),
+    (
+        re.compile(
+            r"\\frac \{ \{ \} \^ (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \\partial "
+            r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ \\partial (?:[^{}]|\{[^{}]*\})* \})"
+        ),
+        r"\\left ( \\frac { \\partial ( \2 ) } \3 \\right ) _ \1",
+    ),
+)
+WIDE = r", \quad"
+WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
+    for words, sign in (
+        ("w h e r e|w i t h", WIDE),
+        ("a n d", r"\text{and}"),
+        ("o r", r"\lor"),
+        (
+            "(?:f o r|i f|w h e n|w h e n e v e r|a s ~ l o n g ~ a s|p r o v i d e d|p r o v i d e d ~ t h a t)",
+            r"\text{for}",
+        ),
+        ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
+    )
+)
+_TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")  # T above in any style
+_DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
+
+
+def phrased(text: str) -> str:
+    """The same text with usual spellings, signs between relations for words, and problems with what is to be found."""
+    text = _STOP.sub("", _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", text)))
+    for layout, change in _SPELLINGS:
+        text = layout.sub(change, text)
+    for pattern, sign in WORDS:
+        text = pattern.sub(partial(_parting, sign), text)
+    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, '&')}", text)
+    return _problem(_MATRIX.sub(_with_cells, text))
+
+
+# a matrix without cells, but with commas
+_MATRIX = re.compile(
+    r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
+)
+_SPACE = "\\ "
+_ENTRY = r"(?:\\[A-Za-z]+|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
+_SPACED = re.compile(
+    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end)"
+)  # parted by spaces
+
+
+def _with_cells(found: re.Match[str]) -> str:
+    """A matrix whose rows are lists with commas, with cells."""
+    cells, depth = list[str](), 0
+    for text in found[2].split(" "):
+        depth += (text in ("{", "(", "[")) - (text in ("}", ")", "]"))
+        cells.append("&" if text == "," and not depth else text)
+    return found[1] + " ".join(cells)
+
+
+# what introduces the conditions of a problem
+_SUBJECT = re.compile(
+    r"(?:(?:\\q?quad|\\[,;: ]|,|&|\\\\) )*\\text \{ (?:~ )?(?:s u b j e c t ~ t o|s \. (?:~ )?t \.)(?: [~:])* \}"
+    r"(?: (?:\\q?quad|\\[,;: ]|&))*"
+)
+# signs of a relation, or of words and lines beside what is to be found
+_RELATED = re.compile(
+    r"(?<!\\)[=<>] |\\(?:le|ge|leq|geq|approx|in|equiv|ne|to|rightarrow|sim|simeq|ll|gg|preceq|succeq|propto) |"
+    r"\\(?:quad|text|left) "
+)
+# what is to be found: the operator, what is below it, and of what
+_OBJECTIVE = re.compile(
+    r"((?:(?:&|\\begin \{ [a-z ]* \}) )*)(?:\\operatorname \{ )?\\?(m ?i ?n|m ?a ?x|f ?i ?n ?d)(?: i m i z e)?(?: \})? "
+    r"(_ \{ (?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})* \} )?((?:(?:\\q?quad|\\[,;: ]|&) ?)*)(.*)"
+)
+
+
+def _problem(text: str) -> str:
+    r"""What is to be found under conditions, `\min_x f(x) \quad \text{subject to} \quad g(x) = 0`, with words."""
+    first = _SUBJECT.search(text)
+    alone = _OBJECTIVE.fullmatch(text) if first is None else None
+    if alone is not None and alone[2] != "f i n d" and not _RELATED.search(text):  # what it is of reaches to the end
+        return rf"{alone[1]}\{alone[2].replace(' ', '')} {alone[3] or ''}\left ( {alone[5].rstrip(' .,;')} \right )"
+    if first is None:
+        return text
+    head, rest = text[: first.start()].rstrip() + " ", _SUBJECT.sub(lambda _: f" {WIDE} ", text[first.end() :])
+    aim = _OBJECTIVE.fullmatch(head)
+    if aim is not None:
+        before, what, below, _, of = aim.groups()
+        what, below, of = what.replace(" ", ""), below or "", of.strip().rstrip(",")
+        if what == "find":
+            head = rf"{before}\text {{ f i n d }} {below}{', ' if of else ''}{of}"
+        elif of:
+            head = rf"{before}\{what} {below}\left ( {of} \right )"
+    return rf"{head} {WIDE} \text {{ s u b j e c t ~ t o }} {WIDE} {rest}"
+
+
+def _parting(sign: str, found: re.Match[str]) -> str:
+    """The sign that a word between relations is; `and` with a comma or a wide space ends what is before it.
+
+    A wide `or` may say the same in other words, and is printed as words.
+    """
+    printed = found[0]
+    wide = "," in printed or "quad" in printed
+    if wide and sign == r"\lor":
+        return rf" {WIDE} \text {{ ~ o r ~ }} {WIDE} "
+    return rf" {WIDE} " if wide and sign == r"\text{and}" else f" {sign} "

@@ -1,0 +1,172 @@
+"""What is typed as letters in LaTeX that are none: names of functions, Greek letters, words, norms and numbers."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Sequence
+
+from symcheck.reading import tex
+from symcheck.reading.commands import ARGUMENTS, LETTER_COMMANDS
+
+
+def _with_norms(toks: Sequence[tex.Tok]) -> list[tex.Tok]:
+    """The same with one token for the double bars of a norm that are typed as two, `|| x ||`."""
+    found, k, single, opened = list[tex.Tok](), 0, 0, False
+    double = [a.text == b.text == "|" and b.at == a.at + 1 for a, b in itertools.pairwise(toks)] + [False]
+    while k < len(toks):
+        begins = double[k] and not single % 2 and any(double[k + 2 :])
+        if double[k] and (opened or begins):
+            found.append(tex.Tok(r"\|", toks[k].at))
+            opened, k = not opened, k + 2
+            continue
+        single += toks[k].text == "|"
+        found.append(toks[k])
+        k += 1
+    return found
+
+
+def _with_words(source: str) -> list[tex.Tok]:
+    """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
+    toks, found = _with_norms(tex.tokenize(source)), list[tex.Tok]()
+    k, text_ends = 0, -1
+    scripts: list[bool] = []  # is each open brace that of a script, or of an argument?
+    while k < len(toks):
+        tok = toks[k]
+        if tok.text == "{":
+            before = toks[k - 1].text if k else ""
+            scripts.append(before in ("_", "^") or (before[:1] == "\\" and before not in _OF_FORMULAS))
+        elif tok.text == "}" and scripts:
+            scripts.pop()
+        if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
+            text_ends = _closing(toks, k + 1)
+        if k < text_ends:
+            spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
+            found += [tex.Tok("~", tok.at - 1)] if spaced else []
+        elif not any(scripts) and (count := _digits_behind(toks, k)):
+            found += [
+                tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
+            ]
+            k += 1 + count
+            continue
+        elif tok.text.isalpha() and (greek := _greek(toks, k)):
+            found.append(tex.Tok(f"\\{greek}", tok.at))
+            k += len(greek)
+            continue
+        elif tok.text.isalpha() and (word := _function_of_letters(toks, k)):
+            found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
+            k += len(word)
+            continue
+        elif tok.text.isalpha() and not any(scripts) and (word := _word_of_letters(toks, k)):
+            found += [tex.Tok(t, tok.at) for t in ([r"\bmod"] if word == "mod" else [r"\text", "{", *word, "}"])]
+            k += len(word)
+            continue
+        found.append(tok)
+        k += 1
+    return found
+
+
+def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
+    """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
+    before = toks[k - 1] if k else tex.Tok("", -2)
+    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text in ARGUMENTS:
+        return 0
+    if before.at == toks[k].at - 1 and before.text.isalnum():
+        return 0
+    end = k + 1
+    while end < len(toks) and toks[end].text.isdigit() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    behind = toks[end] if end < len(toks) else tex.Tok("", -2)
+    adjacent = behind.at == toks[k].at + end - k and (behind.text.isalnum() or behind.text == ".")
+    return 0 if adjacent else end - k - 1
+
+
+_OF_FORMULAS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\left", r"\right"})  # arguments are formulas
+_TEXTS = frozenset(
+    {r"\text", r"\operatorname", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"}
+)
+_TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
+_TYPED |= {"exp", "log", "ln", "max", "min"}
+_OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+
+
+def _closing(toks: Sequence[tex.Tok], k: int) -> int:
+    """Where the brace that opens here is closed."""
+    depth = 0
+    for m in range(k, len(toks)):
+        depth += (toks[m].text == "{") - (toks[m].text == "}")
+        if not depth:
+            return m
+    return len(toks)
+
+
+def _greek(toks: Sequence[tex.Tok], k: int) -> str:
+    """The Greek letter that is typed here by its name; those of two letters may be products."""
+    if k and toks[k - 1].text.isalpha() and toks[k - 1].at == toks[k].at - 1:
+        return ""
+    end = k
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    return word if len(word) > 2 and f"\\{word}" in LETTER_COMMANDS else ""
+
+
+def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
+    """The function whose name is typed here as letters: `max(a, b)`, `v cos\\theta`."""
+    start, end = k, k
+    while start and toks[start - 1].text.isalpha() and toks[start - 1].at == toks[start].at - 1:
+        start -= 1
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    behind = [tok.text for tok in toks[end : end + 2]]
+    brackets = behind[:1] == ["("] or behind == [r"\left", "("]
+    angle = next((tok.text for tok in toks[end : end + 4] if tok.text not in _BEFORE_ANGLE), "") in LETTER_COMMANDS
+    whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
+    of_angle = angle and word in ("sin", "cos", "tan")
+    return word if of_angle or (word in _TYPED and k - start < 2 and (brackets or whole)) else ""
+
+
+_BEFORE_ANGLE = frozenset({"{", "^", "2", "3"})  # as in cos^2{\theta}
+# words that are typed as letters: operators, and what no product of letters looks like
+_OPERATORS = frozenset({"mod", "res", "rem", "gcd", "lcm", "div", "rot", "curl", "grad", "span", "rank", "sgn", "erf"})
+
+
+def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
+    """The word that is typed here as letters: an operator, one with an o, or a long one, defined or capitalised."""
+    end = k
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
+        end += 1
+    word = "".join(tok.text for tok in toks[k:end])
+    inside = k > 0 and (toks[k - 1].at == toks[k].at - 1 and toks[k - 1].text.isalnum())
+    first = not k or toks[k - 1].text in ("&", r"\\")
+    behind = toks[end].text if end < len(toks) and first else ""
+    defined = (len(word) > 3 and behind in ("(", "=")) or (len(word) > 4 and word.istitle())
+    named = (word in _ANGLES and behind == "=") or (len(word) > 2 and (word in _OPERATORS or "o" in word or defined))
+    named = named and not _WITH_FUNCTION.search(word)
+    return word if word.isascii() and named and not inside else ""
+
+
+_ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
+_WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
+
+
+def typed(source: str) -> list[str]:
+    """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
+    found: list[str] = []
+    end = -1
+    for tok in _with_words(source):
+        digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
+        before = found[-2] if len(found) > 1 else ""
+        if (
+            digit
+            and tok.at == end
+            and found[-1][-1:].isdigit()
+            and before not in ("_", "^")
+            and before not in ARGUMENTS
+        ) or (tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit()):
+            found[-1] += tok.text
+        else:
+            found.append(tok.text)
+        end = tok.at + len(tok.text)
+    return found
