@@ -1963,6 +1963,30 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "a tail that grows": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["diverges", ["exp", "x"], "x", 1, OO], 0],
+            theorem(
+                "tail_converges",
+                {"f": of("x", ["exp", "x"]), "c": 1, "u": 0, "a": -1, "s": 1},
+                [above(-1), above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a tail from zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["diverges", ["*", ["pow", "x", -1], ["exp", ["-", "x"]]], "x", 0, OO], 0],
+            theorem(
+                "tail_converges",
+                {"f": of("x", ["*", ["pow", "x", -1], ["exp", ["-", "x"]]]), "c": 1, "u": -1, "a": 1, "s": 0},
+                [above(1), above(0), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
     "the tail of one over x": Forgery(
         NO_SIGN,
         proved(

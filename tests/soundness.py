@@ -331,10 +331,10 @@ class Forger:
             given["f"] = {"letter": "x", "term": [step, ["*", step, ["+", ["*", 2, begun], -1]]][power - 1]}
         if name in ("decaying", "gaussian", "half_gaussian") and isinstance(given.get("g"), dict):
             self.decay(name, given)
-        if name in ("gamma_integral", "power_tail", "power_head"):
+        if name in ("gamma_integral", "tail_converges", "power_tail", "power_head"):
             given["u"] = self.rng.choice((1, 2, ["/", 1, 2], ["/", -1, 2], -2, ["-", "a"], ["/", -5, 2], 0))
             given |= {p: self.rng.choice((1, 2, 3, ["/", 1, 2], "a", 0, -1)) for p in "as" if p in given}
-            more = [["exp", ["-", ["*", given["a"], "x"]]]] if name == "gamma_integral" else []
+            more = [["exp", ["-", ["*", given["a"], "x"]]]] if "a" in given else []
             given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]], *more]}
         if name in ("sum_of_integrals", "reflected", "halves"):
             bodies = [["*", self.number(), ["exp", ["-", ["^", "x", 2]]]], ["pow", ["+", ["^", "x", 2], 1], -2]]

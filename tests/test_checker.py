@@ -440,6 +440,15 @@ THEOREMS: dict[str, JSON] = {
             by(here()),
         ),
     ),
+    "tail_converges": proved(
+        ["=", ["diverges", ["*", ["pow", "x", ["/", 1, 2]], FALLING], "x", 1, OO], 0],
+        theorem(
+            "tail_converges",
+            {"f": of("x", ["*", ["pow", "x", ["/", 1, 2]], FALLING]), "c": 1, "u": ["/", 1, 2], "a": 1, "s": 1},
+            [above(1), above(1), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
     "power_tail": proved(
         ["=", integral(["pow", "x", -2], "x", 1, OO), 1],
         theorem(
@@ -607,8 +616,10 @@ WITHOUT_A_POINT = {
         "halves",
         "reflected",
         "beta",
+        "scaled",
+        "pieces",
     ),  # their integrals may diverge
-    *("decaying", "gaussian", "half_gaussian", "gamma_integral", "power_tail", "power_head"),
+    *("decaying", "gaussian", "half_gaussian", "gamma_integral", "tail_converges", "power_tail", "power_head"),
     *(name for name in THEOREMS if name.startswith(("arctangent", "arcsine", "arccosine"))),
 }
 

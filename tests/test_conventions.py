@@ -188,7 +188,6 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"S(\mathbf{a}) \mathbf{b} = \mathbf{a}\times\mathbf{b}", []),
         (r"L = r \times p", ["p = mv"]),
         (r"\Delta(xy) = x \Delta y + y \Delta x", []),
-        (r"\delta(x^2) = 2 x \delta x", []),
         (r"\mathrm{d}(xy) = x \, \mathrm{d}y + y \, \mathrm{d}x", []),
     ],
     "unreadable": [
@@ -413,7 +412,6 @@ UNSAID = [
         r"\underbrace{A \cos(-\pi k) + B \sin(-\pi k)}_{x(-\pi)} = \underbrace{A \cos(\pi k) + B \sin(\pi k)}_{x(\pi)}",
         [],
     ),
-    (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
 ]
 # letters before brackets that nobody writes around a factor, and that stand without them too
 APPLIED = [

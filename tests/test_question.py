@@ -70,7 +70,7 @@ PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
     r"\int_0^\infty f(x)\,dx + \int_0^\infty f(x)\,dx = 2 \int_0^\infty f(x)\,dx": "",
 }
 REFUTED: dict[str, str | tuple[str, ...]] = {
-    r"\max(a, b) = a": "",
+    r"\max(a, b) + \min(a, b) = a - b": "",
     r"\exists x : x^2 = -1": "",
     r"\exists x : x^2 < 0": "",
     r"\operatorname{erf}(x) = \frac{1}{\sqrt{\pi}} \int_0^x e^{-t^2} dt": "",

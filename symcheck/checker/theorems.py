@@ -70,6 +70,7 @@ gaussian(f, g, a, b, c): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g
 half_gaussian(f, g, a, c): a > 0; forall(x, implies(x > 0, f(x) == diff(exp(-(a * x**2)) * g(x), x) + c * exp(-(a * x**2)))) |- integral(f(x), {HALF}) == c/2 * sqrt(pi/a) - g(0) and diverges(f(x), {HALF}) == 0
 gamma_integral(f, c, u, a): a > 0; u > -1; forall(x, implies(x > 0, f(x) == c * pow(x, u) * exp(-(a * x)))) |- integral(f(x), {HALF}) == c * gamma(u + 1) * pow(a, -(u + 1)) and diverges(f(x), {HALF}) == 0
 power_tail(f, c, u, s): s > 0; u < -1; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u))) |- integral(f(x), x, s, oo) == -(c * pow(s, u + 1)/(u + 1)) and diverges(f(x), x, s, oo) == 0
+tail_converges(f, c, u, a, s): a > 0; s > 0; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u) * exp(-(a * x)))) |- diverges(f(x), x, s, oo) == 0
 power_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == c * pow(x, u))) |- integral(f(x), x, 0, s) == c * pow(s, u + 1)/(u + 1) and diverges(f(x), x, 0, s) == 0
 sum_of_integrals(f, g, h, s): diverges(g(x), x, s, oo) == 0; diverges(h(x), x, s, oo) == 0; forall(x, implies(x > s, f(x) == g(x) + h(x))) |- integral(f(x), x, s, oo) == integral(g(x), x, s, oo) + integral(h(x), x, s, oo) and diverges(f(x), x, s, oo) == 0
 reflected(f, g, s): forall(x, implies(x < s, f(x) == g(-x))) |- integral(f(x), x, -oo, s) == integral(g(x), x, -s, oo) and diverges(f(x), x, -oo, s) == diverges(g(x), x, -s, oo)
@@ -90,7 +91,7 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by their premises integrands are defined between the ends: what these divide by is not zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "power_head", "sum_of_integrals", "reflected", "even", "odd", "scaled",
+    "power_tail", "tail_converges", "power_head", "sum_of_integrals", "reflected", "even", "odd", "scaled",
 )  # fmt: skip
 
 

@@ -35,6 +35,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
             "half_gaussian",
             "gamma_integral",
             "power_tail",
+            "tail_converges",
             "power_head",
             "sum_of_integrals",
             "scaled",

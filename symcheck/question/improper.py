@@ -165,6 +165,9 @@ def _one(body: Term, x: str, low: Term, exponent: Expr, rest: Expr) -> Iterator[
         c, u = _power(rest, symbol)
         yield Applied("gamma_integral", (from_sympy(c), from_sympy(u), from_sympy(a)), ((own, body),))
         yield Applied("power_of_power", (from_sympy(1 / a), -1, from_sympy(-u - 1)), ())
+    elif degree == 1:
+        c, u = _power(rest, symbol)
+        yield Applied("tail_converges", (from_sympy(c), from_sympy(u), from_sympy(a), low), ((own, body),))
     elif degree == 2 and low == 0 and sympy.Poly(exponent, symbol).nth(1) == 0:
         g, c = _reduced(rest, symbol, a, sympy.Integer(0))
         yield Applied("half_gaussian", (from_sympy(a), from_sympy(c)), ((own, body), (own, from_sympy(g))))
