@@ -535,7 +535,11 @@ INTEGRALS: dict[str, tuple[str, tuple[str, ...], tuple[str, ...]]] = {  # the ve
     r"\int_{-2}^{1} e^{-|x|} \,dx = 2 - e^{-2} - e^{-1}": ("proved", (), ()),
     r"c = \frac{1}{2\pi^2}": ("proved", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
     r"c = \frac{1}{3\pi}": ("refuted", (r"\pi^2 c = \frac12 \int_{-1}^1 |t| \,dt",), ()),
-    r"\int_1^\infty \frac{e^{-z t}}{t^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("proved", (INCOMPLETE,), ("z > 0",)),
+    r"\int_1^\infty \frac{e^{-z t}}{t^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": (
+        "proved",
+        (INCOMPLETE,),
+        ("z > 0", r"0 < \nu", r"\nu < 1"),
+    ),
     r"\Gamma(s) = \gamma(s, z)": ("refuted", PARTIAL, ("s > 0", "z > 0")),
     r"\frac{\gamma(s, z)}{\Gamma(s)} = \frac{\Gamma(s, z)}{\Gamma(s)}": ("refuted", PARTIAL, ("s > 0", "z > 0")),
     r"\int_1^\infty \frac{e^{-z t}}{z^\nu} \,dt = z^{\nu-1} \Gamma(1-\nu, z)": ("refuted", (INCOMPLETE,), ("z > 0",)),

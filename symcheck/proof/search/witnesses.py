@@ -17,7 +17,7 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring
-from symcheck.proof.algebra.knowledge import formulas_of, stated
+from symcheck.proof.algebra.knowledge import stated
 from symcheck.proof.algebra.polynomial import alone, subterms, unfold, with_arguments
 from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine, sine
 from symcheck.proof.rules.compute import Point
@@ -71,18 +71,8 @@ def find_witnesses(
     points = [together]
     if together is None and len(premises) > 1:
         points = [_witness(problem, nonzero, [premise], prove) for premise in premises]
-    found = [_with_values(problem, point, prove) if point else None for point in points]
-    return None if None in found else [point for point in found if point is not None]
-
-
-def _with_values(problem: Problem, point: Point, prove: Prover) -> Point | None:
-    """The point, or the one where letters of which nothing is assumed are no whole numbers, as exponents mostly are."""
-    if (whole := with_values(problem, point, prove)) is not None:
-        return whole
-    assumed = {part for formula in formulas_of(problem)[1:] for part in subterms(formula)}
-    free = [x for x in point.values if x not in assumed]
-    half = dict.fromkeys(free, node("/", 1, 2))
-    return with_values(problem, replace(point, values={**point.values, **half}), prove) if free else None
+    found = [whole for point in points if point and (whole := with_values(problem, point, prove)) is not None]
+    return found if len(found) == len(points) else None
 
 
 def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Point | None:
