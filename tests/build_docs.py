@@ -53,7 +53,7 @@ def write_sources(folder: Path) -> None:
     described: set[int] = set()
     for package in PACKAGES:
         module = import_module(package)
-        names = getattr(module, "__all__", ())
+        names = [name for name in getattr(module, "__all__", ()) if hasattr(module, name)]  # not modules of it
         again = [name for name in names if id(getattr(module, name)) in described]
         described |= {id(getattr(module, name)) for name in names}
         text = f"{package}\n{'=' * len(package)}\n\n.. automodule:: {package}\n   :members:\n"

@@ -33,7 +33,7 @@ def public(package: str) -> Iterator[tuple[str, object]]:
     module = import_module(package)
     listed = getattr(module, "__all__", None)
     for name in listed or [name for name in vars(module) if not name.startswith("_")]:
-        found = getattr(module, name)
+        found = getattr(module, name, None)  # which a module is not before it is imported
         own = listed or getattr(found, "__module__", "") == package
         if own and (inspect.isclass(found) or inspect.isroutine(found)):
             yield f"{package}.{name}", found
