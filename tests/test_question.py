@@ -481,6 +481,20 @@ def test_sums_to_a_letter_of_what_depends_on_time_are_decided(left: str) -> None
         assert certified(answer)
 
 
+TELESCOPING = {  # what is so, what is not, and what has no value
+    r"\sum_{k=1}^n \frac{1}{k (k + 1)} = \frac{n}{n + 1}": ("proved",),
+    r"\sum_{k=1}^n \frac{1}{(2k - 1)(2k + 1)} = \frac{n}{2n + 1}": ("proved",),
+    r"\sum_{k=1}^n \frac{1}{k (k + 1)} = \frac{n}{n + 2}": ("refuted",),
+    r"\sum_{k=0}^n \frac{1}{k (k + 1)} = \frac{n}{n + 1}": ("undecided", "refuted"),
+    r"\sum_{k=0}^n \frac{1}{(k - 1)(k - 2)} = \frac{n + 1}{2(1 - n)}": ("undecided", "refuted"),
+}
+
+
+@pytest.mark.parametrize("relation", TELESCOPING)
+def test_sums_of_fractions_telescope_where_all_addends_have_values(relation: str) -> None:
+    assert decide(relation, given=NATURAL).verdict in TELESCOPING[relation]
+
+
 def test_what_is_said_for_each_index_is_no_constant_of_time() -> None:
     slope = r"\frac{d}{dt} \left(\sum_{k=1}^n p_k \dot q_k\right)"
     for right in (r"\sum_{k=1}^n p_k \ddot q_k", r"\sum_{k=1}^n m_k \dot q_k \ddot q_k"):

@@ -89,9 +89,9 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
     "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "half_gaussian": ("g",),
 }  # fmt: skip
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
-SHOWN = (  # by their premises integrands are defined between the ends: what these divide by is not zero there
+SHOWN = (  # by their premises integrands and addends are defined between the ends: no divisor is zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "tail_converges", "power_head", "sum_of_integrals", "reflected", "even", "odd", "scaled",
+    "power_tail", "tail_converges", "power_head", "sum_of_integrals", "reflected", "even", "odd", "scaled", "telescope",
 )  # fmt: skip
 
 

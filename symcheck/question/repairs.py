@@ -111,7 +111,7 @@ def _worked_out(reading: Reading) -> Iterator[Slip]:
         try:
             with limited(SIMPLIFYING):
                 left, right = _sides(problem)
-                if all(_powers(side, reading.inference.notation) is not None for side in (left, right)):
+                if all(_powers(side.doit(), reading.inference.notation) is not None for side in (left, right)):
                     continue  # any product becomes any other
                 ratio, gap = sympy.simplify(left / right), sympy.expand(sympy.simplify(left - right))
         except (*FAULTS, SymcheckError, OutOfTime):

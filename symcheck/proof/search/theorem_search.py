@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
-from symcheck.core.calculus import letters
+from symcheck.core.calculus import divisor as divided_by
+from symcheck.core.calculus import letters, nodes
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Formula, Term, Value, node
 from symcheck.proof.algebra.facts import Assumed
@@ -19,6 +20,7 @@ from symcheck.proof.rules.cases_or import in_cases
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of, prove_all
 from symcheck.proof.rules.enclosure import order_of_numbers
+from symcheck.proof.rules.have import Have
 from symcheck.proof.rules.identity import equations_here, identity_here
 from symcheck.proof.rules.implies import implication
 from symcheck.proof.rules.nonnegative import prove_order
@@ -174,6 +176,11 @@ class _Search:
 
     def _conclusion(self, formula: Formula, known: Knowledge) -> Step | None:
         """What a premise says under an assumption about a bound variable, where theorems may speak of that."""
+        for divisor in dict.fromkeys(map(divided_by, nodes(formula))):
+            positive = node(">", divisor, 0)
+            if (why := _shown_here(divisor, known)) is not None:
+                then = self._conclusion(formula, known.assume(positive))
+                return None if then is None else Have(positive, why, then)
         return self._premise(formula, known) or self._with_inner(formula, known)
 
     def _with_inner(self, formula: Formula, known: Knowledge) -> Step | None:
@@ -198,6 +205,16 @@ class _Search:
                 split = in_cases(goal, alternative, ways, below, partial(self.prove, pending=pending, cases=cases - 1))
                 return split and applied("dichotomy", t).step([], split)
         return None
+
+
+def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
+    """Why a divisor is positive, if only what is assumed of a bound variable says so."""
+    if not letters(divisor) or Knowledge(known.ring).sign(divisor)[0]:
+        return None
+    value = known.ring.ratio(divisor)
+    if value.den or known.nonzero(value.num) is not None:
+        return None
+    return prove_order(node(">", divisor, 0), known)
 
 
 def _are_squares(formula: Formula) -> bool:
