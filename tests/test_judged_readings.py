@@ -148,6 +148,8 @@ SAME = {  # two ways to print one thing
     r"y = \operatorname{atan}{\left(\frac{x}{2}\right)} b": r"y = \operatorname{atan}\left(\frac{x}{2}\right) b",
     r"\mathbf{q} = \begin{bmatrix} a \ b \ c \end{bmatrix}": r"\mathbf{q} = \begin{bmatrix} a & b & c \end{bmatrix}",
     r"[BN(\bm\sigma)] = \mathbf{x}": r"[BN](\bm\sigma) = \mathbf{x}",
+    r"a = 0 \textbf{ or } b = 0": r"a = 0 \text{ or } b = 0",
+    r"\mathbf{u} = y^{\left(m\right)}": r"\mathbf{u} = y^{(m)}",
     r"a + b = 0 \rightarrow c + e = d": r"a + b = 0 \Rightarrow c + e = d",
     r"y = {a_j}^2 b": r"y = a_j^2 b",
     r"y = m_{\text{p}} b": r"y = m_p b",

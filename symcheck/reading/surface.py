@@ -52,6 +52,8 @@ _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # f
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
+_BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
+_HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
 
 
 @dataclass(slots=True)
@@ -70,6 +72,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     Formulas beside it tell whether a capital gamma is the function.
     """
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
+    source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
     if not any(map(_GAMMA.search, (source, *beside))):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = typed(source)
