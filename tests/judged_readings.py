@@ -2217,6 +2217,16 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(J, Add(Mul(Div(1; 2), Add(Pow(u_a; 2), Pow(u_\\delta; 2))), Neg(Mul(\\phi_a, d_a)), Neg(Mul(\\phi_\\delta, d_\\delta)), Mul(\\lambda_1, v, Call(cos; \\theta)), Mul(\\lambda_2, v, Call(sin; \\theta)), Mul(\\lambda_3, Div(v; Mul(W, B)), Call(sin; u_\\delta)), Mul(\\lambda_4, u_a), Mul(\\rho_1, Add(Pow(u_a; 2), Pow(d_a; 2), Pow(u_{a,max}; 2))), Mul(\\rho_2, Add(Pow(u_\\delta; 2), Pow(d_\\delta; 2), Pow(u_{\\delta,max}; 2)))); =)",
         "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
     ),
+    (
+        "\\dot\\theta_{n+1}^{+} = \\begin{cases} \\cos(2\\alpha) \\sqrt{(\\dot\\theta_n^{+})^2 + 4 \\frac{g}{l} \\sin\\alpha \\sin\\gamma}, & \\text{ } 0 \\le \\dot\\theta_n^{+} \\\\ -\\dot\\theta_n^{+} \\cos(2\\alpha), & \\text{ } \\omega_2 < \\dot\\theta_n^{+} < 0 \\\\ -\\cos(2\\alpha) \\sqrt{(\\dot\\theta_n^{+})^2 - 4\\frac{g}{l} \\sin\\alpha \\sin\\gamma}, & \\dot\\theta_n^{+} \\le w_2 \\end{cases}.",
+        "Chain(Call(\\dot { \\theta } _ { n + 1 } ^ { + }), Piecewise(Mul(Call(cos; Mul(2, \\alpha)), Sqrt(Add(Pow(Call(\\dot { \\theta } _ { n } ^ { + }); 2), Mul(4, Div(g; l), Call(sin; \\alpha), Call(sin; \\gamma))))), Chain(0, Call(\\dot { \\theta } _ { n } ^ { + }); \\le), Neg(Mul(Call(\\dot { \\theta } _ { n } ^ { + }), Call(cos; Mul(2, \\alpha)))), Chain(\\omega_2, Call(\\dot { \\theta } _ { n } ^ { + }), 0; <, <), Neg(Mul(Call(cos; Mul(2, \\alpha)), Sqrt(Add(Pow(Call(\\dot { \\theta } _ { n } ^ { + }); 2), Neg(Mul(4, Div(g; l), Call(sin; \\alpha), Call(sin; \\gamma))))))), Chain(Call(\\dot { \\theta } _ { n } ^ { + }), w_2; \\le)); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "0 = \\min_{\\bf u} \\left[ \\ell({\\bf x},{\\bf u}) + \\frac{\\partial J^*}{\\partial {\\bf x}}f({\\bf x},{\\bf u}) \\right], \\\\ \\pi^*({\\bf x}) = \\operatorname{\\textrm{argmin}}_{\\bf u} \\left[ \\ell({\\bf x},{\\bf u}) + \\frac{\\partial J^*}{\\partial {\\bf x}}f({\\bf x},{\\bf u}) \\right].",
+        "System(Chain(0, Limiting(min; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})))); =), Chain(Call(\\pi ^ { * }; \\mathbf{x}), Limiting(argmin; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})))); =))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
