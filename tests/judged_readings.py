@@ -2202,6 +2202,31 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Mul(2, Sqrt(Div(Mul(Pow(R; 2), Pow(k; 2), Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)), Pow(Add(Neg(Mul(2, R, k)), R); 2), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))); Mul(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))), Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))))), Sqrt(Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))), Call(atan; Div(Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)), Neg(Pow(Add(R, Neg(h)); 2)), Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))), Pow(Add(Neg(Mul(2, R, k)), R); 2))); Sqrt(Add(Pow(Add(R, Neg(h)); 2), Neg(Mul(Add(Neg(Mul(4, R, k)), Mul(2, R)), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2)))))), Mul(2, Add(Neg(Mul(2, R, k)), R), Sqrt(Add(Mul(4, Pow(R; 2), Pow(k; 2)), Neg(Pow(y; 2))))))))))",
         "CalebBell/fluids/fluids/geometry.py",
     ),
+    (
+        "\\mathbf{u}_t = [v_t, \\omega_t]^T",
+        "Chain(\\mathbf{u}_t, Transpose(Tuple(v_t, \\omega_t; [])); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\begin{aligned} \\operatorname{Wigner6j}(j_1,j_2,j_3,j_4,j_5,j_6) &=\\operatorname{Wigner6j}(j_1,j_5,j_6,j_4,j_2,j_3)\\\\ &=\\operatorname{Wigner6j}(j_4,j_2,j_6,j_1,j_5,j_3)\\\\ &=\\operatorname{Wigner6j}(j_4,j_5,j_3,j_1,j_2,j_6) \\end{aligned}",
+        "Chain(Call(\\text{Wigner6j}; j_1, j_2, j_3, j_4, j_5, j_6), Call(\\text{Wigner6j}; j_1, j_5, j_6, j_4, j_2, j_3), Call(\\text{Wigner6j}; j_4, j_2, j_6, j_1, j_5, j_3), Call(\\text{Wigner6j}; j_4, j_5, j_3, j_1, j_2, j_6); =, =, =)",
+        "sympy/sympy/sympy/physics/wigner.py",
+    ),
+    (
+        "J=\\frac{1}{2}(u_a^2+u_{\\delta}^2)-\\phi_a d_a-\\phi_\\delta d_\\delta\\\\ +\\lambda_1vcos\\theta+\\lambda_2vsin\\theta+\\lambda_3\\frac{v}{WB}sin(u_{\\delta})+\\lambda_4u_a\\\\ +\\rho_1(u_a^2+d_a^2+u_{a,max}^2)+\\rho_2(u_\\delta^2+d_\\delta^2+u_{\\delta,max}^2)",
+        "Chain(J, Add(Mul(Div(1; 2), Add(Pow(u_a; 2), Pow(u_\\delta; 2))), Neg(Mul(\\phi_a, d_a)), Neg(Mul(\\phi_\\delta, d_\\delta)), Mul(\\lambda_1, v, Call(cos; \\theta)), Mul(\\lambda_2, v, Call(sin; \\theta)), Mul(\\lambda_3, Div(v; Mul(W, B)), Call(sin; u_\\delta)), Mul(\\lambda_4, u_a), Mul(\\rho_1, Add(Pow(u_a; 2), Pow(d_a; 2), Pow(u_{a,max}; 2))), Mul(\\rho_2, Add(Pow(u_\\delta; 2), Pow(d_\\delta; 2), Pow(u_{\\delta,max}; 2)))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\dot\\theta_{n+1}^{+} = \\begin{cases} \\cos(2\\alpha) \\sqrt{(\\dot\\theta_n^{+})^2 + 4 \\frac{g}{l} \\sin\\alpha \\sin\\gamma}, & \\text{ } 0 \\le \\dot\\theta_n^{+} \\\\ -\\dot\\theta_n^{+} \\cos(2\\alpha), & \\text{ } \\omega_2 < \\dot\\theta_n^{+} < 0 \\\\ -\\cos(2\\alpha) \\sqrt{(\\dot\\theta_n^{+})^2 - 4\\frac{g}{l} \\sin\\alpha \\sin\\gamma}, & \\dot\\theta_n^{+} \\le w_2 \\end{cases}.",
+        "Chain(Call(\\dot { \\theta } _ { n + 1 } ^ { + }), Piecewise(Mul(Call(cos; Mul(2, \\alpha)), Sqrt(Add(Pow(Call(\\dot { \\theta } _ { n } ^ { + }); 2), Mul(4, Div(g; l), Call(sin; \\alpha), Call(sin; \\gamma))))), Chain(0, Call(\\dot { \\theta } _ { n } ^ { + }); \\le), Neg(Mul(Call(\\dot { \\theta } _ { n } ^ { + }), Call(cos; Mul(2, \\alpha)))), Chain(\\omega_2, Call(\\dot { \\theta } _ { n } ^ { + }), 0; <, <), Neg(Mul(Call(cos; Mul(2, \\alpha)), Sqrt(Add(Pow(Call(\\dot { \\theta } _ { n } ^ { + }); 2), Neg(Mul(4, Div(g; l), Call(sin; \\alpha), Call(sin; \\gamma))))))), Chain(Call(\\dot { \\theta } _ { n } ^ { + }), w_2; \\le)); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "0 = \\min_{\\bf u} \\left[ \\ell({\\bf x},{\\bf u}) + \\frac{\\partial J^*}{\\partial {\\bf x}}f({\\bf x},{\\bf u}) \\right], \\\\ \\pi^*({\\bf x}) = \\operatorname{\\textrm{argmin}}_{\\bf u} \\left[ \\ell({\\bf x},{\\bf u}) + \\frac{\\partial J^*}{\\partial {\\bf x}}f({\\bf x},{\\bf u}) \\right].",
+        "System(Chain(0, Limiting(min; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})))); =), Chain(Call(\\pi ^ { * }; \\mathbf{x}), Limiting(argmin; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})))); =))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -2297,5 +2322,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\delta \\frac{\\partial \\eta_k}{\\partial t} = \\frac{\\partial (\\delta \\eta_k)}{\\partial t},\\quad \\delta \\frac{\\partial \\eta_k}{\\partial x_j} = \\frac{\\partial (\\delta \\eta_k)}{\\partial x_j}",
         "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\mathcal{T}[b_{m}y^{\\left(m\\right)}+b_{m-1}y^{\\left(m-1\\right)}+\\dots+ b_{1}y^{\\left(1\\right)}+b_{0}y]= \\mathcal{T}[a_{n}x^{\\left(n\\right)}+a_{n-1}x^{\\left(n-1\\right)}+\\dots+ a_{1}x^{\\left(1\\right)}+a_{0}x]",
+        "sympy/sympy/sympy/physics/control/lti.py",
     ),
 )

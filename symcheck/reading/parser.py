@@ -1177,6 +1177,8 @@ class Builder:
             return node
         self.checked(node, item.at, statements=False)
         if item.postfix == "TRANSPOSE":
+            if isinstance(node, Interval) and node.ends == "[]":
+                node = Tuple((node.low, node.high), "[]")  # a row, and no interval of numbers
             return Transpose(node)
         if item.postfix == "DEGREE":
             return Degrees(node)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from contextvars import ContextVar
 from typing import Any
@@ -80,6 +81,7 @@ _LEVEL: dict[type[Tree], int] = {
     Total: FACTOR, Degrees: FACTOR, Derivative: FACTOR, Div: FACTOR,
 }  # fmt: skip
 _BRACKETS = (r"\left(", "(", "[")
+_VECTOR = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec)(?![a-z])")  # faces of vectors
 _CONNECTIVE = {And: r" \land ", Or: r" \lor ", Implies: r" \Rightarrow ", Iff: r" \Leftrightarrow "}
 
 
@@ -191,9 +193,18 @@ def _mul(tree: Mul) -> str:
     for k, factor in enumerate(tree.factors):
         shown = _factor(factor, last=k == last)
         if k:
-            text += r" \cdot " if k in tree.dotted or _needs_dot(tree.factors[k - 1], factor) else " "
-        text += shown
+            needed = not _is_gradient(tree.factors, k) and _needs_dot(tree.factors[k - 1], factor)
+            text += r" \cdot " if k in tree.dotted or needed else " "
+        within = k != last and k + 1 not in tree.dotted and _is_gradient(tree.factors, k + 1)
+        text += rf"\left({shown}\right)" if within else shown
     return text
+
+
+def _is_gradient(factors: tuple[Tree, ...], k: int) -> bool:
+    """Does a derivative by a vector stand before these brackets, where a dot would be a scalar product?"""
+    before = factors[k - 1]
+    vectors = isinstance(before, Derivative) and _VECTOR.search(_print(before, FACTOR))
+    return bool(vectors) and _print(factors[k], FACTOR).startswith(_BRACKETS)
 
 
 def _factor(factor: Tree, *, last: bool) -> str:
@@ -217,7 +228,8 @@ def _needs_dot(before: Tree, factor: Tree) -> bool:
     if isinstance(before, Pow) and isinstance(before.base, Call | Name):
         before = before.base
     if isinstance(before, Call) and isinstance(before.function, str) and _is_bare(before):
-        if isinstance(first, Name | Div) or _is_function_letter(first) or shown.startswith(_BRACKETS):
+        called = isinstance(first, Call) and isinstance(first.function, Name)
+        if isinstance(first, Name | Div) or called or shown.startswith(_BRACKETS):
             return True
         argument = before.arguments[0]
         before = argument.factors[-1] if isinstance(argument, Mul) else argument

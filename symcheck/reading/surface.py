@@ -52,6 +52,14 @@ _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # f
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
+_BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
+# the name of an operator, perhaps with spaces
+_OPERATOR = re.compile(
+    r"\\operatorname(\*?)\s*\{([^{}]*)\}|(?<!\{)\\(?:mathrm|text|textrm)()\s*\{\s*(arg\W*(?:max|min))\s*\}"
+)
+_EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
+_INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
+_HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
 
 
 @dataclass(slots=True)
@@ -70,6 +78,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     Formulas beside it tell whether a capital gamma is the function.
     """
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
+    source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
+    source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
     if not any(map(_GAMMA.search, (source, *beside))):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = typed(source)
@@ -80,6 +90,11 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if rest != len(tokens):
         return source
     return phrased(_printed(_made_plain(parts)))
+
+
+def _operator(found: re.Match[str]) -> str:
+    """An operator with its name as one word."""
+    return rf"\operatorname{found[1] or ''}{{{_INNER.sub('', found[2] or found[4] or '')}}}"
 
 
 def _groups(tokens: Sequence[str], start: int, inside: bool = False) -> tuple[list[Part], int]:
