@@ -209,7 +209,8 @@ class _Search:
 
 def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
     """Why a divisor is positive, if only what is assumed of a bound variable says so."""
-    if not letters(divisor) or Knowledge(known.ring).sign(divisor)[0]:
+    known_here = letters(divisor) and variables(divisor) <= {*known.ring.names}
+    if not known_here or Knowledge(known.ring).sign(divisor)[0]:
         return None
     value = known.ring.ratio(divisor)
     if value.den or known.nonzero(value.num) is not None:
