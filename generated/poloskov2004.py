@@ -731,7 +731,7 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
             'poloskov2004:3.4': '1151d266f39f',
             'poloskov2004:3.5': '9b09838828a8',
             'poloskov2004:4.0.3': 'ab42d552a443',
-            'poloskov2004:B.2': '8bb10ebf4967',
+            'poloskov2004:B.2': 'e5842dbdec58',
             'poloskov2004:B.3': 'c68c40b1b8ed',
         },
     ),
@@ -770,7 +770,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
-    (sha256 ab42d552a443), poloskov2004:B.2 (sha256 8bb10ebf4967), poloskov2004:B.3 (sha256 c68c40b1b8ed).
+    (sha256 ab42d552a443), poloskov2004:B.2 (sha256 e5842dbdec58), poloskov2004:B.3 (sha256 c68c40b1b8ed).
 
     Examples
     --------
@@ -811,7 +811,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
             'poloskov2004:3.4.2': '6a0fedfb75dc',
             'poloskov2004:3.5.1': '9ebdaa94d36f',
             'poloskov2004:4.0.5': 'd9e732415424',
-            'poloskov2004:B.5': '3b27e4ad6aa6',
+            'poloskov2004:B.5': '3a5d29509c0e',
         },
     ),
 )
@@ -851,7 +851,7 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
-    poloskov2004:4.0.5 (sha256 d9e732415424), poloskov2004:B.5 (sha256 3b27e4ad6aa6).
+    poloskov2004:4.0.5 (sha256 d9e732415424), poloskov2004:B.5 (sha256 3a5d29509c0e).
 
     Examples
     --------
@@ -888,7 +888,7 @@ def density_of_frequency(Omega, k, g_13, g_23, d_33):
             'poloskov2004:3.4': '1151d266f39f',
             'poloskov2004:3.5': '9b09838828a8',
             'poloskov2004:4.0.3': 'ab42d552a443',
-            'poloskov2004:B.2': '8bb10ebf4967',
+            'poloskov2004:B.2': 'e5842dbdec58',
         },
     ),
 )
@@ -924,7 +924,7 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4 (sha256 1151d266f39f), poloskov2004:3.5 (sha256 9b09838828a8), poloskov2004:4.0.3
-    (sha256 ab42d552a443), poloskov2004:B.2 (sha256 8bb10ebf4967).
+    (sha256 ab42d552a443), poloskov2004:B.2 (sha256 e5842dbdec58).
 
     Examples
     --------
@@ -958,7 +958,7 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma):
             'poloskov2004:3.4.2': '6a0fedfb75dc',
             'poloskov2004:3.5.1': '9ebdaa94d36f',
             'poloskov2004:4.0.5': 'd9e732415424',
-            'poloskov2004:B.5': '3b27e4ad6aa6',
+            'poloskov2004:B.5': '3a5d29509c0e',
         },
     ),
 )
@@ -996,7 +996,7 @@ def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:3.4.2 (sha256 6a0fedfb75dc), poloskov2004:3.5.1 (sha256 9ebdaa94d36f),
-    poloskov2004:4.0.5 (sha256 d9e732415424), poloskov2004:B.5 (sha256 3b27e4ad6aa6).
+    poloskov2004:4.0.5 (sha256 d9e732415424), poloskov2004:B.5 (sha256 3a5d29509c0e).
 
     Examples
     --------
@@ -1171,8 +1171,8 @@ def quantile_of_amplitude(q, alpha, beta, gamma):
         degenerate='Beyond the domain the moment is infinite, and the formula means nothing.',
         claims={
             'poloskov2004:4.0.9': '2103dcf0e4fd',
-            'poloskov2004:B.2': '8bb10ebf4967',
-            'poloskov2004:B.6': '9f3277609a90',
+            'poloskov2004:B.2': 'e5842dbdec58',
+            'poloskov2004:B.6': '44044af9cd3e',
         },
     ),
 )
@@ -1210,8 +1210,8 @@ def moment_of_amplitude(m, alpha, beta, gamma):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.9 (sha256 2103dcf0e4fd), poloskov2004:B.2 (sha256 8bb10ebf4967), poloskov2004:B.6
-    (sha256 9f3277609a90).
+    Rests on poloskov2004:4.0.9 (sha256 2103dcf0e4fd), poloskov2004:B.2 (sha256 e5842dbdec58), poloskov2004:B.6
+    (sha256 44044af9cd3e).
 
     Examples
     --------
@@ -1248,8 +1248,8 @@ def moment_of_amplitude(m, alpha, beta, gamma):
         degenerate='Beyond the domain the moment is infinite, and the formula means nothing.',
         claims={
             'poloskov2004:4.0.11': 'b4ce7a1bf72c',
-            'poloskov2004:B.5': '3b27e4ad6aa6',
-            'poloskov2004:B.7': '0b4314f8d37e',
+            'poloskov2004:B.5': '3a5d29509c0e',
+            'poloskov2004:B.7': '17993c9067b8',
         },
     ),
 )
@@ -1289,8 +1289,8 @@ def moment_of_frequency(m, k, g_13, g_23, d_33):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on poloskov2004:4.0.11 (sha256 b4ce7a1bf72c), poloskov2004:B.5 (sha256 3b27e4ad6aa6), poloskov2004:B.7
-    (sha256 0b4314f8d37e).
+    Rests on poloskov2004:4.0.11 (sha256 b4ce7a1bf72c), poloskov2004:B.5 (sha256 3a5d29509c0e), poloskov2004:B.7
+    (sha256 17993c9067b8).
 
     Examples
     --------

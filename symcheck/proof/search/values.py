@@ -50,26 +50,25 @@ def with_values(problem: Problem, point: Point, prove: Prover) -> Point | None:
 
 
 def _shown(formula: Formula, there: There) -> Formula | None:
-    """The fact that shows it: about letters, of whose signs more is made than of their values, or about numbers."""
-    if not isinstance(formula, Quantified):
-        for x in sorted(letters(formula)):
-            _ = there.learn(node(">", x, 0)) or there.learn(node("<", x, 0))
-        if (step := there.proof(formula, hints=True)) is not None:
-            there.facts[formula] = step
-            return formula
-    values = dict(there.values)
+    """The fact that shows it: about numbers, or, as signs of letters may help more than values, about letters."""
+    closed, values = formula, dict(there.values)
     for _ in values:  # coordinates may be given by others
-        formula = substituted(formula, values)
+        closed = substituted(closed, values)
     names: tuple[str, ...] = ()
-    body = formula
-    if isinstance(formula, Quantified):
-        names = tuple(map(table().fresh, formula.bound))
-        body = substituted(formula.body, dict(zip(formula.bound, names, strict=True)))
+    body = closed
+    if isinstance(closed, Quantified):
+        names = tuple(map(table().fresh, closed.bound))
+        body = substituted(closed.body, dict(zip(closed.bound, names, strict=True)))
     applied = (hint for hint in there.problem.hints if isinstance(hint, Applied))
     proof = there.prove(Problem("value", body, hints=tuple(_about(hint, values) for hint in applied)))
-    if proof is None or proof.nonzero:
+    if proof is not None and not proof.nonzero:
+        there.facts[closed] = Every(names, proof.step) if names else proof.step
+        return closed
+    for x in () if names else sorted(letters(formula)):
+        _ = there.learn(node(">", x, 0)) or there.learn(node("<", x, 0))
+    if names or (step := there.proof(formula, hints=True)) is None:
         return None
-    there.facts[formula] = Every(names, proof.step) if names else proof.step
+    there.facts[formula] = step
     return formula
 
 
