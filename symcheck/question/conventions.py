@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from symcheck.question.prepare import Reading
 from symcheck.reading import Notation, Tree, to_latex
-from symcheck.reading.inference import spelling
+from symcheck.reading.evidence import spelling
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.tree import Add, Bars, Call, Chain, Cross, Derivative, MatrixOf, Mul, Name, Pow, Transpose, walk

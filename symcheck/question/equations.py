@@ -14,7 +14,7 @@ from symcheck.question import jets
 from symcheck.question.conventions import mentioned, names
 from symcheck.question.prepare import Reading
 from symcheck.reading import Notation, Tree
-from symcheck.reading.inference import spelling
+from symcheck.reading.evidence import spelling
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.tree import Chain, Limiting, MatrixOf, Mul, Name, Neg, Number, Piecewise, Pow, Transpose, walk

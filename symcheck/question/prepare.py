@@ -18,12 +18,8 @@ from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, algebraic, read, tex
 from symcheck.reading.differentials import differential, slope, total
-from symcheck.reading.inference import (
-    SIZES,
-    Inference,
-    inferred,
-    spelling,
-)
+from symcheck.reading.evidence import spelling
+from symcheck.reading.inference import SIZES, Inference, inferred
 from symcheck.reading.lexer import SPACES
 from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
@@ -441,10 +437,6 @@ def _is_absolute_value(side: Term) -> bool:
         case Value(tag="sqrt", terms=(Value(tag="^", terms=(str(), 2)),)):
             return True
     return False
-
-
-def _has_differentials(formula: Formula, varying: Iterable[str]) -> bool:
-    return not letters(formula).isdisjoint(map(differential, varying))
 
 
 def _used(

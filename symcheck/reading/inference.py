@@ -13,7 +13,6 @@ from functools import cached_property
 
 from symcheck.reading.complex_letters import complexes, equated
 from symcheck.reading.evidence import Evidence, gathered
-from symcheck.reading.evidence import spelling as spelling  # for who asks for readings
 from symcheck.reading.faces import ACCENT, STYLED
 from symcheck.reading.guesses import COMPLEX, CONSTANT, Guess, in_doubt, options, variable_name
 from symcheck.reading.names import KINDS_OPEN

@@ -25,10 +25,6 @@ class Relation:
     qualifiers: tuple[Qualifier, ...] = ()
 
     @property
-    def is_link(self) -> bool:
-        return isinstance(self.tree, Chain)
-
-    @property
     def left(self) -> Tree | None:
         """The left side of a link; None for cases and logical formulas."""
         return self.tree.members[0] if isinstance(self.tree, Chain) else None
