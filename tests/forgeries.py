@@ -1963,6 +1963,30 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "a head of a power that diverges": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["diverges", ["*", ["pow", "x", -1], ["exp", "x"]], "x", 0, 1], 0],
+            theorem(
+                "head_converges",
+                {"f": of("x", ["*", ["pow", "x", -1], ["exp", "x"]]), "g": of("x", ["exp", "x"]), "u": -1, "s": 1},
+                [above(1), above(0), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a head beside what diverges": Forgery(
+        "may have no integral",
+        proved(
+            ["=", ["diverges", ["pow", "x", -1], "x", 0, 1], 0],
+            theorem(
+                "head_converges",
+                {"f": of("x", ["pow", "x", -1]), "g": of("x", ["pow", "x", -1]), "u": 0, "s": 1},
+                [above(1), above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
     "a tail that grows": Forgery(
         NO_SIGN,
         proved(
@@ -3715,6 +3739,20 @@ POSITIVE_ROOTS = [
     ["x_0"],
     ["=>", ["and", ["<", 0, "x_0"], ["<", "x_0", 1], ["!=", "x_0", 0]], [">=", "x_0", 0]],
 ]
+ABOVE_ZERO = ["forall", ["x_0"], ["=>", ["and", ["<", 0, "x_0"], ["<", "x_0", 1], ["!=", "x_0", 0]], [">", "x_0", 0]]]
+SUMMED = ["forall", ["x_0"], ["=>", ["and", ["<=", 0, "x_0"], ["<=", "x_0", "n"]], [">", "x_0", 0]]]
+BETWEEN = ["forall", ["x_0"], ["=>", ["and", ["<", -1, "x_0"], ["<", "x_0", "a"], ["!=", "x_0", 0]], [">=", "x_0", 0]]]
+
+
+def nowhere(x: str, stated: JSON, form: JSON, facts: int) -> JSON:
+    """A point at which nothing lies between two ends, so that anything is so of it."""
+    no = have([">", ["+", x, 1], 0], above(form), absurd([here(facts)], [["point", 0], "1"]))
+    return {"values": {x: -1}, "proof": have(stated, every(["y"], implies(no)), compute(here()))}
+
+
+NOWHERE_SUMMED = nowhere("n", SUMMED, ["+", "y", minus("n", "y"), 1], 2)
+NOWHERE = nowhere("a", BETWEEN, ["+", ["+", "y", 1], minus("a", "y")], 3)
+DIVERGING = integral(["pow", "x", ["/", -5, 3]])
 EASY = {"values": {}, "proof": compute()}
 JUNK = without_value(["sqrt", "x"])
 FLAT = antiderivative(-1, 1, by(here()), JUNK, "x", (), 2)
@@ -3756,7 +3794,7 @@ UNDEFINED: dict[str, Forgery] = {
 }
 UNDEFINED |= {
     "ends of an integral that are not in order": Forgery(
-        "('<=', 1, 0) is not so",
+        "('<', 1, 0) is not so",
         proved(
             ["=", integral(JUNK, low=1, high=0), integral(1, low=1, high=0)],
             ID,
@@ -3774,6 +3812,30 @@ UNDEFINED |= {
                     ),
                 }
             ],
+        ),
+    ),
+    "a sum without addends where they have values": Forgery(
+        "('<=', 0, 'n')",
+        proved(
+            ["=", ["sum", without_value(["log", "k"]), "k", 0, "n"], ["sum", 1, "k", 0, "n"]],
+            ID,
+            witnesses=[NOWHERE_SUMMED],
+        ),
+    ),
+    "an integral over nothing where the integrand has values": Forgery(
+        "('<', -1, 'a')",
+        proved(
+            ["=", integral(JUNK, low=-1, high="a"), integral(1, low=-1, high="a")],
+            ID,
+            witnesses=[NOWHERE],
+        ),
+    ),
+    "a power that diverges at an end": Forgery(
+        "is not about numbers",
+        proved(
+            ["=", minus(DIVERGING, DIVERGING), 0],
+            ID,
+            witnesses=[{"values": {}, "proof": have(ABOVE_ZERO, every(["y"], implies(above("y"))), compute(here()))}],
         ),
     ),
     "an integral that diverges": Forgery(

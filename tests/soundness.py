@@ -345,6 +345,11 @@ class Forger:
                 given["f"] = {"letter": "x", "term": ["+", given["g"]["term"], given["h"]["term"]]}
             if name == "reflected":
                 given["f"] = {"letter": "x", "term": put(given["g"]["term"], "x", ["-", "x"])}
+        if name == "head_converges":
+            given["u"] = self.rng.choice((1, 2, ["/", 1, 2], ["/", -1, 2], -1, ["/", -3, 2], 0))
+            bodies = (1, ["exp", ["-", "x"]], ["cos", "x"], ["+", "x", 1], ["/", 1, "x"])
+            given |= {"s": self.rng.choice((1, 2, "a")), "g": {"letter": "x", "term": self.rng.choice(bodies)}}
+            given["f"] = {"letter": "x", "term": ["*", ["pow", "x", given["u"]], given["g"]["term"]]}
         if name == "scaled":
             given |= {p: self.rng.choice((1, 2, ["/", 1, 2], 3)) for p in "ac"} | {"s": self.rng.choice((0, 1, -1))}
             bodies = [["exp", ["-", "x"]], ["*", "x", ["exp", ["-", ["^", "x", 2]]]], ["sin", "x"]]

@@ -440,6 +440,20 @@ THEOREMS: dict[str, JSON] = {
             by(here()),
         ),
     ),
+    "head_converges": proved(
+        ["=", ["diverges", ["*", ["pow", "x", ["/", -1, 2]], FALLING], "x", 0, 1], 0],
+        theorem(
+            "head_converges",
+            {
+                "f": of("x", ["*", ["pow", "x", ["/", -1, 2]], FALLING]),
+                "g": of("x", FALLING),
+                "u": ["/", -1, 2],
+                "s": 1,
+            },
+            [above(1), above(["/", 1, 2]), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
     "tail_converges": proved(
         ["=", ["diverges", ["*", ["pow", "x", ["/", 1, 2]], FALLING], "x", 1, OO], 0],
         theorem(
@@ -619,7 +633,16 @@ WITHOUT_A_POINT = {
         "scaled",
         "pieces",
     ),  # their integrals may diverge
-    *("decaying", "gaussian", "half_gaussian", "gamma_integral", "tail_converges", "power_tail", "power_head"),
+    *(
+        "decaying",
+        "gaussian",
+        "half_gaussian",
+        "gamma_integral",
+        "tail_converges",
+        "head_converges",
+        "power_tail",
+        "power_head",
+    ),
     *(name for name in THEOREMS if name.startswith(("arctangent", "arcsine", "arccosine"))),
 }
 

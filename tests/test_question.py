@@ -60,6 +60,8 @@ PROVED: dict[str, str | tuple[str, ...]] = {  # with conditions
     r"\int_0^L \sin^2 \frac{n \pi x}{L} dx = \frac{L}{2}": (WHOLE, "n > 0", "L > 0"),
     r"\int_0^x \frac{dt}{\sqrt{1 - t^2}} = \arcsin x": "0 < x, x < 1",
     r"\max(a, b) + \min(a, b) = a + b": "",
+    r"\int_0^1 x^{1/3} dx = \frac{3}{4}": "",
+    r"\int_1^2 x^{-5/3} dx + 1 = 1 + \int_1^2 x^{-5/3} dx": "",
     r"\exists x : x^2 = 2": "",
     r"\exists x : 2 x = 3": "",
     r"\exists x : \ln x = 0": "",
@@ -140,6 +142,10 @@ NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about n
     r"\int_0^\infty x\,dx - \int_0^\infty x\,dx = 0": ("", ""),
     r"\sum_{k=1}^\infty k - \sum_{k=1}^\infty k = 0": ("", ""),
     r"0 \int_0^\infty e^x\,dx = 0": ("", ""),
+    r"\int_0^1 x^{-3/2} dx - \int_0^1 x^{-3/2} dx = 0": ("", ""),  # diverges at an end
+    r"\int_{-1}^1 (x^2)^{-2/3} dx = \int_{-1}^1 (x^2)^{-2/3} dx": ("", ""),  # and between the ends
+    r"\int_0^1 \Gamma(x)\,dx = \int_0^1 \Gamma(x)\,dx": ("", ""),
+    r"\int_{-1}^{a} (\sqrt{x} - \sqrt{x} + 1)\,dx = a + 1": ("", ""),
     r"\exists x : \sqrt{x} = -2": ("", ""),
     "x = 1": ("", "x > 0, x < 0"),
     r"\frac{x^2}{x} = 0": ("", "x = 0"),

@@ -304,7 +304,7 @@ class Prover:
             at = Algebra({}, at.point)
             at.settled, at.asked = {**settled}, True
             for name in names:
-                formula, _ = self.fact(("=", "forall"), name, "{} is no value")
+                formula, _ = self.fact(("=", "forall", "or"), name, "{} is no value")
                 here = substituted(formula, point)
                 granted += [part for part, there in zip(parts, shown, strict=True) if there == here]
                 if formula.tag == "=" and not letters(formula):

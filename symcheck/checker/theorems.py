@@ -72,6 +72,7 @@ gamma_integral(f, c, u, a): a > 0; u > -1; forall(x, implies(x > 0, f(x) == c * 
 power_tail(f, c, u, s): s > 0; u < -1; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u))) |- integral(f(x), x, s, oo) == -(c * pow(s, u + 1)/(u + 1)) and diverges(f(x), x, s, oo) == 0
 tail_converges(f, c, u, a, s): a > 0; s > 0; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u) * exp(-(a * x)))) |- diverges(f(x), x, s, oo) == 0
 power_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == c * pow(x, u))) |- integral(f(x), x, 0, s) == c * pow(s, u + 1)/(u + 1) and diverges(f(x), x, 0, s) == 0
+head_converges(f, g, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == pow(x, u) * g(x))) |- diverges(f(x), x, 0, s) == 0
 sum_of_integrals(f, g, h, s): diverges(g(x), x, s, oo) == 0; diverges(h(x), x, s, oo) == 0; forall(x, implies(x > s, f(x) == g(x) + h(x))) |- integral(f(x), x, s, oo) == integral(g(x), x, s, oo) + integral(h(x), x, s, oo) and diverges(f(x), x, s, oo) == 0
 reflected(f, g, s): forall(x, implies(x < s, f(x) == g(-x))) |- integral(f(x), x, -oo, s) == integral(g(x), x, -s, oo) and diverges(f(x), x, -oo, s) == diverges(g(x), x, -s, oo)
 halves(f, s): diverges(f(x), x, -oo, s) == 0; diverges(f(x), x, s, oo) == 0 |- integral(f(x), {LINE}) == integral(f(x), x, -oo, s) + integral(f(x), x, s, oo) and diverges(f(x), {LINE}) == 0
@@ -88,10 +89,12 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
     "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "half_gaussian": ("g",),
 }  # fmt: skip
+CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integral between any two numbers
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by their premises integrands and addends are defined between the ends: no divisor is zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "tail_converges", "power_head", "sum_of_integrals", "reflected", "even", "odd", "scaled", "telescope",
+    "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd", "scaled",
+    "telescope",
 )  # fmt: skip
 
 
@@ -239,8 +242,8 @@ def _told_apart(name: str, given: Mapping[str, Argument]) -> tuple[dict[str, Ter
         raise Malformed(
             f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones"
         )
-    if name == "pieces" and not _is_continuous(lambdas["f"][1], lambdas["f"][0][0]):
-        raise Malformed(f"{lambdas['f'][1]!r} may have no integral")
+    if name in CONTINUOUS and not _is_continuous(lambdas[CONTINUOUS[name]][1], lambdas[CONTINUOUS[name]][0][0]):
+        raise Malformed(f"{lambdas[CONTINUOUS[name]][1]!r} may have no integral")
     if name in SMOOTH:
         parameter, *of = SMOOTH[name]
         (x,), body = lambdas[parameter]

@@ -37,6 +37,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
             "power_tail",
             "tail_converges",
             "power_head",
+            "head_converges",
             "sum_of_integrals",
             "scaled",
             "pieces",

@@ -285,8 +285,8 @@ def endless(part: Node) -> bool:
 def _owed_under(binder: Node) -> Iterable[Formula]:
     """The same of what stands under one binder: for all letters that are bound, with what is so of them.
 
-    Ends of an integral are in order; zero, a single point, does not count between them. What letters are called that
-    are bound there does not depend on what they were called.
+    There is something between the ends. Zero, a single point, does not count in an integral; but where a power or a
+    logarithm has no value there, or at an end, the integral converges. The names of bound letters make no difference.
     """
     new = list[str]()
     for _ in binder.bound:
@@ -303,8 +303,13 @@ def _owed_under(binder: Node) -> Iterable[Formula]:
             way = [node(less, *pair) for pair in ((low, x), (x, high)) if not any(isinstance(t, End) for t in pair)]
             if less == "<":
                 way.append(node("!=", x, 0))
-            if inner and len(way) == 3:
-                yield node("<=", low, high)
+            if inner and not any(isinstance(end, End) for end in binder.outside):
+                yield node(less, low, high)
+                everywhere = node("and", node("<=", low, x), node("<=", x, high))
+                open_ = [each for each in inner if each.tag == ">" and x in letters(each) and not functions(each)]
+                if open_ and binder.tag == "integral":
+                    closed = node("forall", binder.bound, node("=>", everywhere, node("and", *open_)))
+                    yield node("or", closed, node("=", node("diverges", *binder[1:]), 0))
     if endless(binder) and not functions(binder):  # no theorem tells that an endless sum has a value
         yield node("=", node("diverges", *binder[1:]), 0) if binder.tag == "integral" else FALSE
     for each in inner:

@@ -43,8 +43,7 @@ def _hints(body: Term, x: str, low: Term, high: Term) -> Hints:
     """The same where nothing is to be hidden from SymPy."""
     f = ((x,), body)
     if low == 0 and high != INFINITY:
-        c, u = _power(*_symbols(body, x))
-        return [Applied("power_head", (from_sympy(c), from_sympy(u), high), (f,))]
+        return [_head(body, x, high)]
     if low == MINUS_INFINITY and high == INFINITY:
         if whole := _gaussian(body, x):
             return whole
@@ -56,6 +55,22 @@ def _hints(body: Term, x: str, low: Term, high: Term) -> Hints:
         turned = Applied("reflected", (high,), (f, ((x,), mirrored)))
         return [turned, *_hints(mirrored, x, node("-", high) if high != 0 else 0, INFINITY)]
     return list(_tail(body, x, low))
+
+
+def _head(body: Term, x: str, high: Term) -> Applied[Term]:
+    """What a power says of the integral from zero, or that it converges beside what is smooth."""
+    import sympy
+
+    expr, symbol = _symbols(body, x)
+    try:
+        c, u = _power(expr, symbol)
+        return Applied("power_head", (from_sympy(c), from_sympy(u), high), (((x,), body),))
+    except SymcheckError:
+        factors = sympy.Mul.make_args(sympy.powsimp(expr))
+        powers = [factor for factor in factors if factor.as_base_exp()[0] == symbol]
+        rest = sympy.Mul(*(factor for factor in factors if factor not in powers))
+        u = sympy.expand(sum(power.as_base_exp()[1] for power in powers))
+        return Applied("head_converges", (from_sympy(u), high), (((x,), body), ((x,), from_sympy(rest))))
 
 
 def _symbols(body: Term, x: str) -> tuple[Expr, Symbol]:

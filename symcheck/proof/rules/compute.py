@@ -60,7 +60,9 @@ class Point:
         if not known and self.proof is None:
             return None
         counts = [len(conjuncts(formula)) for formula, _ in known]
-        told = (Assumed(sum(counts[:k])) for k, (formula, _) in enumerate(known) if formula.tag in ("=", "forall"))
+        told = (
+            Assumed(sum(counts[:k])) for k, (formula, _) in enumerate(known) if formula.tag in ("=", "forall", "or")
+        )
         then: Step = Compute(tuple(told))
         if self.proof is not None:
             then = _numbered(self.proof, own, sum(counts))

@@ -12,10 +12,12 @@ from symcheck.proof.algebra.facts import Hypothesis
 from symcheck.proof.algebra.knowledge import formulas_of
 from symcheck.proof.algebra.polynomial import unfold
 from symcheck.proof.algebra.variables import table
+from symcheck.proof.rules.choose import Choose
 from symcheck.proof.rules.compute import AT_POINT, Compute, Point
 from symcheck.proof.rules.each import Each
 from symcheck.proof.rules.every import Every
 from symcheck.proof.rules.proof import Prover
+from symcheck.proof.rules.step import Step
 from symcheck.proof.search.angle_points import There
 
 
@@ -54,22 +56,33 @@ def _shown(formula: Formula, there: There) -> Formula | None:
     closed, values = formula, dict(there.values)
     for _ in values:  # coordinates may be given by others
         closed = substituted(closed, values)
-    names: tuple[str, ...] = ()
-    body = closed
-    if isinstance(closed, Quantified):
-        names = tuple(map(table().fresh, closed.bound))
-        body = substituted(closed.body, dict(zip(closed.bound, names, strict=True)))
-    applied = (hint for hint in there.problem.hints if isinstance(hint, Applied))
-    proof = there.prove(Problem("value", body, hints=tuple(_about(hint, values) for hint in applied)))
-    if proof is not None and not proof.nonzero:
-        there.facts[closed] = Every(names, proof.step) if names else proof.step
+    if (step := _of_numbers(closed, there)) is not None:
+        there.facts[closed] = step
         return closed
-    for x in () if names else sorted(letters(formula)):
-        _ = there.learn(node(">", x, 0)) or there.learn(node("<", x, 0))
-    if names or (step := there.proof(formula, hints=True)) is None:
+    if not isinstance(formula, Relation):
         return None
-    there.facts[formula] = step
-    return formula
+    for x in sorted(letters(formula)):
+        _ = there.learn(node(">", x, 0)) or there.learn(node("<", x, 0))
+    if (step := there.proof(formula, hints=True)) is not None:
+        there.facts[formula] = step
+    return formula if step is not None else None
+
+
+def _of_numbers(formula: Formula, there: There) -> Step | None:
+    """The proof of what no letter occurs in, by itself."""
+    if formula.tag == "or":
+        parts = ((k, _of_numbers(part, there)) for k, part in enumerate(formula.formulas))
+        return next((Choose(k, step) for k, step in parts if step is not None), None)
+    names: tuple[str, ...] = ()
+    body = formula
+    if isinstance(formula, Quantified):
+        names = tuple(map(table().fresh, formula.bound))
+        body = substituted(formula.body, dict(zip(formula.bound, names, strict=True)))
+    applied = (hint for hint in there.problem.hints if isinstance(hint, Applied))
+    proof = there.prove(Problem("value", body, hints=tuple(_about(hint, there.values) for hint in applied)))
+    if proof is None or proof.nonzero:
+        return None
+    return Every(names, proof.step) if names else proof.step
 
 
 def _about(hint: Applied[Term], values: Mapping[str, Term]) -> Applied[Term]:

@@ -100,7 +100,8 @@ def _is_met(condition: Formula, point: Point, definitions: dict[str, Term]) -> b
         digits = enclosed(substituted(unfold(node("+", left, node("-", right)), definitions), point.values))
     except (Unknown, RecursionError):
         return False
-    return {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0}[condition.tag]
+    met = {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0, "<": digits.high < 0}
+    return met[condition.tag]
 
 
 def _witness_of(problem: Problem, said: tuple[Formula, ...], given: list[Formula], prove: Prover) -> Point | None:
