@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from importlib.metadata import EntryPoint
 from pathlib import Path
 
 import pytest
@@ -132,4 +133,22 @@ def test_a_folder_with_the_name_of_a_paper_of_ours_is_refused(tmp_path: Path) ->
     (tmp_path / "mirer2009").mkdir()
     result = run("check", f"{tmp_path}/mirer2009")
     assert result.exit_code == 2
-    assert "a paper 'mirer2009' comes with symcheck" in result.stderr
+    assert f"two papers have the key 'mirer2009': {tmp_path}/mirer2009 and symcheck.papers.mirer2009" in result.stderr
+
+
+def test_two_folders_of_one_name_are_refused(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    other = folder.parent / "elsewhere" / "my notes"
+    other.mkdir(parents=True)
+    monkeypatch.setenv(papers.VARIABLE, str(other))
+    result = run("check", folder, "--jobs", 0)
+    assert result.exit_code == 2
+    assert result.stderr.startswith("symcheck: two papers have the key 'my_notes': ")
+    assert result.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("value", ["no_such_package.audit", "symcheck.core"])
+def test_an_entry_point_that_offers_no_paper_is_named(value: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(papers, "entry_points", lambda group: [EntryPoint("theirs", value, group)])
+    result = run("check", "theirs", "--jobs", 0)
+    assert result.exit_code == 2
+    assert result.stderr.startswith(f"symcheck: {value}, named as the paper 'theirs', cannot be used: ")

@@ -93,8 +93,8 @@ CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integra
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by their premises integrands and addends are defined between the ends: no divisor is zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd", "scaled",
-    "telescope",
+    "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd",
+    "scaled", "telescope",
 )  # fmt: skip
 
 

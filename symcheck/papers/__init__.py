@@ -12,6 +12,7 @@ from functools import cache
 from importlib import import_module
 from importlib.metadata import entry_points
 from importlib.util import module_from_spec, spec_from_file_location
+from itertools import pairwise
 from pathlib import Path
 
 from symcheck.core.claims import Paper
@@ -28,31 +29,32 @@ class Papers(Mapping[str, Paper]):
 
     def __init__(self) -> None:
         self.built_in = sorted(info.name for info in pkgutil.iter_modules(__path__) if info.ispkg)
-        self._modules = {point.name: point.value for point in entry_points(group=__name__)}
-        named = os.environ.get(VARIABLE, "").split(os.pathsep)
-        self.folders = {key_of(folder): folder for folder in map(Path, filter(None, named))}
-        for key in self.built_in:
-            if key in {*self._modules, *self.folders}:
-                raise SymcheckError(
-                    f"a paper {key!r} comes with symcheck; give the folder, or entry point, another name"
-                )
-            self._modules[key] = f"{__name__}.{key}"
-        self._keys = sorted({*self._modules, *self.folders})
+        named = dict.fromkeys(filter(None, os.environ.get(VARIABLE, "").split(os.pathsep)))
+        modules = [(key, f"{__name__}.{key}") for key in self.built_in]
+        modules += [(point.name, point.value) for point in entry_points(group=__name__)]
+        folders = [(key_of(Path(folder)), folder) for folder in named]
+        for (key, home), (other, second) in pairwise(sorted([*modules, *folders])):
+            if key == other:
+                raise SymcheckError(f"two papers have the key {key!r}: {home} and {second}; rename one of them")
+        self._modules, self.folders = dict(modules), {key: Path(folder) for key, folder in folders}
 
     def __getitem__(self, key: str) -> Paper:
         if key in self.folders:
             return _of_folder(self.folders[key], key)
-        paper: Paper = import_module(self._modules[key]).paper
+        try:
+            paper: Paper = import_module(self._modules[key]).paper
+        except (ImportError, AttributeError) as error:
+            raise SymcheckError(f"{self._modules[key]}, named as the paper {key!r}, cannot be used: {error}") from error
         return paper
 
     def __contains__(self, key: object) -> bool:
-        return key in self._keys
+        return key in self._modules or key in self.folders
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._keys)
+        return iter(sorted([*self._modules, *self.folders]))
 
     def __len__(self) -> int:
-        return len(self._keys)
+        return len(self._modules) + len(self.folders)
 
 
 @cache

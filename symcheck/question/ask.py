@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from functools import cache, partial
 from itertools import islice, permutations, product
 from math import factorial
 
@@ -54,6 +55,7 @@ FEW = 3  # letters: of more there are too many numbers to try
 AT_NUMBERS = 3.0  # seconds for all of them
 ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
+Slips = tuple[dict[str, str], ...]
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -222,25 +224,11 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             continue
         if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
-        if verdict is Verdict.REFUTED and defines(problem):
-            status = Status.UNDECIDED
-            reasons.append(DEFINITION)
-            continue
-        if verdict is Verdict.REFUTED and relates(problem, reading):
-            status = Status.UNDECIDED
-            reasons.append(EQUATION)
-            continue
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
-        slips: tuple[dict[str, str], ...] | None = None
-        if verdict is Verdict.REFUTED and wanted and may_be_solved(problem, reading):
-            slips = repairs(reading, at)
-            if all(slip["edit"].endswith(EVERYWHERE) for slip in slips):
-                status = Status.UNDECIDED
-                reasons.append(EQUATION)
-                continue
-        if verdict is Verdict.REFUTED and is_condition(problem, reading):
+        slips = cache(partial(repairs, reading, at))
+        if verdict is Verdict.REFUTED and (said := _says_otherwise(problem, reading, slips if wanted else None)):
             status = Status.UNDECIDED
-            reasons.append(EQUATION)
+            reasons.append(said)
             continue
         if verdict is Verdict.REFUTED and (letters_ := _holds_for_positive(reading, problem, at)):
             reason = f"is it meant for positive {', '.join(letters_)}? say so"
@@ -260,12 +248,26 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
                 values=tuple(map(term, made["point"].get("shown", ()))),
                 used=tuple(dict.fromkeys(used)),
                 certificate=(made,),
-                repairs=() if not wanted else repairs(reading, at) if slips is None else slips,
+                repairs=slips() if wanted else (),
             )
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slips] | None) -> str:
+    """What a relation that fails somewhere may say: a definition, or an equation to be solved; "" if neither.
+
+    One that may be solved counts as wrong if a slip of the pen in one place explains it.
+    """
+    if defines(problem):
+        return DEFINITION
+    if relates(problem, reading):
+        return EQUATION
+    if slips is not None and may_be_solved(problem, reading) and all(s["edit"].endswith(EVERYWHERE) for s in slips()):
+        return EQUATION
+    return EQUATION if is_condition(problem, reading) else ""
 
 
 def _usual_symbols(reading: Reading) -> str:
