@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra, Known, exact
+from symcheck.checker.matrices import MatrixCertificate
 from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import Prover, Reference, paired
 from symcheck.core.calculus import Unknown, conditions, domain, functions, letters, nodes, owed, strict, substituted
@@ -274,7 +275,7 @@ def check_all(certificates: Iterable[object]) -> Iterator[str | None]:
     --------
     check : For a single certificate.
     """
-    checked: dict[bytes, Certificate] = {}
+    checked: dict[bytes, Certificate | MatrixCertificate] = {}
     read = [attempt(each, checked) for each in certificates]
     proved = [(name, each) for name, each in read if isinstance(each, Certificate) and each.verdict == "proved"]
     open_ = [(name, each) for name, each in proved if each.lemmas]
@@ -287,14 +288,14 @@ def check_all(certificates: Iterable[object]) -> Iterator[str | None]:
         yield found[1] if isinstance(found[1], str) else unproved
 
 
-def attempt(data: object, checked: dict[bytes, Certificate]) -> tuple[str, Certificate | str]:
+def attempt(data: object, checked: dict[bytes, Certificate | MatrixCertificate]) -> tuple[str, object]:
     """A certificate by its id, or the reason why it does not hold; what differs in the id alone is checked once."""
     name = ""
     try:
         step = Fields(data)
         name, written = step.take("id", text), key(step.data)
         if written not in checked:
-            found = Certificate(step)
+            found = MatrixCertificate(step) if "matrices" in step.data else Certificate(step)
             found.check()
             checked[written] = found
     except (Reject, Unknown, Malformed) as error:

@@ -29,7 +29,18 @@ from symcheck.question.conventions import constant
 from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import DEFINED, VARIABLES, Asked, Reading, Understood, plainly, readings, sizes
+from symcheck.question.matrices import OfAnySize, of_any_size
+from symcheck.question.prepare import (
+    DEFINED,
+    VARIABLES,
+    Asked,
+    Reading,
+    Understood,
+    plainly,
+    readings,
+    sizes,
+    unlowered,
+)
 from symcheck.question.repairs import EVERYWHERE, repairs
 from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
@@ -127,6 +138,8 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    if open_ and asked and (general := _of_any_size(asked)):
+        return replace(general, seconds=time.perf_counter() - started)
     if open_ and asked and (at := _of_some_size(asked)):
         several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
@@ -154,6 +167,25 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
         return near[0]
     return found[0][1] if not near and {*remote} == {Status.PROVED} else None
+
+
+def _of_any_size(asked: Asked) -> Answer | None:
+    """Proved for matrices of all sizes in all readings, though it cannot be written out by components."""
+    with suppress(SymcheckError, OutOfTime), limited(LIMIT):
+        found = [(reading, of_any_size(reading)) for reading in unlowered(asked)]
+        if found and all(general for _, general in found):
+            return _in_general(found[0][0], found[0][1])
+    return None
+
+
+def _in_general(reading: Reading, found: OfAnySize) -> Answer:
+    """The answer that a relation holds for matrices of all sizes, unless it rests on a convention."""
+    latex, letters_ = _shown(reading.tree, reading.inference)
+    why = {g.letter.latex: g.why for g in reading.inference.guesses}
+    taken = letters_ | {x: f"{said} ({why[x]})" for x, said in found.taken.items()}
+    if reason := doubt_of_proofs(reading):
+        return Answer(Status.AMBIGUOUS, latex, taken, reason=reason)
+    return Answer(Status.PROVED, latex, taken, used=found.used, certificate=found.certificates)
 
 
 def _of_some_size(asked: Asked) -> Answer | None:
@@ -189,6 +221,8 @@ def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
 
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
+    if (general := of_any_size(reading)) is not None:
+        return _in_general(reading, general)
     base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:

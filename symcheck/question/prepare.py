@@ -103,6 +103,19 @@ def sizes(asked: Asked) -> list[str]:
     return [each for each in dict.fromkeys(found) if tex.spelled(each) is not None and each != r"\infty"]
 
 
+def declared_sizes(asked: Asked) -> dict[str, tuple[int | str, int | str]]:
+    """The numbers of rows and columns that are said of vectors and matrices: letters or numbers."""
+    found: dict[str, tuple[int | str, int | str]] = {}
+    for condition in asked.given:
+        match = _MEMBER.match(condition.strip())
+        kind = _SET.match(match[2].strip()) if match else None
+        if match and kind and kind[3]:
+            sizes_ = [int(n) if n.isdigit() else n for n in re.split(r"\s*\\times\s*", kind[3].strip())]
+            if all(isinstance(n, int) or re.fullmatch(r"[A-Za-z]", n) for n in sizes_):
+                found[match[1]] = sizes_[0], sizes_[1] if len(sizes_) > 1 else 1
+    return found
+
+
 def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], dict[str, str]]:
     r"""The conditions that are formulas, and what the others, such as `n \in \mathbb{Z}_{>0}`, say of letters."""
     conditions, phrases = list[str](), dict(said)
@@ -232,6 +245,19 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
         if found:
             return found
     raise next((error for error in errors if isinstance(error, Understood)), errors[0])
+
+
+def unlowered(asked: Asked) -> list[Reading]:
+    """The usual readings, whose letters alone are told: what is printed may be about matrices of all sizes."""
+    fixed = dict.fromkeys(sizes(asked), f"the number {SIZES[0]}")
+    conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
+    defined, equations = definitions(asked.where, [asked.relation, *asked.where, *asked.given])
+    heads = {name: arguments for name, (_, arguments, _) in defined.items()}
+    return [
+        Reading(each, read(asked.relation, each.notation), (), {}, (asked, each, defined, equations, conditions))
+        for each in inferred([asked.relation, *asked.where, *conditions], said | fixed, heads, SIZES[:1])
+        if not each.remote
+    ]
 
 
 def _understood(asked: Asked, inference: Inference, conditions: Sequence[str], reason: str) -> SymcheckError:

@@ -1,0 +1,186 @@
+"""Matrices of all sizes: terms, and their normal form as sums of products of letters. The standard library alone.
+
+    "A"    ["unit", n]    ["zero", n, m]    ["number", p, q], the fraction p/q
+    ["+", X, ...]    ["*", X, ...]    ["-", X]    ["transpose", X]    ["trace", X]
+
+Each letter has a shape: its numbers of rows and columns, whole numbers or letters. What has one row and one column is a
+number: it is its own transpose, and multiplies every matrix from either side. Terms that have the same normal form are
+equal for all matrices of these shapes over a commutative ring, whatever whole numbers the letters of sizes stand for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+from symcheck.core.terms import JSON, Malformed
+
+Size: TypeAlias = "int | str"
+Shape: TypeAlias = "tuple[Size, Size]"
+Word: TypeAlias = "tuple[tuple[str, bool], ...]"  # letters in the order of a product, and whether each is transposed
+Factor: TypeAlias = "tuple[str, Word]"  # a number: a "word" of that shape, the "trace" of one, or a "size"
+Monomial: TypeAlias = "tuple[tuple[Factor, ...], Word]"  # numbers in alphabetic order, and the rest of a product
+Rows: TypeAlias = "list[list[Fraction]]"
+NUMBER: Shape = (1, 1)
+
+
+class Matrix(NamedTuple):
+    """The normal form of a term: its shape and the coefficients of its products."""
+
+    shape: Shape
+    parts: dict[Monomial, Fraction]
+
+
+def flipped(word: Word) -> Word:
+    """The transpose of a product."""
+    return tuple((letter, not transposed) for letter, transposed in reversed(word))
+
+
+class Shapes:
+    """What letters of these shapes make: a letter of a `value` stands for that."""
+
+    def __init__(self, shapes: Mapping[str, Shape], values: Mapping[str, Matrix] | None = None) -> None:
+        self.shapes, self.values = shapes, values or {}
+
+    def value(self, term: JSON) -> Matrix:
+        """The normal form of a term; Malformed if it is none, or its parts do not fit together."""
+        if isinstance(term, str):
+            return self.values[term] if term in self.values else self._letter(term)
+        match term:
+            case ["unit", int() | str() as n]:
+                return Matrix((n, n), {((), ()): Fraction(1)})
+            case ["zero", int() | str() as n, int() | str() as m]:
+                return Matrix((n, m), {})
+            case ["number", int(p), int(q)] if q:
+                return Matrix(NUMBER, _nonzero([(((), ()), Fraction(p, q))]))
+            case ["+" | "*" as tag, first, *rest]:
+                found = self.value(first)
+                for each in rest:
+                    found = (self.plus if tag == "+" else self.times)(found, self.value(each))
+                return found
+            case ["-", x]:
+                shape, parts = self.value(x)
+                return Matrix(shape, {part: -c for part, c in parts.items()})
+            case ["transpose", x]:
+                (n, m), parts = self.value(x)
+                return Matrix((m, n), {(numbers, flipped(word)): c for (numbers, word), c in parts.items()})
+            case ["trace", x]:
+                return self._trace(self.value(x))
+        raise Malformed(f"{str(term)[:80]} is no term of matrices")
+
+    def plus(self, x: Matrix, y: Matrix) -> Matrix:
+        """The sum of two matrices of one shape."""
+        if x.shape != y.shape:
+            raise Malformed(f"a sum of matrices of the shapes {x.shape} and {y.shape}")
+        return Matrix(x.shape, _nonzero([*x.parts.items(), *y.parts.items()]))
+
+    def times(self, x: Matrix, y: Matrix) -> Matrix:
+        """The product of two matrices that fit together, or of which one is a number."""
+        if NUMBER in (x.shape, y.shape):
+            shape = y.shape if x.shape == NUMBER else x.shape
+        elif x.shape[1] == y.shape[0]:
+            shape = x.shape[0], y.shape[1]
+        else:
+            raise Malformed(f"a product of matrices of the shapes {x.shape} and {y.shape}")
+        products = (
+            (self._monomial((*numbers, *others), (*word, *rest)), c * d)
+            for (numbers, word), c in x.parts.items()
+            for (others, rest), d in y.parts.items()
+        )
+        return Matrix(shape, _nonzero(products))
+
+    def _letter(self, name: str) -> Matrix:
+        if name not in self.shapes:
+            raise Malformed(f"nothing is said of the shape of {name}")
+        return Matrix(self.shapes[name], {self._monomial((), ((name, False),)): Fraction(1)})
+
+    def _rows(self, factor: tuple[str, bool]) -> Size:
+        return self.shapes[factor[0]][factor[1]]
+
+    def _columns(self, factor: tuple[str, bool]) -> Size:
+        return self.shapes[factor[0]][not factor[1]]
+
+    def _monomial(self, numbers: Iterable[Factor], word: Word) -> Monomial:
+        """A product: it is cut where there is one column, and its parts that are numbers are told apart."""
+        found, rest = [*numbers], list[tuple[str, bool]]()
+        for part in self._cut(word):
+            if self._rows(part[0]) == 1 == self._columns(part[-1]):
+                found.append(("word", min(part, flipped(part))))
+            else:
+                rest += part
+        return tuple(sorted(found)), tuple(rest)
+
+    def _cut(self, word: Word) -> Iterator[Word]:
+        start = 0
+        for k, factor in enumerate(word, 1):
+            if k == len(word) or self._columns(factor) == 1:
+                yield word[start:k]
+                start = k
+
+    def _trace(self, x: Matrix) -> Matrix:
+        n, m = x.shape
+        if n != m:
+            raise Malformed(f"the trace of a matrix of the shape {x.shape}")
+        if x.shape == NUMBER:
+            return x
+        found = list[tuple[Monomial, Fraction]]()
+        for (numbers, word), c in x.parts.items():
+            cuts = [k for k, factor in enumerate(word, 1) if self._columns(factor) == 1]
+            turned = [(*word[k:], *word[:k]) for k in cuts or range(len(word))]
+            if not word and isinstance(n, int):
+                found.append(((numbers, ()), n * c))
+            elif cuts:
+                found.append((self._monomial(numbers, turned[0]), c))
+            else:
+                factor = ("trace", min(min(w, flipped(w)) for w in turned)) if word else ("size", ((str(n), False),))
+                found.append(((tuple(sorted([*numbers, factor])), ()), c))
+        return Matrix(NUMBER, _nonzero(found))
+
+
+def _nonzero(parts: Iterable[tuple[Monomial, Fraction]]) -> dict[Monomial, Fraction]:
+    total: dict[Monomial, Fraction] = {}
+    for part, c in parts:
+        total[part] = total.get(part, Fraction()) + c
+    return {part: c for part, c in total.items() if c}
+
+
+def at(term: JSON, sizes: Mapping[str, int], values: Mapping[str, Rows]) -> Rows:
+    """The rows of a term of letters that have these, of a shape that is right already."""
+    match term:
+        case str():
+            return values[term]
+        case ["unit", int() | str() as n]:
+            return [[Fraction(i == k) for k in range(sized(n, sizes))] for i in range(sized(n, sizes))]
+        case ["zero", int() | str() as n, int() | str() as m]:
+            return [[Fraction()] * sized(m, sizes) for _ in range(sized(n, sizes))]
+        case ["number", int(p), int(q)]:
+            return [[Fraction(p, q)]]
+        case ["-", x]:
+            return [[-entry for entry in row] for row in at(x, sizes, values)]
+        case ["transpose", x]:
+            return [list(column) for column in zip(*at(x, sizes, values), strict=True)]
+        case ["trace", x]:
+            return [[sum((row[k] for k, row in enumerate(at(x, sizes, values))), Fraction())]]
+        case ["+" | "*" as tag, first, *rest]:
+            found = at(first, sizes, values)
+            for each in rest:
+                found = (_sum if tag == "+" else _product)(found, at(each, sizes, values))
+            return found
+    raise Malformed(f"{str(term)[:80]} is no term of matrices")
+
+
+def sized(n: Size, sizes: Mapping[str, int]) -> int:
+    """A number of rows or columns where letters stand for numbers."""
+    return n if isinstance(n, int) else sizes[n]
+
+
+def _sum(x: Rows, y: Rows) -> Rows:
+    return [[a + b for a, b in zip(row, other, strict=True)] for row, other in zip(x, y, strict=True)]
+
+
+def _product(x: Rows, y: Rows) -> Rows:
+    for number, matrix in ((x, y), (y, x)):
+        if len(number) == len(number[0]) == 1:
+            return [[number[0][0] * entry for entry in row] for row in matrix]
+    return [[sum((a * b for a, b in zip(row, c, strict=True)), Fraction()) for c in zip(*y, strict=True)] for row in x]

@@ -1,0 +1,299 @@
+"""Proofs about matrices of all sizes: what is assumed is made a system of rules that rewrite products, and completed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import count, islice, product
+
+from symcheck.core.certificates import Certificate
+from symcheck.core.matrices import Factor, Matrix, Monomial, Rows, Shape, Shapes, Word, at, sized
+from symcheck.core.terms import JSON
+
+FACT = "fact"  # the letter that stands for a fact in a step of a proof
+LONGEST = 10  # letters of a product of which two leading parts overlap
+MOST = 120  # rules: the identities that are printed need a dozen
+VALUES = (1, 2, -1, 3)  # of the witness, times the unit
+TRIED = 300  # choices of them
+Step = tuple[Fraction, JSON, JSON]  # a multiple of a term in which `fact` stands for the named fact
+
+
+@dataclass(frozen=True)
+class Statement:
+    """What is claimed of matrices of all sizes: terms as in `symcheck.core.matrices`.
+
+    Parameters
+    ----------
+    shapes
+        The numbers of rows and columns of each letter.
+    claim
+        Both sides of an equation.
+    hypotheses
+        Equations that are assumed, by name.
+    inverses
+        The terms of which letters are the inverses.
+    """
+
+    shapes: Mapping[str, Shape]
+    claim: tuple[JSON, JSON]
+    hypotheses: Mapping[str, tuple[JSON, JSON]]
+    inverses: Mapping[str, JSON]
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A difference that vanishes, its leading product with the coefficient 1, and how it follows from facts."""
+
+    lead: Monomial
+    value: Matrix
+    steps: tuple[Step, ...]
+
+
+def proved(statement: Statement) -> Certificate | None:
+    """The certificate that a claim about matrices of all sizes follows, if a proof is found."""
+    search = Search(statement)
+    claim = search.of.value(["+", statement.claim[0], ["-", statement.claim[1]]])
+    for _ in search.completed():
+        if (steps := search.vanishing(claim)) is not None:
+            return search.certificate(steps)
+    return None
+
+
+class Search:
+    """The rules of a statement."""
+
+    def __init__(self, statement: Statement) -> None:
+        self.statement, self.of = statement, Shapes(statement.shapes)
+        self.ranks = {x: k for k, x in enumerate(_definitions(statement.hypotheses))}
+        self.rules: list[Rule] = []
+        for reference, fact in self.facts():
+            self.add(fact, ((Fraction(1), reference, FACT),))
+            self.add(self.at(["transpose", FACT], fact), ((Fraction(1), reference, ["transpose", FACT]),))
+
+    def facts(self) -> Iterator[tuple[JSON, Matrix]]:
+        """All that is known, with how it is named in a proof."""
+        for name, (left, right) in self.statement.hypotheses.items():
+            yield ["hypothesis", name], self.of.value(["+", left, ["-", right]])
+            match left, right:
+                case ["*", x, y], ["unit", n] if self.of.value(x).shape == self.of.value(y).shape == (n, n):
+                    yield ["turned", name], self.of.value(["+", ["*", y, x], ["-", right]])
+        for name, x in self.statement.inverses.items():
+            unit = ["-", ["unit", self.of.value(x).shape[0]]]
+            yield ["left", name], self.of.value(["+", ["*", name, x], unit])
+            yield ["right", name], self.of.value(["+", ["*", x, name], unit])
+
+    def at(self, term: JSON, fact: Matrix) -> Matrix:
+        """The value of a term in which a fact stands."""
+        return Shapes({**self.of.shapes, FACT: fact.shape}, {FACT: fact}).value(term)
+
+    def add(self, value: Matrix, steps: tuple[Step, ...]) -> None:
+        """One more rule, reduced by those that are there."""
+        value, more = self.reduced(value)
+        if not value.parts:
+            return
+        lead = max(value.parts, key=self.order)
+        c = value.parts[lead]
+        steps = tuple((d / c, reference, term) for d, reference, term in (*steps, *more))
+        self.rules.append(Rule(lead, Matrix(value.shape, {part: d / c for part, d in value.parts.items()}), steps))
+
+    def order(self, part: Monomial) -> tuple[object, ...]:
+        """What is rewritten first: letters that are defined, by letters before them; then what is longer."""
+        numbers, word = part
+        letters = [letter for _, each in numbers for letter, _ in each] + [letter for letter, _ in word]
+        heads = tuple(sorted((self.ranks[x] for x in letters if x in self.ranks), reverse=True))
+        return heads, len(letters), word, numbers
+
+    def reduced(self, value: Matrix) -> tuple[Matrix, list[Step]]:
+        """What is left when all rules are applied, and what was taken away."""
+        steps, done = list[Step](), dict[Monomial, Fraction]()
+        value = Matrix(value.shape, {**value.parts})
+        while value.parts:
+            part = max(value.parts, key=self.order)
+            found = next(((rule, t) for rule in self.rules for t in _places(rule.lead, part)), None)
+            if found is None:
+                done[part] = done.get(part, 0) + value.parts.pop(part)
+                continue
+            rule, term = found
+            c = -value.parts[part]
+            taken = self.at(["*", _number(c), term], rule.value)
+            value = self.of.plus(value, taken)
+            steps += [(c * d, reference, _within(term, inner)) for d, reference, inner in rule.steps]
+        return Matrix(value.shape, done), steps
+
+    def vanishing(self, claim: Matrix) -> list[Step] | None:
+        """How a difference follows from the facts, if the rules show that it does."""
+        left, steps = self.reduced(claim)
+        return [(-c, reference, term) for c, reference, term in steps] if not left.parts else None
+
+    def completed(self) -> Iterator[int]:
+        """Rules are added as two of them apply to one product in different ways; each time it is told."""
+        yield len(self.rules)
+        for k in count():
+            if k >= min(len(self.rules), MOST):
+                return
+            before = len(self.rules)
+            for j in range(k + 1):
+                for one, other in ((k, j), (j, k)):
+                    self.overlap(self.rules[one], self.rules[other])
+            if len(self.rules) > before:
+                yield len(self.rules)
+
+    def overlap(self, one: Rule, other: Rule) -> None:
+        """The rules that follow where the end of one leading product is the beginning of the other."""
+        (numbers, word), (others, rest) = one.lead, other.lead
+        if numbers or others:
+            return
+        for n in range(1, min(len(word), len(rest))):
+            if word[-n:] == rest[:n] and len(word) + len(rest) - n <= LONGEST:
+                right, left = _product(FACT, *_terms(rest[n:])), _product(*_terms(word[:-n]), FACT)
+                value = self.of.plus(self.at(right, one.value), self.at(["-", left], other.value))
+                steps = [(c, reference, _within(right, term)) for c, reference, term in one.steps]
+                steps += [(-c, reference, _within(left, term)) for c, reference, term in other.steps]
+                self.add(value, tuple(steps))
+
+    def certificate(self, steps: list[Step]) -> Certificate | None:
+        """The statement, without what is not used, and its proof; None if there is no witness of what is assumed."""
+        used = {str(reference[1]) for _, reference, _ in steps if isinstance(reference, list)}
+        statement, total = self.statement, dict[str, tuple[JSON, JSON, Fraction]]()
+        hypotheses = {name: [*both] for name, both in statement.hypotheses.items() if name in used}
+        printed = _words([*statement.claim, *hypotheses.values()])
+        while more := {x for x in statement.inverses if x in printed and not _words(statement.inverses[x]) <= printed}:
+            printed |= _words([statement.inverses[x] for x in more])
+        inverses = {x: term for x, term in statement.inverses.items() if x in printed}
+        for c, reference, term in steps:
+            key = f"{reference} {term}"
+            total[key] = reference, term, c + (total[key][2] if key in total else 0)
+        shapes = {x: shape for x, shape in statement.shapes.items() if x in printed}
+        witness = _witness(shapes, hypotheses, inverses)
+        return witness and {
+            "id": "question",
+            "verdict": "proved",
+            "matrices": {x: [*shape] for x, shape in shapes.items()},
+            "hypotheses": hypotheses,
+            "inverses": inverses,
+            "claim": [*statement.claim],
+            "proof": [[reference, ["*", _number(c), term]] for reference, term, c in total.values() if c],
+            "witness": witness,
+        }
+
+
+def _definitions(hypotheses: Mapping[str, tuple[JSON, JSON]]) -> dict[str, JSON]:
+    """What equations say that letters are, each by letters before it or by others."""
+    needs = dict[str, JSON]()
+    for left, right in hypotheses.values():
+        for head, rest in ((left, right), (right, left)):
+            match head:
+                case ["-", str(x)]:
+                    head, rest = x, ["-", rest]
+            if isinstance(head, str) and head not in needs and head not in _words(rest):
+                needs[head] = rest
+                break
+    found: dict[str, JSON] = {}
+    while ready := [
+        x for x, rest in needs.items() if x not in found and not _words(rest) & needs.keys() - found.keys()
+    ]:
+        found |= {x: needs[x] for x in ready}
+    return found
+
+
+def _words(term: JSON) -> set[str]:
+    return set().union(*map(_words, term)) if isinstance(term, list) else {term} if isinstance(term, str) else set()
+
+
+def _places(lead: Monomial, part: Monomial) -> Iterator[JSON]:
+    """The terms that put a fact where its leading product stands in another."""
+    (inner, small), (numbers, word) = lead, part
+    if inner:
+        rest = Counter(numbers)
+        rest.subtract(inner)
+        if min(rest.values()) < 0:
+            return
+        numbers = tuple(rest.elements())
+    for at in _at(small, word) if small or inner else ():
+        yield _product(*map(_factor, numbers), *_terms(word[:at]), FACT, *_terms(word[at + len(small) :]))
+    if inner:
+        return
+    for k, (kind, own) in enumerate(numbers):
+        others = [_factor(each) for j, each in enumerate(numbers) if j != k]
+        for turned in [(*own[n:], *own[:n]) for n in range(len(own))] if kind == "trace" else [own]:
+            for at in _at(small, turned) if kind != "size" else ():
+                found = _product(*_terms(turned[:at]), FACT, *_terms(turned[at + len(small) :]))
+                yield _product(*others, ["trace", found] if kind == "trace" else found, *_terms(word))
+
+
+def _at(small: Word, word: Word) -> Iterator[int]:
+    n = len(small)
+    yield from (k for k in range(len(word) - n + 1) if word[k : k + n] == small) if n else [0]
+
+
+def _terms(word: Word) -> list[JSON]:
+    return [["transpose", letter] if transposed else letter for letter, transposed in word]
+
+
+def _factor(factor: Factor) -> JSON:
+    kind, word = factor
+    if kind == "size":
+        return ["trace", ["unit", word[0][0]]]
+    return ["trace", _product(*_terms(word))] if kind == "trace" else _product(*_terms(word))
+
+
+def _product(*terms: JSON) -> JSON:
+    return ["*", *terms] if len(terms) > 1 else terms[0]
+
+
+def _number(c: Fraction) -> JSON:
+    return ["number", c.numerator, c.denominator]
+
+
+def _within(term: JSON, inner: JSON) -> JSON:
+    """A term with another in the place of its fact."""
+    if isinstance(term, list):
+        return [_within(each, inner) for each in term]
+    return inner if term == FACT else term
+
+
+def _witness(
+    shapes: Mapping[str, Shape], hypotheses: Mapping[str, tuple[JSON, JSON]], inverses: Mapping[str, JSON]
+) -> dict[str, JSON] | None:
+    """Multiples of the unit, and what is made of them, for which all that is assumed is so."""
+    sizes = {n: 1 for shape in shapes.values() for n in shape if isinstance(n, str)}
+    defined = {**_definitions(hypotheses), **inverses}
+    free = [x for x in shapes if x not in defined]
+    for numbers in islice(product(VALUES, repeat=len(free)), TRIED):
+        values = {
+            x: _multiple(n, *(sized(size, sizes) for size in shapes[x])) for x, n in zip(free, numbers, strict=True)
+        }
+        with suppress(ZeroDivisionError):
+            while ready := [
+                x for x in defined if x not in values and _words(defined[x]) & shapes.keys() <= values.keys()
+            ]:
+                for x in ready:
+                    found = at(defined[x], sizes, values)
+                    values[x] = _inverse(found) if x in inverses else found
+            if values.keys() == shapes.keys() and all(
+                at(left, sizes, values) == at(right, sizes, values) for left, right in hypotheses.values()
+            ):
+                rows = {x: [[[e.numerator, e.denominator] for e in row] for row in values[x]] for x in shapes}
+                return {"sizes": sizes, "values": rows}
+    return None
+
+
+def _multiple(number: int, rows: int, columns: int) -> Rows:
+    return [[Fraction(number * (i == k)) for k in range(columns)] for i in range(rows)]
+
+
+def _inverse(rows: Rows) -> Rows:
+    """The inverse of a matrix; ZeroDivisionError if it has none."""
+    n = len(rows)
+    full = [[*row, *unit] for row, unit in zip(rows, _multiple(1, n, n), strict=True)]
+    for k in range(n):
+        pivot = next((i for i in range(k, n) if full[i][k]), k)
+        full[k], full[pivot] = full[pivot], full[k]
+        full[k] = [entry / full[k][k] for entry in full[k]]
+        for i in range(n):
+            if i != k:
+                full[i] = [a - full[i][k] * b for a, b in zip(full[i], full[k], strict=True)]
+    return [row[n:] for row in full]

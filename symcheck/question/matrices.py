@@ -1,0 +1,394 @@
+"""Equations between matrices of all sizes: from the trees of a reading to statements about them, and their proofs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import count, pairwise
+
+from symcheck.checker import check
+from symcheck.core.certificates import Certificate
+from symcheck.core.matrices import NUMBER, Shape, Size
+from symcheck.core.terms import JSON, Malformed
+from symcheck.core.verdicts import NoForm, SymcheckError
+from symcheck.proof.matrices import Statement, proved
+from symcheck.question.prepare import Reading, declared_sizes
+from symcheck.reading import Notation, Tree, read
+from symcheck.reading.notation import Letter
+from symcheck.reading.tree import (
+    Add,
+    Bars,
+    Call,
+    Chain,
+    Derivative,
+    Diag,
+    Div,
+    Mul,
+    Name,
+    Neg,
+    Norm,
+    Number,
+    Pair,
+    Pow,
+    Sqrt,
+    Transpose,
+    children,
+    nodes,
+)
+
+POWERS = range(1, 7)  # exponents that are written out
+SIZE_NAMES = ("n", "m", "p", "q", "r", "k", "l")
+Key = tuple[str, tuple[int | str, ...], int, int]  # a letter with its subscripts, primes and dots
+Typed = tuple[JSON, Shape]
+
+
+@dataclass(frozen=True)
+class OfAnySize:
+    """A proof for matrices of all sizes.
+
+    Parameters
+    ----------
+    certificates
+        One for each sign of equality.
+    used
+        The definitions and conditions that they rest on, as printed.
+    taken
+        What the letters are, with their shapes.
+    """
+
+    certificates: tuple[Certificate, ...]
+    used: tuple[str, ...]
+    taken: Mapping[str, str]
+
+
+def of_any_size(reading: Reading) -> OfAnySize | None:
+    """The proof of a reading for matrices of all sizes, if there are matrices and a proof is found."""
+    if not any(letter.kind in ("vector", "matrix") for letter in reading.inference.notation.letters):
+        return None
+    with suppress(SymcheckError, Malformed, RecursionError):
+        return _proved(reading)
+    return None
+
+
+def _proved(reading: Reading) -> OfAnySize | None:
+    asked, inference, defined, equations, conditions = reading.source
+    made = Lowering(inference.notation, declared_sizes(asked))
+    claims = made.equations(reading.tree)
+    hypotheses: dict[str, tuple[JSON, JSON]] = {}
+    printed: dict[str, str] = {}
+    always = [*(f"{left} = {right}" for left, _, right in defined.values()), *equations]
+    for text in (*always, *conditions):
+        with suppress(SymcheckError):
+            for both in made.equations(read(text, inference.notation)):
+                name = f"h{len(hypotheses) + 1}"
+                hypotheses[name], printed[name] = both, text
+    for name, both in [*hypotheses.items()] if made.dots else ():
+        if printed[name] in always:  # an earlier equation holds at all times
+            for n in range(1, made.dots + 1):
+                with suppress(SymcheckError):
+                    both = made.rate(both[0]), made.rate(both[1])
+                    hypotheses[f"{name}_{n}"], printed[f"{name}_{n}"] = both, printed[name]
+    hypotheses |= made.known
+    shapes, sizes = made.shapes_with_names()
+    certificates = list[Certificate]()
+    for both in claims:
+        statement = Statement(
+            shapes,
+            (made.sized(both[0], sizes), made.sized(both[1], sizes)),
+            {name: (made.sized(left, sizes), made.sized(right, sizes)) for name, (left, right) in hypotheses.items()},
+            {x: made.sized(term, sizes) for x, term in made.inverses.items()},
+        )
+        if (found := proved(statement)) is None or check(found) is not None:
+            return None
+        certificates.append(found)
+    used = dict.fromkeys(printed[x] for each in certificates for x in each["hypotheses"] if x in printed)
+    return OfAnySize(tuple(certificates), tuple(used), made.taken(shapes))
+
+
+@dataclass
+class Lowering:
+    """Trees as terms of matrices; NoForm where they have parts that are none. Shapes are found by what fits together."""
+
+    notation: Notation
+    declared: Mapping[str, Shape]
+    names: dict[Key | Tree | str, str] = field(default_factory=dict)
+    shapes: dict[str, Shape] = field(default_factory=dict)
+    inverses: dict[str, JSON] = field(default_factory=dict)
+    known: dict[str, tuple[JSON, JSON]] = field(default_factory=dict)
+    same: dict[Size, Size] = field(default_factory=dict)
+    dots: int = 0
+
+    def equations(self, tree: Tree) -> list[tuple[JSON, JSON]]:
+        """Both sides of each equation of a chain."""
+        if not isinstance(tree, Chain) or {*tree.signs} != {"="}:
+            raise NoForm("it is no equation")
+        sides = [self.side(each) for each in tree.members]
+        shape = next((shape for _, shape in filter(None, sides)), NUMBER)
+        terms = [(["zero", *shape], shape) if each is None else each for each in sides]
+        for (_, one), (_, other) in pairwise(terms):
+            self.unify(one, other)
+        return [(left, right) for (left, _), (right, _) in pairwise(terms)]
+
+    def side(self, tree: Tree) -> Typed | None:
+        """A side of an equation; None for 0, which has the shape of the other side."""
+        return None if isinstance(tree, Number) and not Fraction(tree.text) else self.term(tree)
+
+    def term(self, tree: Tree) -> Typed:
+        """A term with its shape."""
+        match tree:
+            case Number(text):
+                c = Fraction(text)
+                return ["number", c.numerator, c.denominator], NUMBER
+            case Name() | Call(Name(), ()):
+                return self.letter(tree.function if isinstance(tree, Call) else tree)  # type: ignore[arg-type]
+            case Call(Name() as name, (Name() as by,)) if self.declaration(name).depends == by.letter:
+                return self.letter(name)
+            case Add(terms):
+                parts = [self.term(each) for each in terms]
+                for _, shape in parts[1:]:
+                    self.unify(parts[0][1], shape)
+                return ["+", *(term for term, _ in parts)], parts[0][1]
+            case Neg(value):
+                term, shape = self.term(value)
+                return ["-", term], shape
+            case Mul(factors, dotted):
+                found = self.term(factors[0])
+                for k, factor in enumerate(factors[1:], 1):
+                    found = (self.dot if k in dotted else self.times)(found, self.term(factor))
+                return found
+            case Pair(left, right):
+                return self.dot(self.term(left), self.term(right))
+            case Pow(Norm(value) | Bars(value), Number("2")):
+                found = self.term(value)
+                return self.dot(found, found)
+            case Transpose(value):
+                term, (n, m) = self.term(value)
+                return ["transpose", term], (m, n)
+            case Diag(entries) if all(entry == Number("1") for entry in entries):
+                return ["unit", len(entries)], (len(entries), len(entries))
+            case Div(top, bottom):
+                value = self.term(bottom)
+                if value[1] != NUMBER:
+                    raise NoForm("a quotient of matrices")
+                if isinstance(bottom, Number) and Fraction(bottom.text):
+                    c = 1 / Fraction(bottom.text)
+                    return self.times(self.term(top), (["number", c.numerator, c.denominator], NUMBER))
+                return self.times(self.term(top), self.inverse(value))
+            case Pow(base, Neg(Number(text))) if text.isdigit() and int(text) in POWERS:
+                return self.power(self.inverse(self.term(base)), int(text))
+            case Pow(base, Number(text)) if text.isdigit() and int(text) in POWERS:
+                return self.power(self.term(base), int(text))
+            case Pow(Name(letter), exponent) if self.declaration(Name(letter)).number == "e":
+                return self.exponential(exponent)
+            case Call("exp", (exponent,)):
+                return self.exponential(exponent)
+            case Call("tr", (value,)):
+                term, (n, m) = self.term(value)
+                self.unify((n, n), (m, m))
+                return ["trace", term], NUMBER
+            case Derivative(body, ((variable, 1),)):
+                return self.derivative(body, variable)
+            case Call(str()) | Sqrt() | Pow():
+                return self.opaque(tree)
+        raise NoForm(f"{type(tree).__name__} is no term of matrices of all sizes")
+
+    def declaration(self, name: Name) -> Letter:
+        """What is known of a letter."""
+        if (found := self.notation.find(name.letter, len(name.subscripts))) is None:
+            raise NoForm(f"nothing is known of {name.letter}")
+        return found
+
+    def letter(self, name: Name) -> Typed:
+        """A letter, by a name of its own for all its indices, primes and dots."""
+        letter = self.declaration(name)
+        if (
+            letter.running
+            or letter.components
+            or letter.value is not None
+            or letter.number == "i"
+            or letter.kind not in KINDS
+            or letter.doubt
+        ):
+            raise NoForm(f"{letter.latex} is no matrix of any size")
+        self.dots = max(self.dots, name.dots)
+        if letter.identity:
+            n = self.fresh()
+            return ["unit", n], (n, n)
+        key = name.letter, name.subscripts, name.primes, name.dots
+        if key not in self.names:
+            new = self.named(key, letter.stem)
+            if name.dots:
+                self.shapes[new] = self.letter(Name(name.letter, name.subscripts, name.primes))[1]
+            else:
+                rows, columns = self.declared.get(letter.latex, KINDS[letter.kind])
+                self.shapes[new] = rows or self.fresh(), columns or self.fresh()
+            if letter.skew:
+                self.unify(self.shapes[new], self.shapes[new][::-1])
+                self.known[f"{new}_is_skew"] = ["transpose", new], ["-", new]
+        return self.names[key], self.shapes[self.names[key]]
+
+    def named(self, key: Key | Tree | str, stem: str) -> str:
+        """A new name for a letter or for what is left as it is."""
+        plain = re.sub(r"[^A-Za-z0-9]", "", stem).lstrip("0123456789") or "x"
+        taken = {*self.names.values(), *WORDS}
+        new = next(x for k in count() if (x := f"{plain}_{k}" if k else plain) not in taken)
+        self.names[key] = new
+        return new
+
+    def times(self, one: Typed, other: Typed) -> Typed:
+        """A product, with a number or of what fits together."""
+        (x, (n, m)), (y, (k, l)) = one, other
+        if NUMBER in (self.shape(n, m), self.shape(k, l)):
+            return ["*", x, y], (k, l) if self.shape(n, m) == NUMBER else (n, m)
+        self.same_size(m, k)
+        return ["*", x, y], (n, l)
+
+    def dot(self, one: Typed, other: Typed) -> Typed:
+        """The product of numbers, or the scalar product of columns."""
+        (x, shape), (y, others) = one, other
+        if NUMBER in (self.shape(*shape), self.shape(*others)):
+            return self.times(one, other)
+        if self.find(shape[1]) != 1 or self.find(others[1]) != 1:
+            raise NoForm("a dot between matrices")
+        self.same_size(shape[0], others[0])
+        return ["*", ["transpose", x], y], NUMBER
+
+    def inverse(self, of: Typed) -> Typed:
+        """A letter for the inverse of a term."""
+        term, (n, m) = of
+        self.same_size(n, m)
+        key = f"inverse of {term}"
+        if key not in self.names:
+            self.inverses[self.named(key, "inverse")] = term
+            self.shapes[self.names[key]] = (n, m)
+        return self.names[key], (n, m)
+
+    def power(self, of: Typed, exponent: int) -> Typed:
+        """A power with a whole exponent."""
+        term, (n, m) = of
+        self.same_size(n, m)
+        return (term if exponent == 1 else ["*", *[term] * exponent]), (n, m)
+
+    def exponential(self, exponent: Tree) -> Typed:
+        """The exponential of a matrix: of two that are opposite, one is the inverse of the other."""
+        if isinstance(exponent, Neg):
+            return self.inverse(self.exponential(exponent.value))
+        _, (n, m) = self.term(exponent)
+        self.same_size(n, m)
+        key = Call("exp", (exponent,))
+        new = self.names.get(key) or self.named(key, "exponential")
+        return new, self.shapes.setdefault(new, (n, m))
+
+    def opaque(self, tree: Tree) -> Typed:
+        """A function of numbers, of which no more is known than that it is a number."""
+        if any(self.term(part)[1] != NUMBER for part in children(tree)):
+            raise NoForm("a function of a matrix")
+        new = self.names.get(tree) or self.named(tree, "value")
+        return new, self.shapes.setdefault(new, NUMBER)
+
+    def derivative(self, body: Tree, variable: Tree) -> Typed:
+        """The derivative by what the letters depend on."""
+        by = variable.letter if isinstance(variable, Name) else ""
+        depends = {self.declaration(part).depends for part in nodes(body) if isinstance(part, Name)} - {None}
+        if depends != {by}:
+            raise NoForm(f"a derivative by {by}")
+        term, shape = self.term(body)
+        return self.rate(term), shape
+
+    def rate(self, term: JSON) -> JSON:
+        """The derivative of a term by what its letters depend on; letters that depend on nothing are constant."""
+        if isinstance(term, str):
+            shape = self.shapes[term]
+            if term in self.inverses:
+                return ["-", ["*", term, self.rate(self.inverses[term]), term]]
+            key = next(key for key, name in self.names.items() if name == term)
+            if not isinstance(key, tuple):
+                raise NoForm("the derivative of a function of a matrix")
+            latex, subscripts, primes, dots = key
+            if self.declaration(Name(latex, subscripts)).depends is None:
+                return ["zero", *shape]
+            return self.letter(Name(latex, subscripts, primes, dots + 1))[0]
+        match term:
+            case ["*", *factors]:
+                return ["+", *(["*", *factors[:k], self.rate(x), *factors[k + 1 :]] for k, x in enumerate(factors))]
+            case ["unit", n]:
+                return ["zero", n, n]
+            case ["number", *_]:
+                return ["zero", 1, 1]
+            case ["zero", *_]:
+                return term
+            case [str() as tag, *parts]:
+                return [tag, *map(self.rate, parts)]
+        raise NoForm("no term")
+
+    def fresh(self) -> Size:
+        """A number of rows or columns of which nothing is known."""
+        new = f"size_{len(self.same)}"
+        self.same[new] = new
+        return new
+
+    def find(self, size: Size) -> Size:
+        while self.same.get(size, size) != size:
+            size = self.same[size]
+        return size
+
+    def shape(self, rows: Size, columns: Size) -> Shape:
+        return self.find(rows), self.find(columns)
+
+    def unify(self, one: Shape, other: Shape) -> None:
+        """Two shapes are the same; NoForm if that cannot be."""
+        for a, b in zip(one, other, strict=True):
+            self.same_size(a, b)
+
+    def same_size(self, one: Size, other: Size) -> None:
+        a, b = self.find(one), self.find(other)
+        if a == b:
+            return
+        if isinstance(a, str) and a.startswith("size_"):
+            self.same[a] = b
+        elif isinstance(b, str) and b.startswith("size_"):
+            self.same[b] = a
+        else:
+            raise NoForm(f"matrices with {a} and with {b} rows or columns do not fit together")
+
+    def shapes_with_names(self) -> tuple[dict[str, Shape], dict[Size, Size]]:
+        """The shapes of all letters, with short names for numbers of which nothing is known; and these."""
+        found = {x: self.shape(*shape) for x, shape in self.shapes.items()}
+        for key, x in self.names.items():
+            if isinstance(key, tuple) and 1 in found[x][: {"vector": 1, "matrix": 2}.get(self._kind(key), 0)]:
+                raise NoForm(f"{key[0]} would have one row or column")
+        taken = {size for shape in found.values() for size in shape}
+        free = iter([x for x in SIZE_NAMES if x not in taken])
+        names: dict[Size, Size] = {}
+        for size in dict.fromkeys(size for shape in found.values() for size in shape):
+            if isinstance(size, str) and size.startswith("size_"):
+                names[size] = next(free, size)
+        return {x: (names.get(n, n), names.get(m, m)) for x, (n, m) in found.items()}, names
+
+    def _kind(self, key: Key) -> str:
+        return self.declaration(Name(*key[:2])).kind
+
+    def sized(self, term: JSON, names: Mapping[Size, Size]) -> JSON:
+        """A term with the final names of sizes."""
+        match term:
+            case ["unit" | "zero" as tag, *sizes]:
+                return [tag, *(names.get(size, size) for size in map(self.find, sizes))]  # type: ignore[arg-type]
+            case [*parts]:
+                return [self.sized(part, names) for part in parts]
+        return term
+
+    def taken(self, shapes: Mapping[str, Shape]) -> dict[str, str]:
+        """What each letter is taken for, with its shape."""
+        letters = {key[0]: shapes[x] for key, x in self.names.items() if isinstance(key, tuple) and x in shapes}
+        return {
+            x: f"a vector of {n}, whatever that is" if m == 1 else f"a matrix of {n} x {m}, whatever these are"
+            for x, (n, m) in letters.items()
+            if not (isinstance(n, int) and isinstance(m, int))
+        }
+
+
+KINDS: dict[str, tuple[int, int]] = {"scalar": NUMBER, "vector": (0, 1), "matrix": (0, 0), "function": NUMBER}  # 0: any
+WORDS = ("unit", "zero", "number", "transpose", "trace", "fact")  # no names of letters
