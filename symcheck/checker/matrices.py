@@ -1,9 +1,9 @@
 """Whether a certificate about matrices of all sizes shows what it says.
 
 Its fields: `matrices`, the shapes of the letters; `hypotheses`, equations by name; `inverses`, what certain letters are
-the inverses of, which is assumed to have one; `claim`, an equation; `proof`, steps [[kind, name], term], in which the
-letter `fact` stands for the difference of the sides of a fact: the terms vanish with it, and their sum is the difference
-of the sides of the claim; and a `witness`, sizes and matrices for which all that is assumed is so.
+the inverses of, which are assumed to have one; `claim`, an equation; `proof`, steps [[kind, name], term], in which the
+letter `fact` stands for the difference of both sides of a fact: the terms vanish with it, and their sum is the
+difference of both sides of the claim; and a `witness`, sizes and matrices for which all that is assumed is so.
 """
 
 from __future__ import annotations

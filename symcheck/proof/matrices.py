@@ -1,9 +1,9 @@
-"""Proofs about matrices of all sizes: what is assumed is made a system of rules that rewrite products, and completed."""
+"""Proofs about matrices of all sizes: what is assumed becomes rules that rewrite products, completed as needed."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction

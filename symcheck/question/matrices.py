@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -17,7 +17,8 @@ from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.proof.matrices import Statement, proved
 from symcheck.question.prepare import Reading, declared_sizes
 from symcheck.reading import Notation, Tree, read
-from symcheck.reading.notation import Letter
+from symcheck.reading.names import KINDS_OPEN
+from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.tree import (
     Add,
     Bars,
@@ -68,23 +69,32 @@ def of_any_size(reading: Reading) -> OfAnySize | None:
     """The proof of a reading for matrices of all sizes, if there are matrices and a proof is found."""
     if not any(letter.kind in ("vector", "matrix") for letter in reading.inference.notation.letters):
         return None
-    with suppress(SymcheckError, Malformed, RecursionError):
-        return _proved(reading)
+    for loose in (False, True):
+        try:
+            return _proved(reading, loose=loose)
+        except Mismatch:
+            continue
+        except (SymcheckError, Malformed, RecursionError):
+            return None
     return None
 
 
-def _proved(reading: Reading) -> OfAnySize | None:
+class Mismatch(NoForm):
+    """Shapes that do not fit together."""
+
+
+def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
     asked, inference, defined, equations, conditions = reading.source
-    made = Lowering(inference.notation, declared_sizes(asked))
+    free = {g.letter.latex for g in inference.guesses if g.why != SAID and g.letter.kind == "scalar"} if loose else ()
+    made = Lowering(inference.notation, declared_sizes(asked), free)
     claims = made.equations(reading.tree)
     hypotheses: dict[str, tuple[JSON, JSON]] = {}
     printed: dict[str, str] = {}
     always = [*(f"{left} = {right}" for left, _, right in defined.values()), *equations]
     for text in (*always, *conditions):
-        with suppress(SymcheckError):
-            for both in made.equations(read(text, inference.notation)):
-                name = f"h{len(hypotheses) + 1}"
-                hypotheses[name], printed[name] = both, text
+        for both in made.assumed(text):
+            name = f"h{len(hypotheses) + 1}"
+            hypotheses[name], printed[name] = both, text
     for name, both in [*hypotheses.items()] if made.dots else ():
         if printed[name] in always:  # an earlier equation holds at all times
             for n in range(1, made.dots + 1):
@@ -114,6 +124,7 @@ class Lowering:
 
     notation: Notation
     declared: Mapping[str, Shape]
+    free: Collection[str] = ()  # letters that are no numbers for certain
     names: dict[Key | Tree | str, str] = field(default_factory=dict)
     shapes: dict[str, Shape] = field(default_factory=dict)
     inverses: dict[str, JSON] = field(default_factory=dict)
@@ -131,6 +142,19 @@ class Lowering:
         for (_, one), (_, other) in pairwise(terms):
             self.unify(one, other)
         return [(left, right) for (left, _), (right, _) in pairwise(terms)]
+
+    def assumed(self, text: str) -> list[tuple[JSON, JSON]]:
+        """The equations that are printed there; nothing where it has no form."""
+        before = {**self.same}
+        try:
+            return self.equations(read(text, self.notation))
+        except Mismatch:
+            if not self.free:
+                raise
+        except SymcheckError:
+            pass
+        self.same = before | {size: size for size in self.same if size not in before}
+        return []
 
     def side(self, tree: Tree) -> Typed | None:
         """A side of an equation; None for 0, which has the shape of the other side."""
@@ -210,7 +234,7 @@ class Lowering:
             or letter.value is not None
             or letter.number == "i"
             or letter.kind not in KINDS
-            or letter.doubt
+            or (letter.doubt and not letter.doubt.startswith(KINDS_OPEN))
         ):
             raise NoForm(f"{letter.latex} is no matrix of any size")
         self.dots = max(self.dots, name.dots)
@@ -223,7 +247,8 @@ class Lowering:
             if name.dots:
                 self.shapes[new] = self.letter(Name(name.letter, name.subscripts, name.primes))[1]
             else:
-                rows, columns = self.declared.get(letter.latex, KINDS[letter.kind])
+                kind = "matrix" if letter.latex in self.free else letter.kind
+                rows, columns = self.declared.get(letter.latex, KINDS[kind])
                 self.shapes[new] = rows or self.fresh(), columns or self.fresh()
             if letter.skew:
                 self.unify(self.shapes[new], self.shapes[new][::-1])
@@ -352,7 +377,7 @@ class Lowering:
         elif isinstance(b, str) and b.startswith("size_"):
             self.same[b] = a
         else:
-            raise NoForm(f"matrices with {a} and with {b} rows or columns do not fit together")
+            raise Mismatch(f"matrices with {a} and with {b} rows or columns do not fit together")
 
     def shapes_with_names(self) -> tuple[dict[str, Shape], dict[Size, Size]]:
         """The shapes of all letters, with short names for numbers of which nothing is known; and these."""
