@@ -72,9 +72,9 @@ class MatrixCertificate:
         for name, (n, m) in self.of.shapes.items():
             fits = len(values[name]) == sized(n, sizes) and {*map(len, values[name])} == {sized(m, sizes)}
             require(fits, "the witness {} has another shape", name)
-        inverses = [
-            (["*", *pair], ["unit", len(values[x])]) for x, y in self.inverses.items() for pair in ((x, y), (y, x))
-        ]
+        inverses: list[Equation] = []
+        for x, y in self.inverses.items():
+            inverses += [[["*", *pair], ["unit", len(values[x])]] for pair in ((x, y), (y, x))]
         for left, right in (*self.hypotheses.values(), *inverses):
             require(at(left, sizes, values) == at(right, sizes, values), "the witness is none of {} = {}", left, right)
 

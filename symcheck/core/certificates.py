@@ -33,3 +33,16 @@ class Certificate(TypedDict):
     witnesses: NotRequired[list[Point]]  # where all that is supposed holds together
     lemmas: NotRequired[list[tuple[str, Form]]]  # id and formula of each relation it rests on
     point: NotRequired[Point]
+
+
+class MatrixProof(TypedDict):
+    """An equation between matrices of all sizes with its proof; terms are those of `symcheck.core.matrices`."""
+
+    id: str
+    verdict: str
+    matrices: dict[str, list[int | str]]  # the shape of each letter
+    hypotheses: dict[str, list[JSON]]
+    inverses: dict[str, JSON]  # what letters are the inverses of
+    claim: list[JSON]
+    proof: list[list[JSON]]  # each a fact, and a term that vanishes with it
+    witness: dict[str, object]

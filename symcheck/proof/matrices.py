@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import count, islice, product
 
-from symcheck.core.certificates import Certificate
-from symcheck.core.matrices import Factor, Matrix, Monomial, Rows, Shape, Shapes, Word, at, sized
+from symcheck.core.certificates import MatrixProof
+from symcheck.core.matrices import Factor, Matrix, Monomial, Rows, Shape, Shapes, Word, at, flipped, sized
 from symcheck.core.terms import JSON
 
 FACT = "fact"  # the letter that stands for a fact in a step of a proof
@@ -52,7 +52,7 @@ class Rule:
     steps: tuple[Step, ...]
 
 
-def proved(statement: Statement) -> Certificate | None:
+def proved(statement: Statement) -> MatrixProof | None:
     """The certificate that a claim about matrices of all sizes follows, if a proof is found."""
     search = Search(statement)
     claim = search.of.value(["+", statement.claim[0], ["-", statement.claim[1]]])
@@ -81,7 +81,7 @@ class Search:
                 case ["*", x, y], ["unit", n] if self.of.value(x).shape == self.of.value(y).shape == (n, n):
                     yield ["turned", name], self.of.value(["+", ["*", y, x], ["-", right]])
         for name, x in self.statement.inverses.items():
-            unit = ["-", ["unit", self.of.value(x).shape[0]]]
+            unit: JSON = ["-", ["unit", self.of.value(x).shape[0]]]
             yield ["left", name], self.of.value(["+", ["*", name, x], unit])
             yield ["right", name], self.of.value(["+", ["*", x, name], unit])
 
@@ -142,24 +142,31 @@ class Search:
                 yield len(self.rules)
 
     def overlap(self, one: Rule, other: Rule) -> None:
-        """The rules that follow where the end of one leading product is the beginning of the other."""
+        """The rules that follow where the end of one leading product is the beginning of another or of its numbers."""
         (numbers, word), (others, rest) = one.lead, other.lead
-        if numbers or others:
+        if numbers or (others and rest):
             return
-        for n in range(1, min(len(word), len(rest))):
-            if word[-n:] == rest[:n] and len(word) + len(rest) - n <= LONGEST:
-                right, left = _product(FACT, *_terms(rest[n:])), _product(*_terms(word[:-n]), FACT)
-                value = self.of.plus(self.at(right, one.value), self.at(["-", left], other.value))
-                steps = [(c, reference, _within(right, term)) for c, reference, term in one.steps]
-                steps += [(-c, reference, _within(left, term)) for c, reference, term in other.steps]
-                self.add(value, tuple(steps))
+        for k, (kind, own) in enumerate(others or [("word", rest)]):
+            factors = [_factor(each) for j, each in enumerate(others) if j != k]
+            for start in {own, flipped(own)} if others and kind == "word" else {rest}:
+                for n in range(1, min(len(word), len(start) + bool(others))):
+                    if word[-n:] == start[:n] and len(word) + len(start) - n <= LONGEST:
+                        self.follow(one, _product(*factors, FACT, *_terms(start[n:])), other, _terms(word[:-n]))
 
-    def certificate(self, steps: list[Step]) -> Certificate | None:
+    def follow(self, one: Rule, right: JSON, other: Rule, before: list[JSON]) -> None:
+        """One more rule: the difference of what two rules make of one product."""
+        left = _product(*before, FACT)
+        value = self.of.plus(self.at(right, one.value), self.at(["-", left], other.value))
+        steps = [(c, reference, _within(right, term)) for c, reference, term in one.steps]
+        steps += [(-c, reference, _within(left, term)) for c, reference, term in other.steps]
+        self.add(value, tuple(steps))
+
+    def certificate(self, steps: list[Step]) -> MatrixProof | None:
         """The statement, without what is not used, and its proof; None if there is no witness of what is assumed."""
         used = {str(reference[1]) for _, reference, _ in steps if isinstance(reference, list)}
         statement, total = self.statement, dict[str, tuple[JSON, JSON, Fraction]]()
-        hypotheses = {name: [*both] for name, both in statement.hypotheses.items() if name in used}
-        printed = _words([*statement.claim, *hypotheses.values()])
+        hypotheses = {name: both for name, both in statement.hypotheses.items() if name in used}
+        printed = _words([*statement.claim, *(side for both in hypotheses.values() for side in both)])
         while more := {x for x in statement.inverses if x in printed and not _words(statement.inverses[x]) <= printed}:
             printed |= _words([statement.inverses[x] for x in more])
         inverses = {x: term for x, term in statement.inverses.items() if x in printed}
@@ -168,16 +175,20 @@ class Search:
             total[key] = reference, term, c + (total[key][2] if key in total else 0)
         shapes = {x: shape for x, shape in statement.shapes.items() if x in printed}
         witness = _witness(shapes, hypotheses, inverses)
-        return witness and {
-            "id": "question",
-            "verdict": "proved",
-            "matrices": {x: [*shape] for x, shape in shapes.items()},
-            "hypotheses": hypotheses,
-            "inverses": inverses,
-            "claim": [*statement.claim],
-            "proof": [[reference, ["*", _number(c), term]] for reference, term, c in total.values() if c],
-            "witness": witness,
-        }
+        return (
+            None
+            if witness is None
+            else {
+                "id": "question",
+                "verdict": "proved",
+                "matrices": {x: [*shape] for x, shape in shapes.items()},
+                "hypotheses": {name: [*both] for name, both in hypotheses.items()},
+                "inverses": inverses,
+                "claim": [*statement.claim],
+                "proof": [[reference, ["*", _number(c), term]] for reference, term, c in total.values() if c],
+                "witness": witness,
+            }
+        )
 
 
 def _definitions(hypotheses: Mapping[str, tuple[JSON, JSON]]) -> dict[str, JSON]:
@@ -212,15 +223,15 @@ def _places(lead: Monomial, part: Monomial) -> Iterator[JSON]:
         if min(rest.values()) < 0:
             return
         numbers = tuple(rest.elements())
-    for at in _at(small, word) if small or inner else ():
-        yield _product(*map(_factor, numbers), *_terms(word[:at]), FACT, *_terms(word[at + len(small) :]))
+    for k in _at(small, word) if small or inner else ():
+        yield _product(*map(_factor, numbers), *_terms(word[:k]), FACT, *_terms(word[k + len(small) :]))
     if inner:
         return
     for k, (kind, own) in enumerate(numbers):
         others = [_factor(each) for j, each in enumerate(numbers) if j != k]
         for turned in [(*own[n:], *own[:n]) for n in range(len(own))] if kind == "trace" else [own]:
-            for at in _at(small, turned) if kind != "size" else ():
-                found = _product(*_terms(turned[:at]), FACT, *_terms(turned[at + len(small) :]))
+            for n in _at(small, turned) if kind != "size" else ():
+                found = _product(*_terms(turned[:n]), FACT, *_terms(turned[n + len(small) :]))
                 yield _product(*others, ["trace", found] if kind == "trace" else found, *_terms(word))
 
 
@@ -257,7 +268,7 @@ def _within(term: JSON, inner: JSON) -> JSON:
 
 def _witness(
     shapes: Mapping[str, Shape], hypotheses: Mapping[str, tuple[JSON, JSON]], inverses: Mapping[str, JSON]
-) -> dict[str, JSON] | None:
+) -> dict[str, object] | None:
     """Multiples of the unit, and what is made of them, for which all that is assumed is so."""
     sizes = {n: 1 for shape in shapes.values() for n in shape if isinstance(n, str)}
     defined = {**_definitions(hypotheses), **inverses}

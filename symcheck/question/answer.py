@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from symcheck.core.certificates import Certificate
+from symcheck.core.certificates import Certificate, MatrixProof
 
 
 class Status(StrEnum):
@@ -54,7 +54,7 @@ class Answer:
     used: tuple[str, ...] = ()
     counterexample: dict[str, str] = field(default_factory=dict)
     values: tuple[str, ...] = ()
-    certificate: tuple[Certificate, ...] = ()
+    certificate: tuple[Certificate | MatrixProof, ...] = ()
     repairs: tuple[dict[str, str], ...] = ()
     reason: str = ""
     seconds: float = 0.0

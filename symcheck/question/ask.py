@@ -126,6 +126,8 @@ def answered(
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
+        if general := _of_any_size(asked):
+            return replace(general, seconds=time.perf_counter() - started)
         with limited(TOTAL):
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
@@ -138,8 +140,6 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
-    if open_ and asked and (general := _of_any_size(asked)):
-        return replace(general, seconds=time.perf_counter() - started)
     if open_ and asked and (at := _of_some_size(asked)):
         several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
@@ -172,9 +172,10 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 def _of_any_size(asked: Asked) -> Answer | None:
     """Proved for matrices of all sizes in all readings, though it cannot be written out by components."""
     with suppress(SymcheckError, OutOfTime), limited(LIMIT):
-        found = [(reading, of_any_size(reading)) for reading in unlowered(asked)]
-        if found and all(general for _, general in found):
-            return _in_general(found[0][0], found[0][1])
+        several = unlowered(asked)
+        found = [general for reading in several if (general := of_any_size(reading)) is not None]
+        if found and len(found) == len(several):
+            return _in_general(several[0], found[0])
     return None
 
 

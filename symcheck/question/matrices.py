@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import count, pairwise
 
 from symcheck.checker import check
-from symcheck.core.certificates import Certificate
+from symcheck.core.certificates import MatrixProof
 from symcheck.core.matrices import NUMBER, Shape, Size
 from symcheck.core.terms import JSON, Malformed
 from symcheck.core.verdicts import NoForm, SymcheckError
@@ -60,7 +60,7 @@ class OfAnySize:
         What the letters are, with their shapes.
     """
 
-    certificates: tuple[Certificate, ...]
+    certificates: tuple[MatrixProof, ...]
     used: tuple[str, ...]
     taken: Mapping[str, str]
 
@@ -95,15 +95,15 @@ def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
         for both in made.assumed(text):
             name = f"h{len(hypotheses) + 1}"
             hypotheses[name], printed[name] = both, text
-    for name, both in [*hypotheses.items()] if made.dots else ():
-        if printed[name] in always:  # an earlier equation holds at all times
-            for n in range(1, made.dots + 1):
-                with suppress(SymcheckError):
-                    both = made.rate(both[0]), made.rate(both[1])
-                    hypotheses[f"{name}_{n}"], printed[f"{name}_{n}"] = both, printed[name]
+    orders = range(1, made.dots + 1)
+    for name, both in [*hypotheses.items()]:
+        with suppress(SymcheckError):
+            for n in orders if printed[name] in always else ():  # an earlier equation holds at all times
+                both = made.rate(both[0]), made.rate(both[1])
+                hypotheses[f"{name}_{n}"], printed[f"{name}_{n}"] = both, printed[name]
     hypotheses |= made.known
     shapes, sizes = made.shapes_with_names()
-    certificates = list[Certificate]()
+    certificates = list[MatrixProof]()
     for both in claims:
         statement = Statement(
             shapes,
@@ -120,7 +120,7 @@ def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
 
 @dataclass
 class Lowering:
-    """Trees as terms of matrices; NoForm where they have parts that are none. Shapes are found by what fits together."""
+    """Trees as terms of matrices, of shapes that fit together; NoForm where they have parts that are none."""
 
     notation: Notation
     declared: Mapping[str, Shape]
@@ -138,7 +138,7 @@ class Lowering:
             raise NoForm("it is no equation")
         sides = [self.side(each) for each in tree.members]
         shape = next((shape for _, shape in filter(None, sides)), NUMBER)
-        terms = [(["zero", *shape], shape) if each is None else each for each in sides]
+        terms: list[Typed] = [(["zero", *shape], shape) if each is None else each for each in sides]
         for (_, one), (_, other) in pairwise(terms):
             self.unify(one, other)
         return [(left, right) for (left, _), (right, _) in pairwise(terms)]
@@ -194,13 +194,13 @@ class Lowering:
             case Diag(entries) if all(entry == Number("1") for entry in entries):
                 return ["unit", len(entries)], (len(entries), len(entries))
             case Div(top, bottom):
-                value = self.term(bottom)
-                if value[1] != NUMBER:
+                below = self.term(bottom)
+                if below[1] != NUMBER:
                     raise NoForm("a quotient of matrices")
                 if isinstance(bottom, Number) and Fraction(bottom.text):
                     c = 1 / Fraction(bottom.text)
                     return self.times(self.term(top), (["number", c.numerator, c.denominator], NUMBER))
-                return self.times(self.term(top), self.inverse(value))
+                return self.times(self.term(top), self.inverse(below))
             case Pow(base, Neg(Number(text))) if text.isdigit() and int(text) in POWERS:
                 return self.power(self.inverse(self.term(base)), int(text))
             case Pow(base, Number(text)) if text.isdigit() and int(text) in POWERS:
@@ -228,6 +228,8 @@ class Lowering:
     def letter(self, name: Name) -> Typed:
         """A letter, by a name of its own for all its indices, primes and dots."""
         letter = self.declaration(name)
+        if letter.value is not None and any(letter.latex in shape for shape in self.declared.values()):
+            return ["trace", ["unit", letter.latex]], NUMBER
         if (
             letter.running
             or letter.components
@@ -265,11 +267,11 @@ class Lowering:
 
     def times(self, one: Typed, other: Typed) -> Typed:
         """A product, with a number or of what fits together."""
-        (x, (n, m)), (y, (k, l)) = one, other
-        if NUMBER in (self.shape(n, m), self.shape(k, l)):
-            return ["*", x, y], (k, l) if self.shape(n, m) == NUMBER else (n, m)
+        (x, (n, m)), (y, (k, j)) = one, other
+        if NUMBER in (self.shape(n, m), self.shape(k, j)):
+            return ["*", x, y], (k, j) if self.shape(n, m) == NUMBER else (n, m)
         self.same_size(m, k)
-        return ["*", x, y], (n, l)
+        return ["*", x, y], (n, j)
 
     def dot(self, one: Typed, other: Typed) -> Typed:
         """The product of numbers, or the scalar product of columns."""
@@ -333,7 +335,9 @@ class Lowering:
             if not isinstance(key, tuple):
                 raise NoForm("the derivative of a function of a matrix")
             latex, subscripts, primes, dots = key
-            if self.declaration(Name(latex, subscripts)).depends is None:
+            if (depends := self.declaration(Name(latex, subscripts)).depends) is None:
+                raise NoForm(f"does {latex} vary?")
+            if not depends:
                 return ["zero", *shape]
             return self.letter(Name(latex, subscripts, primes, dots + 1))[0]
         match term:
@@ -415,5 +419,5 @@ class Lowering:
         }
 
 
-KINDS: dict[str, tuple[int, int]] = {"scalar": NUMBER, "vector": (0, 1), "matrix": (0, 0), "function": NUMBER}  # 0: any
+KINDS: dict[str, Shape] = {"scalar": NUMBER, "vector": (0, 1), "matrix": (0, 0), "function": NUMBER}  # 0: any
 WORDS = ("unit", "zero", "number", "transpose", "trace", "fact")  # no names of letters
