@@ -174,21 +174,20 @@ class Search:
             key = f"{reference} {term}"
             total[key] = reference, term, c + (total[key][2] if key in total else 0)
         shapes = {x: shape for x, shape in statement.shapes.items() if x in printed}
-        witness = _witness(shapes, hypotheses, inverses)
-        return (
-            None
-            if witness is None
-            else {
-                "id": "question",
-                "verdict": "proved",
-                "matrices": {x: [*shape] for x, shape in shapes.items()},
-                "hypotheses": {name: [*both] for name, both in hypotheses.items()},
-                "inverses": inverses,
-                "claim": [*statement.claim],
-                "proof": [[reference, ["*", _number(c), term]] for reference, term, c in total.values() if c],
-                "witness": witness,
-            }
-        )
+        if (found := _witness(statement)) is None:
+            return None
+        sizes, values = found
+        rows = {x: [[[e.numerator, e.denominator] for e in row] for row in values[x]] for x in shapes}
+        return {
+            "id": "question",
+            "verdict": "proved",
+            "matrices": {x: [*shape] for x, shape in shapes.items()},
+            "hypotheses": {name: [*both] for name, both in hypotheses.items()},
+            "inverses": inverses,
+            "claim": [*statement.claim],
+            "proof": [[reference, ["*", _number(c), term]] for reference, term, c in total.values() if c],
+            "witness": {"sizes": sizes, "values": rows},
+        }
 
 
 def _definitions(hypotheses: Mapping[str, tuple[JSON, JSON]]) -> dict[str, JSON]:
@@ -266,10 +265,9 @@ def _within(term: JSON, inner: JSON) -> JSON:
     return inner if term == FACT else term
 
 
-def _witness(
-    shapes: Mapping[str, Shape], hypotheses: Mapping[str, tuple[JSON, JSON]], inverses: Mapping[str, JSON]
-) -> dict[str, object] | None:
-    """Multiples of the unit, and what is made of them, for which all that is assumed is so."""
+def _witness(statement: Statement) -> tuple[dict[str, int], dict[str, Rows]] | None:
+    """Sizes of 1 and multiples of the unit for which all that is assumed is so, whether it is used or not."""
+    shapes, hypotheses, inverses = statement.shapes, statement.hypotheses, statement.inverses
     sizes = {n: 1 for shape in shapes.values() for n in shape if isinstance(n, str)}
     defined = {**_definitions(hypotheses), **inverses}
     free = [x for x in shapes if x not in defined]
@@ -287,8 +285,7 @@ def _witness(
             if values.keys() == shapes.keys() and all(
                 at(left, sizes, values) == at(right, sizes, values) for left, right in hypotheses.values()
             ):
-                rows = {x: [[[e.numerator, e.denominator] for e in row] for row in values[x]] for x in shapes}
-                return {"sizes": sizes, "values": rows}
+                return sizes, values
     return None
 
 

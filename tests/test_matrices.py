@@ -1,0 +1,241 @@
+"""Matrices of all sizes: normal forms are right, forged proofs are rejected, identities that are printed are proved."""
+
+from __future__ import annotations
+
+import json
+import random
+from copy import deepcopy
+from fractions import Fraction
+from typing import Any
+
+import pytest
+
+from symcheck import decide
+from symcheck.checker import check
+from symcheck.core.matrices import Matrix, Rows, Shape, Shapes, Size, Word, at
+from symcheck.core.terms import JSON, Malformed
+from symcheck.question.answer import Status
+
+LETTERS: dict[str, Shape] = {
+    "A": ("n", "n"), "B": ("n", "m"), "C": ("m", "n"), "D": ("n", "n"), "u": ("n", 1), "v": ("n", 1), "w": ("m", 1),
+    "s": (1, 1), "t": (1, 1), "E": (2, 2),
+}  # fmt: skip
+
+
+def drawn(draw: random.Random, shape: Shape, depth: int) -> JSON:
+    """A random term of a shape."""
+    plain: list[JSON] = [x for x, own in LETTERS.items() if own == shape]
+    plain += [["transpose", x] for x, own in LETTERS.items() if own[::-1] == shape]
+    plain += [["unit", shape[0]]] * (shape[0] == shape[1]) + [["zero", *shape]] * (not plain)
+    if shape == (1, 1):
+        plain.append(["number", draw.randint(-3, 3), draw.randint(1, 3)])
+        if depth and draw.random() < 0.3:
+            n: Size = draw.choice(["n", "m", 2])
+            return ["trace", drawn(draw, (n, n), depth - 1)]
+    if not depth or draw.random() < 0.1:
+        return draw.choice(plain)
+    match draw.randrange(4):
+        case 0:
+            return ["+", *(drawn(draw, shape, depth - 1) for _ in range(draw.randint(1, 3)))]
+        case 1:
+            return [draw.choice(["-", "transpose"]), drawn(draw, shape[::-1], depth - 1)] if shape[0] == shape[1] else [
+                "-", drawn(draw, shape, depth - 1)
+            ]  # fmt: skip
+        case 2:
+            number, rest = drawn(draw, (1, 1), depth - 1), drawn(draw, shape, depth - 1)
+            return ["*", *draw.choice([(number, rest), (rest, number)])]
+    inner: Size = draw.choice(["n", "m", 1, 2])
+    return ["*", drawn(draw, (shape[0], inner), depth - 1), drawn(draw, (inner, shape[1]), depth - 1)]
+
+
+def written(matrix: Matrix) -> JSON:
+    """A normal form as a term."""
+
+    def factors(word: Word) -> list[JSON]:
+        return [["transpose", x] if transposed else x for x, transposed in word]
+
+    parts: list[JSON] = [["zero", *matrix.shape]]
+    for (numbers, word), c in matrix.parts.items():
+        product: list[JSON] = [["number", c.numerator, c.denominator]]
+        for kind, own in numbers:
+            inner: JSON = ["unit", own[0][0]] if kind == "size" else ["*", *factors(own)]
+            product.append(inner if kind == "word" else ["trace", inner])
+        unit: list[JSON] = [] if word or matrix.shape == (1, 1) else [["unit", matrix.shape[0]]]
+        parts.append(["*", *product, *unit, *factors(word)])
+    return ["+", *parts]
+
+
+def test_a_normal_form_has_the_value_of_its_term_for_all_sizes() -> None:
+    draw = random.Random(20)
+    for k in range(1500):
+        shape = draw.choice([("n", "n"), ("n", "m"), (1, 1), ("n", 1), (1, "m"), (2, 2)])
+        term, sizes = drawn(draw, shape, 4), {"n": draw.randint(1, 3), "m": draw.randint(1, 3)}
+        values: dict[str, Rows] = {
+            x: [[Fraction(draw.randint(-3, 3)) for _ in range(sizes.get(str(m), 0) or int(m))] for _ in range(rows)]
+            for x, (n, m) in LETTERS.items()
+            for rows in [sizes.get(str(n), 0) or int(n)]
+        }
+        found = Shapes(LETTERS).value(term)
+        assert found.shape == shape
+        assert at(written(found), sizes, values) == at(term, sizes, values), (k, term)
+
+
+def test_terms_that_do_not_fit_together_are_refused() -> None:
+    of = Shapes(LETTERS)
+    for term in (
+        ["*", "B", "B"], ["+", "A", "B"], ["trace", "B"], ["unit"], "X", ["number", 1, 0], ["number", 0.5, 1], 3, ["*"],
+        ["+", "A", "s"], ["*", "u", "v"],
+    ):  # fmt: skip
+        with pytest.raises(Malformed):
+            of.value(term)
+
+
+N = ["n", "n"]
+ONE = [[[1, 1]]]
+INVERSE: dict[str, Any] = {  # (A^T)^{-1} = (A^{-1})^T
+    "id": "q", "verdict": "proved", "matrices": {"A": N, "a": N, "b": N}, "hypotheses": {},
+    "inverses": {"a": "A", "b": ["transpose", "A"]}, "claim": ["b", ["transpose", "a"]],
+    "proof": [
+        [["left", "b"], ["*", "fact", ["transpose", "a"]]],
+        [["left", "a"], ["-", ["*", "b", ["transpose", "fact"]]]],
+    ],
+    "witness": {"sizes": {"n": 1}, "values": {"A": ONE, "a": ONE, "b": ONE}},
+}  # fmt: skip
+TURNED: dict[str, Any] = {  # R^T R = 1, so that R R^T = 1
+    "id": "q", "verdict": "proved", "matrices": {"R": N}, "inverses": {},
+    "claim": [["*", "R", ["transpose", "R"]], ["unit", "n"]],
+    "hypotheses": {"h": [["*", ["transpose", "R"], "R"], ["unit", "n"]]}, "proof": [[["turned", "h"], "fact"]],
+    "witness": {"sizes": {"n": 1}, "values": {"R": ONE}},
+}  # fmt: skip
+
+
+def changed(certificate: dict[str, Any], *path: Any, to: Any) -> dict[str, Any]:
+    """A certificate with something else at a place."""
+    new = deepcopy(certificate)
+    inner = new
+    for key in path[:-1]:
+        inner = inner[key]
+    inner[path[-1]] = to
+    return new
+
+
+FORGED = {
+    "another claim": (changed(INVERSE, "claim", to=["b", "a"]), "is not the sum"),
+    "matrices commute": (
+        changed(changed(INVERSE, "claim", to=[["*", "A", "b"], ["*", "b", "A"]]), "inverses", to={}), ""),
+    "nothing is shown": (changed(INVERSE, "proof", to=[]), "is not the sum"),
+    "no verdict but proved": (changed(INVERSE, "verdict", to="refuted"), "proofs alone"),
+    "a step that does not vanish": (
+        changed(INVERSE, "proof", to=[[["left", "b"], ["+", "fact", "b", ["-", ["transpose", "a"]]]]]), "not vanish"),
+    "an inverse without a witness": (
+        changed(changed(INVERSE, "inverses", "a", to=["zero", "n", "n"]), "claim", to=["a", "a"]), ""),
+    "a witness that is no inverse": (changed(INVERSE, "witness", "values", "a", to=[[[2, 1]]]), "the witness is none"),
+    "a witness of another shape": (changed(INVERSE, "witness", "values", "a", to=[[[1, 1], [1, 1]]]), "another shape"),
+    "a witness without rows": (changed(INVERSE, "witness", "values", "a", to=[]), "another shape"),
+    "no rows at all": (
+        changed(changed(INVERSE, "witness", "sizes", to={"n": 0}), "witness", "values", to={"A": [], "a": [], "b": []}),
+        "another shape"),
+    "no witness": (changed(INVERSE, "witness", to={}), "without values"),
+    "an inverse that is not square": (
+        changed(changed(INVERSE, "matrices", to={"A": ["n", "m"], "a": ["m", "n"], "b": ["n", "m"]}), "proof", to=[
+            [["left", "a"], "fact"]]), ""),
+    "the letter of facts": (changed(INVERSE, "matrices", "fact", to=N), "stands for facts"),
+    "a hypothesis that is not used": (changed(INVERSE, "hypotheses", to={"h": ["A", "A"]}), "is not used"),
+    "an inverse of what is not mentioned": (changed(INVERSE, "inverses", "c", to="A"), "not mentioned"),
+    "a field too many": (changed(INVERSE, "nonzero", to=[]), "superfluous"),
+    "a fact that is none": (changed(INVERSE, "proof", to=[[["middle", "a"], "fact"]]), "there is no fact"),
+    "a hypothesis that is none": (changed(INVERSE, "proof", to=[[["hypothesis", "a"], "fact"]]), "malformed"),
+    "a product of matrices that are not square, turned": (
+        changed(TURNED, "matrices", "R", to=["m", "n"]), ""),
+    "another equation, turned": (changed(TURNED, "hypotheses", "h", to=[["*", "R", "R"], "R"]), "there is no fact"),
+    "a size that is none": (changed(TURNED, "matrices", "R", to=["n", 0]), "no number of rows"),
+    "a letter that is none": (changed(TURNED, "matrices", "R r", to=N), "is no letter"),
+    "it contradicts itself": (
+        {**TURNED, "hypotheses": {"h": [["unit", "n"], ["zero", "n", "n"]]}, "claim": ["R", ["zero", "n", "n"]],
+         "proof": [[["hypothesis", "h"], ["*", "R", "fact"]]]}, "the witness is none"),
+}  # fmt: skip
+
+
+def test_right_proofs_are_accepted() -> None:
+    for certificate in (INVERSE, TURNED):
+        assert check(certificate) is None
+        assert check(json.loads(json.dumps(certificate))) is None
+
+
+@pytest.mark.parametrize("name", FORGED)
+def test_a_forged_proof_is_rejected(name: str) -> None:
+    certificate, reason = FORGED[name]
+    assert reason in (check(certificate) or pytest.fail("it is accepted"))
+
+
+def test_what_is_proved_of_matrices_is_no_lemma_of_other_proofs() -> None:
+    from symcheck.checker import check_all
+
+    lemma = {"id": "q", "verdict": "proved", "claim": ["=", 0, 1], "lemmas": [["q", ["=", 0, 1]]], "proof": {}}
+    assert list(check_all([INVERSE, lemma]))[1] is not None
+
+
+M = "matrix"
+R_N, R_P = (rf"\mathbf{{R}} \in \mathbb{{R}}^{{n\times {p}}}" for p in "np")
+OPTIMAL = {
+    "where": [
+        r"\mathbf{P} = \mathbf{L}\mathbf{M}\mathbf{L}^T + \mathbf{K}\mathbf{R}\mathbf{K}^T",
+        r"\mathbf{L} = \mathbf{I} - \mathbf{K}\mathbf{H}",
+        r"\mathbf{K} = \mathbf{M}\mathbf{H}^T(\mathbf{H}\mathbf{M}\mathbf{H}^T+\mathbf{R})^{-1}",
+    ],
+    "given": [r"\mathbf{M}^T=\mathbf{M}", r"\mathbf{R}^T=\mathbf{R}"],
+}
+LYAPUNOV = [
+    r"V = \mathbf{x}^T\mathbf{P}\mathbf{x}", r"\dot{\mathbf{x}} = \mathbf{A}\mathbf{x}",
+    r"\mathbf{A}^T\mathbf{P} + \mathbf{P}\mathbf{A} = -\mathbf{Q}",
+]  # fmt: skip
+LEAST_SQUARES = {
+    "where": [r"\hat\beta = (X^TX)^{-1}X^Ty", r"y = X\beta + \varepsilon"],
+    "given": [r"X \in \mathbb{R}^{n\times p}"],
+}
+PROVED: list[tuple[str, dict[str, Any]]] = [
+    (r"(\mathbf{A}\mathbf{B})^T = \mathbf{B}^T\mathbf{A}^T", {}),
+    (r"(AB)^{-1} = B^{-1}A^{-1}", {"letters": {"A": M, "B": M}}),
+    (r"(A+UCV)^{-1} = A^{-1} - A^{-1}U(C^{-1}+VA^{-1}U)^{-1}VA^{-1}", {"letters": dict.fromkeys("AUCV", M)}),
+    (r"(A+uv^T)^{-1} = A^{-1} - \frac{A^{-1}uv^TA^{-1}}{1+v^TA^{-1}u}",
+     {"letters": {"A": M, "u": "vector", "v": "vector"}}),
+    (r"(I+AB)^{-1}A = A(I+BA)^{-1}", {"letters": {"A": M, "B": M}}),
+    (r"\mathbf{P} = (\mathbf{I} - \mathbf{K}\mathbf{H})\mathbf{M}", OPTIMAL),
+    (r"\dot V = -\mathbf{x}^T\mathbf{Q}\mathbf{x}", {"where": LYAPUNOV}),
+    (r"\hat\beta - \beta = (X^TX)^{-1}X^T\varepsilon", LEAST_SQUARES),
+    (r"P^2 = P", {"where": [r"P = X(X^TX)^{-1}X^T"], "letters": {"X": M, "P": M}}),
+    (r"\mathbf{R}\mathbf{R}^T = \mathbf{I}", {"given": [r"\mathbf{R}^T\mathbf{R} = \mathbf{I}", R_N]}),
+    (r"\operatorname{tr}(ABC) = \operatorname{tr}(CAB)", {"letters": dict.fromkeys("ABC", M)}),
+    (r"\operatorname{tr}(\mathbf{x}\mathbf{x}^T\mathbf{A}) = \mathbf{x}^T\mathbf{A}\mathbf{x}", {}),
+    (r"\operatorname{tr}(\mathbf{I}-\mathbf{R}) = n-\operatorname{tr}(\mathbf{R})", {"given": R_N}),
+    (r"\frac{d}{dt}(\mathbf{A}^{-1}) = -\mathbf{A}^{-1}\dot{\mathbf{A}}\mathbf{A}^{-1}", {}),
+    (r"\mathbf{A}\mathbf{B}-\mathbf{B}\mathbf{A} = 0", {"given": [r"\mathbf{B} = \mathbf{A}^2+3\mathbf{A}"]}),
+    (r"\|\mathbf{x}+\mathbf{y}\|^2 = \|\mathbf{x}\|^2+2\mathbf{x}\cdot\mathbf{y}+\|\mathbf{y}\|^2", {}),
+    (r"e^Y = a e^{-X} a^{-1}", {"where": r"a^{-1} e^Y = (a e^X)^{-1}", "letters": {"a": M, "X": M, "Y": M}}),
+]  # fmt: skip
+NOT_PROVED: list[tuple[str, dict[str, Any]]] = [
+    (r"AB = BA", {"letters": {"A": M, "B": M}}),
+    (r"(AB)^T = A^TB^T", {"letters": {"A": M, "B": M}}),
+    (r"\operatorname{tr}(ABC) = \operatorname{tr}(ACB)", {"letters": dict.fromkeys("ABC", M)}),
+    (r"\mathbf{x}^T\mathbf{A}\mathbf{y} = \mathbf{y}^T\mathbf{A}\mathbf{x}", {}),
+    (r"\mathbf{R}\mathbf{R}^T = \mathbf{I}", {"given": [r"\mathbf{R}^T\mathbf{R} = \mathbf{I}", R_P]}),
+    (r"\mathbf{P} = (\mathbf{I} + \mathbf{K}\mathbf{H})\mathbf{M}", OPTIMAL),
+    (r"\mathbf{P} = \mathbf{P}^T", {**OPTIMAL, "given": [r"\mathbf{R}^T=\mathbf{R}"]}),
+    (r"\hat\beta - \beta = (X^TX)^{-1}X\varepsilon", LEAST_SQUARES),
+    (r"\mathbf{B} = \mathbf{C}", {"given": [r"\mathbf{A}\mathbf{B} = \mathbf{A}\mathbf{C}"]}),
+    (r"\mathbf{x} = \mathbf{y}",
+     {"given": [r"\mathbf{A} = \mathbf{I}", r"\mathbf{A} = 2\mathbf{I}", r"\mathbf{A}\mathbf{x} = \mathbf{y}"]}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("relation", "context"), PROVED)
+def test_what_holds_for_matrices_of_all_sizes_is_proved_for_all(relation: str, context: dict[str, Any]) -> None:
+    answer = decide(relation, **context)
+    assert answer.verdict is Status.PROVED
+    assert all("matrices" in each for each in answer.certificate)
+    assert [*map(check, json.loads(json.dumps(answer.certificate)))] == [None] * len(answer.certificate)
+
+
+@pytest.mark.parametrize(("relation", "context"), NOT_PROVED)
+def test_what_does_not_hold_for_matrices_of_all_sizes_is_not_proved(relation: str, context: dict[str, Any]) -> None:
+    assert decide(relation, **context).verdict is not Status.PROVED
