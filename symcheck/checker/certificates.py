@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 from symcheck.checker.algebra import Algebra, Known, exact
-from symcheck.checker.matrices import MatrixCertificate
 from symcheck.checker.residues import PRIME, Reject, require
 from symcheck.checker.rules import Prover, Reference, paired
 from symcheck.core.calculus import Unknown, conditions, domain, functions, letters, nodes, owed, strict, substituted
@@ -26,6 +25,10 @@ from symcheck.core.terms import (
     Term,
     node,
 )
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from symcheck.checker.matrices import MatrixCertificate
 
 MALFORMED = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, AssertionError)
 
@@ -295,7 +298,7 @@ def attempt(data: object, checked: dict[bytes, Certificate | MatrixCertificate])
         step = Fields(data)
         name, written = step.take("id", text), key(step.data)
         if written not in checked:
-            found = MatrixCertificate(step) if "matrices" in step.data else Certificate(step)
+            found = of_matrices(step) if "matrices" in step.data else Certificate(step)
             found.check()
             checked[written] = found
     except (Reject, Unknown, Malformed) as error:
@@ -303,6 +306,13 @@ def attempt(data: object, checked: dict[bytes, Certificate | MatrixCertificate])
     except MALFORMED as error:
         return name, f"malformed ({type(error).__name__}: {error})"
     return name, checked[written]
+
+
+def of_matrices(step: Fields) -> MatrixCertificate:
+    """A certificate about matrices of all sizes, which needs modules that others do not."""
+    from symcheck.checker.matrices import MatrixCertificate
+
+    return MatrixCertificate(step)
 
 
 def check(certificate: object) -> str | None:

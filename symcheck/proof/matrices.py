@@ -16,8 +16,8 @@ from symcheck.core.terms import JSON
 FACT = "fact"  # the letter that stands for a fact in a step of a proof
 LONGEST = 10  # letters of a product of which two leading parts overlap
 MOST = 120  # rules: the identities that are printed need a dozen
-VALUES = (1, 2, -1, 3)  # of the witness, times the unit
-TRIED = 300  # choices of them
+VALUES = (1, 0, 2, -1, 3)  # of the witness, times the unit
+TRIED = 1000  # choices of them
 Step = tuple[Fraction, JSON, JSON]  # a multiple of a term in which `fact` stands for the named fact
 
 

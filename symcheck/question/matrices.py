@@ -16,7 +16,7 @@ from symcheck.core.terms import JSON, Malformed
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.proof.matrices import Statement, proved
 from symcheck.question.prepare import Reading, declared_sizes
-from symcheck.reading import Notation, Tree, read
+from symcheck.reading import Notation, Tree, read, with_brackets
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.tree import (
@@ -114,7 +114,10 @@ def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
         if (found := proved(statement)) is None or check(found) is not None:
             return None
         certificates.append(found)
-    used = dict.fromkeys(printed[x] for each in certificates for x in each["hypotheses"] if x in printed)
+    told = printed | made.needed
+    used = dict.fromkeys(
+        told[x] for each in certificates for x in (*each["hypotheses"], *each["inverses"]) if x in told
+    )
     return OfAnySize(tuple(certificates), tuple(used), made.taken(shapes))
 
 
@@ -129,6 +132,7 @@ class Lowering:
     shapes: dict[str, Shape] = field(default_factory=dict)
     inverses: dict[str, JSON] = field(default_factory=dict)
     known: dict[str, tuple[JSON, JSON]] = field(default_factory=dict)
+    needed: dict[str, str] = field(default_factory=dict)  # that there are the inverses, in words
     same: dict[Size, Size] = field(default_factory=dict)
     dots: int = 0
 
@@ -200,9 +204,9 @@ class Lowering:
                 if isinstance(bottom, Number) and Fraction(bottom.text):
                     c = 1 / Fraction(bottom.text)
                     return self.times(self.term(top), (["number", c.numerator, c.denominator], NUMBER))
-                return self.times(self.term(top), self.inverse(below))
+                return self.times(self.term(top), self.inverse(below, bottom))
             case Pow(base, Neg(Number(text))) if text.isdigit() and int(text) in POWERS:
-                return self.power(self.inverse(self.term(base)), int(text))
+                return self.power(self.inverse(self.term(base), base), int(text))
             case Pow(base, Number(text)) if text.isdigit() and int(text) in POWERS:
                 return self.power(self.term(base), int(text))
             case Pow(Name(letter), exponent) if self.declaration(Name(letter)).number == "e":
@@ -283,14 +287,17 @@ class Lowering:
         self.same_size(shape[0], others[0])
         return ["*", ["transpose", x], y], NUMBER
 
-    def inverse(self, of: Typed) -> Typed:
-        """A letter for the inverse of a term."""
+    def inverse(self, of: Typed, tree: Tree | None) -> Typed:
+        """A letter for the inverse of a term; without the tree it has one for certain."""
         term, (n, m) = of
         self.same_size(n, m)
         key = f"inverse of {term}"
         if key not in self.names:
             self.inverses[self.named(key, "inverse")] = term
             self.shapes[self.names[key]] = (n, m)
+            if tree is not None:
+                number = self.shape(n, m) == NUMBER
+                self.needed[self.names[key]] = with_brackets(tree) + (r" \ne 0" if number else " is invertible")
         return self.names[key], (n, m)
 
     def power(self, of: Typed, exponent: int) -> Typed:
@@ -302,7 +309,7 @@ class Lowering:
     def exponential(self, exponent: Tree) -> Typed:
         """The exponential of a matrix: of two that are opposite, one is the inverse of the other."""
         if isinstance(exponent, Neg):
-            return self.inverse(self.exponential(exponent.value))
+            return self.inverse(self.exponential(exponent.value), None)
         _, (n, m) = self.term(exponent)
         self.same_size(n, m)
         key = Call("exp", (exponent,))
@@ -412,7 +419,8 @@ class Lowering:
     def taken(self, shapes: Mapping[str, Shape]) -> dict[str, str]:
         """What each letter is taken for, with its shape."""
         letters = {key[0]: shapes[x] for key, x in self.names.items() if isinstance(key, tuple) and x in shapes}
-        return {
+        units = {x.latex: "the identity" for x in self.notation.letters if x.identity}
+        return units | {
             x: f"a vector of {n}, whatever that is" if m == 1 else f"a matrix of {n} x {m}, whatever these are"
             for x, (n, m) in letters.items()
             if not (isinstance(n, int) and isinstance(m, int))

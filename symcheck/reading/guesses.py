@@ -156,9 +156,13 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
     elif latex in _IDENTITIES and (size := _matrix_size(every)) is not None:
         own = (size, size) if size else ()
-        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
-        if latex != r"\mathbf{1}":
-            yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
+        unit = Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
+        other = Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital")
+        factor = not any(place.after in _ENDS or place.role == "subscript" for place in of.places)
+        if latex == r"\mathbf{1}":
+            yield unit
+        else:  # nobody prints an identity only to multiply by it, as a tensor of inertia is printed
+            yield from (other, replace(unit, remote=True)) if factor else (unit, replace(other, remote=True))
     elif (sized := _sized_identity(latex, every)) and _matrix_size(every) is not None:
         own = (int(sized[2]), int(sized[2]))
         yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "its size is printed with it")
@@ -240,6 +244,10 @@ def _is_primed(of: Evidence) -> bool:
 
 
 _SIZED = re.compile(r"(.+)_\{?(\d)\}?")  # a letter with a number below, as I_3
+# what stands behind a letter that is no factor of what follows
+_ENDS = frozenset(
+    {"", "+", "-", "=", ")", "]", "}", ",", ".", ";", "&", r"\right", r"\\", r"\end", "^", "_", r"\pm", r"\mp"}
+)
 _IDENTITIES = frozenset({"I", r"\mathbf{I}", r"\bm{I}", r"\boldsymbol{I}", r"\mathbb{I}", r"\mathbf{1}"})
 
 
