@@ -1,4 +1,4 @@
-r"""Equations that say what a limit is: `\lim_{x \to a} N/D = L`, decided by derivatives at a.
+r"""Limits by derivatives: `\lim_{x \to a} N/D`, and equations that say what such a limit is.
 
 If D vanishes at a to the order k, N/D tends to L exactly if the derivatives of N - L D up to the k-th vanish there.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from symcheck.core.calculus import letters
+from symcheck.core.calculus import letters, substituted
 from symcheck.core.terms import Formula, Node, Term, node
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.reading.sympy_bridge import from_sympy, to_sympy
@@ -42,6 +42,27 @@ def equated(body: Term, x: str, place: Term | None, value: Term) -> list[Formula
     found: list[Formula] = [node("=", node("diff", bottom, x, n, at), 0) for n in range(order)]
     found += [node("=", node("diff", gap, x, n, at), 0) for n in range(order)]
     return [*found, node("=", node("/", node("diff", gap, x, order, at), lowest), 0)]
+
+
+def limit(body: Term, x: str, place: Term | None) -> tuple[Term, list[Formula]]:
+    """To what a term tends as a letter goes to a place, or to infinity, and that there is this limit."""
+    top, bottom = quotient(body) if place is not None else _inverted(body, x)
+    at: Term = 0 if place is None else place
+    order = _order(bottom, x, at)
+    if order and _order(top, x, at, order) < order:
+        raise NoForm("a limit that may be infinite has no algebraic form")
+    lower = [node("=", _slope(part, x, n, at), 0) for part in (bottom, top) for n in range(order)]
+    return node("/", _slope(top, x, order, at), _slope(bottom, x, order, at)), lower
+
+
+def turns(body: Term, x: str, at: Term) -> bool:
+    """Whether a term changes its sign at a place where it vanishes, so that its reciprocal has no limit there."""
+    top, bottom = quotient(body)
+    return bool((_order(top, x, at) - _order(bottom, x, at)) % 2)
+
+
+def _slope(term: Term, x: str, order: int, at: Term) -> Term:
+    return node("diff", term, x, order, at) if order else substituted(term, {x: at})
 
 
 def quotient(term: Term) -> tuple[Term, Term]:
@@ -86,17 +107,19 @@ def _inverted(body: Term, x: str) -> tuple[Term, Term]:
     return top, bottom
 
 
-def _order(bottom: Term, x: str, at: Term) -> int:
-    """How often a denominator vanishes at a place; that it does is part of what is stated."""
-    if isinstance(bottom, int) and bottom:
+def _order(term: Term, x: str, at: Term, most: int = MOST) -> int:
+    """How often a term vanishes at a place, up to `most`; that it does is part of what is stated."""
+    if isinstance(term, int) and term:
         return 0
     import sympy
 
     try:
-        expr, letter, place = to_sympy(bottom), to_sympy(x), to_sympy(at)
-        for order in range(MOST):
+        expr, letter, place = to_sympy(term), to_sympy(x), to_sympy(at)
+        for order in range(most):
             if sympy.simplify(sympy.diff(expr, letter, order).subs(letter, place)) != 0:
                 return order
+        if most < MOST:
+            return most
     except (SymcheckError, *FAULTS):
         pass
     raise NoForm("a limit whose denominator vanishes to a high order, or has no derivatives, has no algebraic form")

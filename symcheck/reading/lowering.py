@@ -56,7 +56,7 @@ from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt
 from symcheck.reading.functions import SPELLED, applied, extreme
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
-from symcheck.reading.limits import equated, tends
+from symcheck.reading.limits import equated, limit, tends, turns
 from symcheck.reading.notation import TIMES, Letter, Notation, variable
 from symcheck.reading.parser import dependence, read
 from symcheck.reading.printing import to_latex
@@ -293,6 +293,7 @@ class Lowering:
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
         self.arities: dict[str, int] = {}  # how many arguments each function has
         self.kinds: frozenset[type[Tree]] | None = None  # of all parts of the relation, where it is a whole one
+        self.aside: list[Formula] = []  # that there are the limits in a relation
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
 
     # -- formulas ------------------------------------------------------------------------------------------------
@@ -399,7 +400,14 @@ class Lowering:
             return [node("=", node("diverges", *integral[1:]), 0)]
         if sign not in SIGNS and not (sign == r"\approx" and is_number(right)):
             raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally")
+        self.aside = []
         a, b = self._alike(self.value(left, env), self.value(right, env), left, right)
+        if limits := self.aside:
+            self.aside = []
+            if sign != "=":
+                raise NoForm(f"{to_latex(Chain((left, right), (sign,)))}: a limit in a relation that is no equation")
+            equal = [node("=", *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
+            return [node("and", *dict.fromkeys(limits), *equal)]
         if sign == r"\approx" or (sign == "=" and self.notation.decimals == "rounded"):
             parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
             return [self.rounded(*part, sign=sign) for part in parts]
@@ -415,6 +423,13 @@ class Lowering:
     def limit(self, tree: Tree, value: Tree, env: Env) -> list[Formula]:
         """An equation that says what a limit is."""
         assert isinstance(tree, Limiting)
+        x, at, body = self.approached(tree, value, env)
+        found = equated(body, x, at, self.written_out(self.scalar(value, env), tree, env))
+        self.met.pop(x, None)
+        return found
+
+    def approached(self, tree: Limiting, value: Tree, env: Env) -> tuple[str, Term | None, Term]:
+        """What goes where in a limit, and the term that tends to a value."""
         goes = tends(tree.scripts) if tree.operator == "lim" else None
         if tree.operator == "int":
             self.value(tree, env)  # refused
@@ -428,8 +443,13 @@ class Lowering:
                 raise NoForm(f"{to_latex(tree)}: what is {to_latex(name)}? say it in an equation")
         x = self.variable(read(letter, self.notation), env)
         at = self.scalar(read(place, self.notation), env) if place else None
-        body = self.written_out(self.scalar(tree.body, env), tree, env)
-        found = equated(body, x, at, self.written_out(self.scalar(value, env), tree, env))
+        return x, at, self.written_out(self.scalar(tree.body, env), tree, env)
+
+    def of_limiting(self, tree: Limiting, env: Env) -> Value:
+        """A limit in a term; that it is there is said aside."""
+        x, at, body = self.approached(tree, tree_of.Number("0"), env)
+        found, there = limit(body, x, at)
+        self.aside += there
         self.met.pop(x, None)
         return found
 
@@ -773,6 +793,13 @@ class Lowering:
         return matmul(a, b)
 
     def of_div(self, tree: Div, env: Env) -> Value:
+        if isinstance(tree.bottom, Limiting):  # that of the reciprocal, which goes to 0 where the other grows
+            inverse = Div(tree_of.Number("1"), tree.bottom.body)
+            reciprocal = Limiting(tree.bottom.operator, tree.bottom.scripts, inverse)
+            x, at, body = self.approached(reciprocal, tree_of.Number("0"), env)
+            if at is not None and turns(body, x, at):
+                raise NoForm(f"{to_latex(tree.bottom)}: this limit is there from one side alone, if at all")
+            return self.value(Mul((tree.top, reciprocal)), env)
         bottom = self.complex(tree.bottom, env)
         return zipped(lambda t: divided(t, bottom), [self.value(tree.top, env)])
 
