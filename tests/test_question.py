@@ -148,7 +148,7 @@ NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about n
     r"\int_{-1}^{a} (\sqrt{x} - \sqrt{x} + 1)\,dx = a + 1": ("", ""),
     r"\exists x : \sqrt{x} = -2": ("", ""),
     r"\lim_{x \to 0} \frac{1}{x} = \lim_{x \to 0} \frac{1}{x}": ("", ""),
-    r"\frac{1}{\lim_{x \to 0} 1/x} = 0": ("", ""),
+    r"\frac{1}{\lim_{x \to 0} \frac{1}{x}} = 0": ("", ""),
     r"\lim_{x \to 0} \sin x \cdot \lim_{x \to 0} \frac{1}{x} = 1": ("", ""),
     "x = 1": ("", "x > 0, x < 0"),
     r"\frac{x^2}{x} = 0": ("", "x = 0"),

@@ -198,8 +198,9 @@ def _of_some_size(asked: Asked) -> Answer | None:
         return None
     for size in SIZES if letters else ():
         try:
-            answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
-        except SymcheckError:
+            with limited(LIMIT):
+                answers = [_decided(reading, asked, wanted=False) for reading in readings(asked, size)]
+        except (SymcheckError, OutOfTime):
             continue
         shown = ", ".join(f"{letter} = {size}" for letter in letters)
         if all(answer.verdict is Status.REFUTED for answer in answers):

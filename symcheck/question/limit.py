@@ -10,8 +10,11 @@ from contextlib import contextmanager
 from types import FrameType
 
 
-class OutOfTime(Exception):
-    """The limit was reached."""
+AGAIN = 0.5  # seconds until the limit is told again, where what it struck, as many a `try` in SymPy, went on
+
+
+class OutOfTime(BaseException):
+    """The limit was reached; no error, which libraries drop where one way of theirs fails and go on to the next."""
 
 
 @contextmanager
@@ -25,12 +28,13 @@ def limited(seconds: float) -> Iterator[None]:
         raise OutOfTime
 
     before, started = signal.signal(signal.SIGALRM, stop), time.monotonic()
-    left, _ = signal.setitimer(signal.ITIMER_REAL, seconds)
+    left, _ = signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
     if left and left < seconds:
-        signal.setitimer(signal.ITIMER_REAL, left)
+        signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
     try:
         yield
     finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
         rest = left - (time.monotonic() - started)
-        signal.setitimer(signal.ITIMER_REAL, max(rest, 0.001) if left else 0)
+        signal.setitimer(signal.ITIMER_REAL, *((max(rest, 0.001), AGAIN) if left else (0, 0)))
