@@ -677,7 +677,7 @@ def unfold(node: JSON, names: Mapping[str, JSON]) -> JSON:
     """Names that are defined replaced by their text, but where a binder gives them another meaning."""
     if isinstance(node, str):
         return names.get(node, node)
-    if not isinstance(node, list):
+    if not isinstance(node, list) or not node:
         return node
     tag = node[0]
     if tag in BINDERS:

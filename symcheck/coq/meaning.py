@@ -234,6 +234,8 @@ class Meaning(Evaluator):
 
         if tag == "diff":
             place = self.term(ends[1], at)
+            if abs(place) > mpf(10) ** (mp.dps / 2):  # there the points of a difference are one point
+                raise NoValue("a derivative far away")
             inside(place)
             return mp.diff(inside, place, ends[0])
         if tag in ("sum", "product"):
