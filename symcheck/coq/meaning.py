@@ -123,6 +123,13 @@ def same(left: Number, right: Number) -> bool:
     return bool(abs(left - right) <= CLOSE * max(1, abs(left), abs(right)))
 
 
+def near(place: Number) -> Number:
+    """A place of which enough digits stand behind the point for a sine, or for the points of a difference."""
+    if abs(place) > mpf(10) ** (mp.dps / 2):
+        raise NoValue("a number too far away")
+    return place
+
+
 def nonzero(value: Number) -> Number:
     """The number; NoValue if it is zero."""
     if abs(value) < NIL:
@@ -165,8 +172,9 @@ def unit(t: Number) -> bool:
 
 OPERATIONS: dict[str, Callable[..., Number]] = {
     "+": lambda *parts: mp.fsum(parts), "*": lambda *parts: mp.fprod(parts), "-": lambda t: -t,
-    "/": lambda top, bottom: top / nonzero(bottom), "pi": lambda: +mp.pi, "sin": mp.sin, "cos": mp.cos,
-    "tan": lambda t: mp.sin(t) / nonzero(mp.cos(t)), "arctan": mp.atan, "exp": mp.exp,
+    "/": lambda top, bottom: top / nonzero(bottom), "pi": lambda: +mp.pi,
+    "sin": lambda t: mp.sin(near(t)), "cos": lambda t: mp.cos(near(t)),
+    "tan": lambda t: mp.sin(near(t)) / nonzero(mp.cos(t)), "arctan": mp.atan, "exp": mp.exp,
     "sqrt": defined(lambda t: mp.sqrt(max(t, 0)), lambda t: t >= -NIL), "log": defined(mp.log, lambda t: t > 0),
     "arcsin": defined(mp.asin, unit), "arccos": defined(mp.acos, unit),
     "gamma": defined(mp.gamma, lambda t: t > 0 or not mp.isint(t)), "pow": real_power,
@@ -233,9 +241,7 @@ class Meaning(Evaluator):
             return self.term(body, self.inside(at, {x: place}))
 
         if tag == "diff":
-            place = self.term(ends[1], at)
-            if abs(place) > mpf(10) ** (mp.dps / 2):  # there the points of a difference are one point
-                raise NoValue("a derivative far away")
+            place = near(self.term(ends[1], at))
             inside(place)
             return mp.diff(inside, place, ends[0])
         if tag in ("sum", "product"):

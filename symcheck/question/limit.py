@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-
 AGAIN = 0.5  # seconds until the limit is told again, where what it struck, as many a `try` in SymPy, went on
 
 
