@@ -128,6 +128,12 @@ TRUE_OF_WHOLE_NUMBERS: dict[str, str | tuple[str, ...]] = {  # with conditions; 
     r"2 n \ne 1": WHOLE,
     r"n \ne \frac{1}{2}": NATURAL,
 }
+POSITIVE = (r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}", r"m \ne n")
+PROVED |= {
+    r"\int_0^{2\pi} \sin(m x) \sin(n x) dx = 0": POSITIVE,
+    r"\int_{-\pi}^{\pi} \cos(m x) \cos(n x) dx = 0": POSITIVE,
+    r"\int_0^{L} \sin\frac{m \pi x}{L} \sin\frac{n \pi x}{L} dx = 0": (*POSITIVE, "L > 0"),
+}
 NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about nothing: earlier equations, conditions
     r"\int_{-1}^{1} \frac{1}{x^2} dx = -2": ("", ""),
     r"\int_{-1}^{1} \frac{1}{x} dx = 0": ("", ""),
@@ -399,11 +405,24 @@ DETERMINED = {  # by linear equations with initial values: what is so, and what 
     ),
     ("y' = x y", "y(0) = 1"): ("y = e^{x^2/2}", "y = e^{x^2}"),
     ("y' = 2 x", "y(0) = C"): ("y(x) = x^2 + C", "y(x) = x^2"),
+    (r"\ddot x + k^2 x = 0", "x(0) = a", r"\dot x(0) = b"): (
+        r"x(t) = a \cos k t + \frac{b}{k} \sin k t",
+        r"x(t) = a \cos k t - \frac{b}{k} \sin k t",
+    ),
     (r"\frac{dy}{dx} = f", r"\frac{f}{k} = a + b x", "y(0) = k c"): (
         r"\frac{y}{k} = a x + \frac{b}{2} x^2 + c",
         r"\frac{y}{k} = a x + b x^2 + c",
     ),
 }
+
+
+def test_a_function_is_known_by_its_value_at_a_place_and_by_its_primes() -> None:
+    where = ["y'' + y = 1", "y(0) = 0", "y'(0) = 0"]
+    for left in ("y", "y(x)"):
+        assert decide(rf"{left} = 1 - \cos x", where).verdict == "proved"
+        assert decide(rf"{left} = 1 + \cos x", where).verdict == "refuted"
+    where = [r"\ddot x(t) + x(t) = 0", "x(0) = a", r"\dot x(0) = 0"]
+    assert decide(r"x(t) = a \cos t", where).verdict == "proved"
 
 
 @pytest.mark.parametrize("where", DETERMINED)

@@ -174,9 +174,18 @@ def _closed(binder: Binder, body: Term) -> Term | None:
                 found = _generic(found)  # the proof shows whether it is so
             if found.has(sympy.Integral, sympy.Sum, sympy.Piecewise):
                 return None
-            return from_sympy(found)
+            return from_sympy(_apart(found))
     except (SymcheckError, OutOfTime, *FAULTS):
         return None
+
+
+def _apart(found: Expr) -> Expr:
+    """The same with divisors as products, of whose factors is known that they do not vanish."""
+    import sympy
+
+    return found.replace(
+        lambda e: e.is_Pow and e.exp.is_negative and e.base.is_Add, lambda e: sympy.factor(e.base) ** e.exp
+    )
 
 
 def _generic(found: Piecewise) -> Expr:

@@ -126,7 +126,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         letters = ", ".join(variables)
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
     elif applied:
-        depends = ", ".join(simple) if simple else None
+        depends = ", ".join(simple) if simple else _time(every) if of.dotted else None
         yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
     elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
@@ -141,7 +141,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif arguments and not bare and not of.dotted and not face(latex):
         yield from _before_sums(of)
     elif bare and not of.dotted and not of.derived and any(map(is_lone, of.places)):
-        yield Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
+        by = _primed_by(of, every)
+        taken = f"a function{by and f' of {by}'}"
+        yield Guess(_letter(of, kind="function", depends=by or None), taken, "it stands before one letter in brackets")
     elif bare and not of.dotted and not of.derived and (any(map(is_listed, arguments)) or _equals_itself(of)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
     elif of.dotted and not of.shape and not of.capital and any(map(is_lone, of.places)):
@@ -401,6 +403,15 @@ def _time(every: Mapping[str, Evidence]) -> str:
 CONSTANT = "constant"
 PRINTED = "it is equal to one that is printed"
 MOVING = "it is differentiated"
+
+
+def _primed_by(of: Evidence, every: Mapping[str, Evidence]) -> str:
+    """The letter by which primes differentiate a function that is printed with its argument and without it; or ""."""
+    if not any(place.primes and place.arguments is None for place in of.places):
+        return ""
+    inside = {place.arguments[0] for place in of.places if is_lone(place) and place.arguments}
+    own = {x for x in inside if is_letter(x)} or {x for x in ("x", "t", "s") if x in every}
+    return own.pop() if len(own) == 1 else ""
 
 
 def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:

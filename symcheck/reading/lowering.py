@@ -1023,7 +1023,9 @@ class Lowering:
             return self.value(name, env)
         if name.dots and len(arguments) == 1:
             if letter.depends is not None or not _is_time(tree.arguments[0]):
+                before = dict(self.met)
                 self.time(letter, env)
+                self.met = before  # the time is not printed there
             name = Name(name.letter, name.subscripts, name.primes + name.dots)
         if name.dots or (name.primes and len(arguments) != 1):
             raise Unsaid(f"{to_latex(tree)}: by which argument? write the derivative as a fraction")
