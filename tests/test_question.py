@@ -128,6 +128,18 @@ TRUE_OF_WHOLE_NUMBERS: dict[str, str | tuple[str, ...]] = {  # with conditions; 
     r"2 n \ne 1": WHOLE,
     r"n \ne \frac{1}{2}": NATURAL,
 }
+PROVED |= {  # sums of angles, by the sine of all but one
+    r"\arctan x + \arctan\frac{1}{x} = \frac{\pi}{2}": "x > 0",
+    r"\arcsin x + \arccos x = \frac{\pi}{2}": "",
+    r"\arccos(-x) = \pi - \arccos x": "-1 < x < 1",
+    r"\arctan x = \arcsin\frac{x}{\sqrt{1 + x^2}}": "",
+    r"\arcsin x = \arctan\frac{x}{\sqrt{1 - x^2}}": "-1 < x < 1",
+}
+REFUTED |= {
+    r"\arctan x + \arctan\frac{1}{x} = \frac{\pi}{2}": "x < 0",
+    r"\arcsin x - \arccos x = \frac{\pi}{2}": "",
+    r"\arctan x = \arccos\frac{1}{\sqrt{1 + x^2}}": "",  # x < 0
+}
 POSITIVE = (r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}", r"m \ne n")
 PROVED |= {
     r"\int_0^{2\pi} \sin(m x) \sin(n x) dx = 0": POSITIVE,

@@ -72,7 +72,8 @@ def _points(problem: Problem) -> Iterator[dict[str, Term]]:
         return
     ends: Ends = {x: [] for function, x in filter(None, map(circle, ring.names)) if function == "sin"}
     for pair in (pair for formula in formulas for pair in compared(formula, ring)):
-        ends.setdefault(pair.angle, []).append(pair.end)
+        if isinstance(pair.angle, str):
+            ends.setdefault(pair.angle, []).append(pair.end)
     letters = _letters(formulas)
     if len(letters) <= MAX_LETTERS and letters <= ends.keys():
         yield from _assigned({}, ends, sorted(letters, key=lambda x: (len(_letters(ends[x])), x)))

@@ -6,7 +6,7 @@ What is left is algebra: orders by contradictions among signs (`absurd`), equati
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
@@ -58,7 +58,9 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     ring = Ring(with_arguments(ring_of(problem).names), definitions)
     claim, *given = formulas_of(problem)
     comparisons = [pair for f in (*given, claim) for pair in compared(unfold(f, definitions), ring)]
-    angles = sorted({pair.angle for pair in comparisons})
+    arcs = [pair for part in conjuncts(claim) for pair in _arcs(unfold(part, definitions), ring)]
+    comparisons += arcs
+    angles = sorted({pair.angle for pair in comparisons if isinstance(pair.angle, str)})
     positive = [Comparison.with_pi(">=", angle, Fraction(0)) for angle in angles]
     comparisons += positive
     names = _names_of((i for pair in comparisons for i in (*pair.theorems(), pair.theorem(1))), definitions)
@@ -67,7 +69,7 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
     signs = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
     pending = dict.fromkeys((*always, *_forward(given, known.ring), *signs))
-    return _Prover(prove_here, hints_of(problem)).prove(claim, known, list(pending))
+    return _Prover(prove_here, hints_of(problem), frozenset(arcs)).prove(claim, known, list(pending))
 
 
 Usable = Instance | Lemma  # in a proof, once its premises have proofs
@@ -78,13 +80,13 @@ class Comparison:
     """angle ~ function(t); where a multiple of pi is printed, the multiple."""
 
     sign: str
-    angle: str
+    angle: Term
     function: str
     t: Term
     multiple: Fraction | None = None
 
     @classmethod
-    def with_pi(cls, sign: str, angle: str, multiple: Fraction) -> Comparison:
+    def with_pi(cls, sign: str, angle: Term, multiple: Fraction) -> Comparison:
         """angle ~ multiple pi."""
         known = KNOWN_ANGLES[multiple]
         return cls(sign, angle, known.tag, known.terms[0], multiple)
@@ -104,6 +106,18 @@ class Comparison:
         yield self.theorem(0)
         if self.sign == "=" and self.multiple is not None:
             yield Lemma(node("=", node("cos", self.angle), KNOWN_SINES[self.multiple][1]))
+
+
+def _arcs(formula: Formula, ring: Ring) -> Iterator[Comparison]:
+    """A sum of angles with an inverse function among them: that is compared with the rest."""
+    if formula.tag not in RELATIONS or (gap := ring.subtract(*formula.terms)).den:
+        return
+    for exponents, coefficient in gap.num.terms():
+        name = next((name for name, e in zip(ring.names, exponents, strict=True) if e), "")
+        if sum(exponents) == 1 and fraction(coefficient) in (1, -1) and name in atoms() and atoms()[name][0] in INVERSE:
+            arc = node(*atoms()[name])
+            sign = formula.tag if coefficient < 0 else SWAPPED[formula.tag]
+            yield Comparison(sign, term_of((gap.num - ring.poly(arc) * coefficient) * -coefficient), *atoms()[name])
 
 
 def multiple_of_pi(multiple: Fraction) -> Term:
@@ -161,6 +175,7 @@ def _of_atoms(ring: Ring) -> Iterator[Instance]:
             yield applied("root", *arguments)
         elif function in INVERSE:
             yield from _known_angle(function, *arguments)
+            yield applied(f"circular_of_{function}", *arguments)
             yield applied(f"principal_value_{function}", *arguments)
             yield applied(f"first_quadrant_{function}", *arguments)
 
@@ -204,6 +219,7 @@ def _squared(side: Term, ring: Ring) -> Term | None:
 class _Prover:
     prove_here: Prove
     forms: Sequence[Term]
+    arcs: Set[Comparison]  # sums of angles that may be compared by their sines: these are in the ring
 
     def prove(self, goal: Formula, known: Knowledge, pending: Sequence[Usable]) -> Step | None:
         """First the theorems whose premises hold, as long as there are any, then the goal."""
@@ -230,13 +246,13 @@ class _Prover:
 
     def by_sine(self, goal: Formula, known: Knowledge) -> Step | None:
         """An angle compared by its sine."""
-        if (pair := _comparison(goal, known.ring)) is None:
-            return None
-        theorem = (instance := pair.theorem(1)).said(known.ring.definitions)
-        if (premises := prove_all(theorem.premises, known, self.relation)) is None:
-            return None
-        then = self.relation(goal, known.assume(theorem.conclusion))
-        return then and instance.step(premises, then)
+        pair = _comparison(goal, known.ring)
+        for each in [pair] if pair else (arc for arc in _arcs(goal, known.ring) if arc in self.arcs):
+            theorem = (instance := each.theorem(1)).said(known.ring.definitions)
+            premises = prove_all(theorem.premises, known, self.relation)
+            if premises is not None and (then := self.relation(goal, known.assume(theorem.conclusion))):
+                return instance.step(premises, then)
+        return None
 
     def relation(self, goal: Formula, known: Knowledge) -> Step | None:
         """A relation, by algebra."""
