@@ -140,6 +140,20 @@ REFUTED |= {
     r"\arcsin x - \arccos x = \frac{\pi}{2}": "",
     r"\arctan x = \arccos\frac{1}{\sqrt{1 + x^2}}": "",  # x < 0
 }
+PROVED |= {  # roots of any order, and for which letters
+    r"(x^{1/3})^3 = x": "x > 0",
+    r"(x^3)^{1/3} = x": "x > 0",
+    r"\left(a \sqrt[3]{\frac{m}{3 M}}\right)^3 = \frac{m}{3 M} a^3": ("m > 0", "M > 0"),
+    r"\sqrt[3]{x} \sqrt[3]{x^2} = x": "x > 0",
+    r"\forall x: x^2 \ge 0": "",
+    r"\forall n \in \mathbb{N}: \sum_{k=1}^{n} k = \frac{n (n + 1)}{2}": "",
+    r"\cos n\pi = (-1)^n \quad \forall n \in \mathbb{Z}": "",
+}
+REFUTED |= {
+    r"\left(a \sqrt[3]{\frac{m}{3 M}}\right)^3 = \frac{m}{M} a^3": ("m > 0", "M > 0"),
+    r"\sqrt[3]{x^3} = -x": "",
+    r"\cos n\pi = 1 \quad \forall n \in \mathbb{Z}": "",
+}
 POSITIVE = (r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}", r"m \ne n")
 PROVED |= {
     r"\int_0^{2\pi} \sin(m x) \sin(n x) dx = 0": POSITIVE,
@@ -165,6 +179,7 @@ NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about n
     r"\int_0^1 \Gamma(x)\,dx = \int_0^1 \Gamma(x)\,dx": ("", ""),
     r"\int_{-1}^{a} (\sqrt{x} - \sqrt{x} + 1)\,dx = a + 1": ("", ""),
     r"\exists x : \sqrt{x} = -2": ("", ""),
+    r"\sqrt[3]{x^3} = |x|": ("", ""),
     r"\lim_{x \to 0} \frac{1}{x} = \lim_{x \to 0} \frac{1}{x}": ("", ""),
     r"\frac{1}{\lim_{x \to 0} \frac{1}{x}} = 0": ("", ""),
     r"\lim_{x \to 0} \sin x \cdot \lim_{x \to 0} \frac{1}{x} = 1": ("", ""),

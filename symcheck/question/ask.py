@@ -40,6 +40,7 @@ from symcheck.question.prepare import (
     readings,
     sizes,
     unlowered,
+    with_scopes,
 )
 from symcheck.question.repairs import EVERYWHERE, repairs
 from symcheck.question.roots import rooted
@@ -126,6 +127,7 @@ def answered(
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
+        asked = with_scopes(asked)
         if general := _of_any_size(asked):
             return replace(general, seconds=time.perf_counter() - started)
         with limited(TOTAL):
@@ -373,11 +375,11 @@ def _is_root(part: Node) -> bool:
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:
     """A base of a power that is whole, of which nobody but the reader says that it is positive."""
     whole = {*_whole_letters(reading)}
-    said = [formula for name, formulas in problem.hypotheses if name != DEFINED for formula in formulas]
-    trees = [problem.claim, *said, *(t for _, t in problem.definitions)]
-    for base, exponent in (part.outside for part in nodes(*trees) if part.tag == "pow"):
-        positive = {node(">", base, 0), node("<", 0, base)} & {*said}
-        if letters(base) and letters(exponent) <= whole and not positive:
+    said = tuple((name, formulas) for name, formulas in problem.hypotheses if name != DEFINED)
+    trees = [problem.claim, *(f for _, fs in said for f in fs), *(t for _, t in problem.definitions)]
+    bases = (part.outside for part in nodes(*trees) if part.tag == "pow")
+    for base in dict.fromkeys(base for base, exponent in bases if letters(base) and letters(exponent) <= whole):
+        if _decided_one(replace(problem, claim=node(">", base, 0), hypotheses=said))[0] is not Verdict.PROVED:
             return base
     return None
 

@@ -16,7 +16,7 @@ from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, V
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.core.words import term
-from symcheck.reading import Notation, Tree, algebraic, read, tex
+from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.evidence import spelling
 from symcheck.reading.inference import SIZES, Inference, inferred
@@ -25,7 +25,7 @@ from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
-from symcheck.reading.tree import BigSum, Chain, Limiting, Name, System, walk
+from symcheck.reading.tree import BigSum, Chain, Forall, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -34,6 +34,9 @@ _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
 # letters for the size of a vector or matrix: "\mathbb{R}^{m \times n}"
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
+# whether it may say for which letters it holds, and where it does so at first, up to a colon
+_SCOPED = re.compile(r"\\forall(?![a-zA-Z])|\\in(?![a-zA-Z])|\\text\s*\{\s*[Ff]or")
+_ALL_AT_FIRST = re.compile(r"^(\s*\\forall(?![a-zA-Z])[^:=]*?)\s*(?::(?!=)|\\colon(?![a-zA-Z]))")
 LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
@@ -93,6 +96,32 @@ def plainly(asked: Asked) -> Asked:
     given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
     said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
     return Asked(made(asked.relation), tuple(map(made, asked.where)), given, said)
+
+
+def with_scopes(asked: Asked) -> Asked:
+    r"""What is printed beside a relation about the letters it holds for, as `\forall x > 0`, among the conditions."""
+    if not _SCOPED.search(asked.relation):
+        return asked
+    relation = _ALL_AT_FIRST.sub(r"\1, ", asked.relation)
+    _, said = members(asked.given, dict(asked.letters))
+    try:
+        inference, *_ = inferred([relation, *asked.where], said, {}, SIZES[:1])
+        tree = read(relation, inference.notation)
+    except SymcheckError:
+        return asked
+    parts = tree.parts if isinstance(tree, System) else ()
+    scopes = [part.scope if isinstance(part, Forall) else part for part in parts if _is_scope(part)]
+    rest = tuple(part for part in parts if not _is_scope(part))
+    if not scopes or not rest or not isinstance(tree, System):
+        return asked
+    stated = to_latex(replace(tree, parts=rest) if len(rest) > 1 or tree.qualifiers else rest[0])
+    return replace(asked, relation=stated, given=(*asked.given, *(to_latex(s) for s in scopes if isinstance(s, Chain))))
+
+
+def _is_scope(part: Tree) -> bool:
+    scope = part.scope if isinstance(part, Forall) else part
+    member = isinstance(scope, Chain) and scope.signs[-1] == r"\in"
+    return member or (isinstance(part, Forall) and isinstance(scope, Name | Chain))
 
 
 def sizes(asked: Asked) -> list[str]:

@@ -1,4 +1,5 @@
-"""Hints about roots: that of a square is the number or its negative, and what is not negative has one square."""
+"""Hints about roots: that of a square is the number or its negative, what is not negative has one square, and powers
+with fractions for exponents."""
 
 from __future__ import annotations
 
@@ -27,7 +28,28 @@ def rooted(problem: Problem) -> Problem:
     bound = any(part.bound for part in nodes(*trees))
     if isinstance(claim, Relation) and claim.tag == "=" and len(hints) < 2 * len(roots) and not bound:
         hints += [*shorter, Applied("equal_squares", claim.terms, ())]
+    powers = dict.fromkeys(part for part in nodes(*trees) if part.tag == "pow" and not bound)
+    hints += [hint for part in [*powers][:MOST] for hint in _of_power(part)]
+    if isinstance(claim, Relation) and claim.tag == "=":
+        for one, other in (claim.terms, claim.terms[::-1]):
+            match one:
+                case Value(tag="pow", terms=(base, Value(tag="/", terms=(1, int(q))))) if q > 1:
+                    hints.append(Applied("power_inverse", (other, q, base), ()))
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
+
+
+def _of_power(power: Node) -> Iterator[Applied[Term]]:
+    """Of which number a power with a fraction p/q for its exponent is the root, so that its q-th power is known."""
+    match power.outside:
+        case (base, Value(tag="/", terms=(int(p), int(q)))) if q > 1:
+            raised: Term = base if p == 1 else node("^", base, p)
+            root = node("pow", raised, node("/", 1, q))
+            if p != 1:
+                yield Applied("power_of_power", (base, p, node("/", 1, q)), ())
+            yield Applied("power_inverse", (raised, node("/", 1, q), root), ())
+            match base:
+                case Value(tag="^", terms=(inner, int(n))):
+                    yield Applied("power_of_power", (inner, n, node("/", p, q)), ())
 
 
 def _of_fraction(root: Node) -> Iterator[Applied[Term]]:

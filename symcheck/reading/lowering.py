@@ -858,7 +858,7 @@ class Lowering:
         value, order = self.scalar(tree.value, env), self.scalar(tree.order, env)
         if order == 2:
             return node("sqrt", value)
-        if isinstance(order, int) and order % 2:
+        if isinstance(order, int) and order % 2 and not (self.notation.inferred and letters(value)):
             raise NoForm(f"{to_latex(tree)}: a root of odd order is not read; write a power of a positive number")
         return node("pow", value, node("/", 1, order))
 
