@@ -3,16 +3,15 @@
 Its fields: `matrices`, the shapes of the letters; `hypotheses`, equations by name; `inverses`, what certain letters are
 the inverses of, which are assumed to have one; `claim`, an equation; `proof`, steps [[kind, name], term], in which the
 letter `fact` stands for the difference of both sides of a fact: the terms vanish with it, and their sum is the
-difference of both sides of the claim; and a `witness`, sizes and matrices for which all that is assumed is so.
+difference of both sides of the claim; and a `witness`, numbers for
+which all that is assumed is so where all sizes are 1.
 """
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from symcheck.checker.residues import require
 from symcheck.core.fields import Fields, by_key, listed, raw, text
-from symcheck.core.matrices import Matrix, Rows, Shape, Shapes, Size, at, sized
+from symcheck.core.matrices import Matrix, Shape, Shapes, Size
 from symcheck.core.terms import JSON, Malformed, Reader
 
 FACT = "fact"
@@ -46,7 +45,7 @@ class MatrixCertificate:
             left = self.of.plus(left, Shapes(own, {FACT: fact}).value(["-", term]))
         require(not left.parts, "the difference of both sides is not the sum it is said to be")
         require(self.hypotheses.keys() <= used, "a hypothesis is not used: {}", self.hypotheses.keys() - used)
-        self.check_witness(Fields(self.step.take("witness", raw)))
+        self.check_witness(self.step.take("witness", by_key(raw)))
         self.step.end()
 
     def fact(self, kind: str, name: str) -> Matrix:
@@ -64,19 +63,14 @@ class MatrixCertificate:
         require(self.of.value(x).shape == shape and shape[0] == shape[1], "{} is no inverse: it is not square", name)
         return self.of.value(_minus([["*", name, x] if kind == "left" else ["*", x, name], ["unit", shape[0]]]))
 
-    def check_witness(self, step: Fields) -> None:
-        """Rejects unless the matrices have their shapes, and all that is assumed is so of them."""
-        sizes = step.take("sizes", by_key(_whole), {})
-        values = {name: _rows(rows) for name, rows in step.take("values", by_key(listed(listed(raw)))).items()}
-        step.end()
-        for name, (n, m) in self.of.shapes.items():
-            fits = len(values[name]) == sized(n, sizes) and {*map(len, values[name])} == {sized(m, sizes)}
-            require(fits, "the witness {} has another shape", name)
-        inverses: list[Equation] = []
-        for x, y in self.inverses.items():
-            inverses += [[["*", *pair], ["unit", len(values[x])]] for pair in ((x, y), (y, x))]
-        for left, right in (*self.hypotheses.values(), *inverses):
-            require(at(left, sizes, values) == at(right, sizes, values), "the witness is none of {} = {}", left, right)
+    def check_witness(self, values: dict[str, JSON]) -> None:
+        """Rejects unless all that is assumed is so where all sizes are 1 and the letters have these values."""
+        numbers = {x: Shapes({}).value(["number", *listed(raw, 2)(value)]) for x, value in values.items()}
+        at = Shapes(self.of.shapes, numbers, single=True)
+        inverses: list[Equation] = [[["*", x, y], ["number", 1, 1]] for x, y in self.inverses.items()]
+        require(self.of.shapes.keys() == numbers.keys(), "no witness, or of other letters")
+        for equation in (*self.hypotheses.values(), *inverses):
+            require(not at.value(_minus(equation)).parts, "the witness is none of {}", equation)
 
 
 def _shape(data: JSON) -> Shape:
@@ -87,9 +81,9 @@ def _shape(data: JSON) -> Shape:
 def _size(data: JSON) -> Size:
     if isinstance(data, str):
         return Reader.letter(data)
-    if type(data) is not int or data < 1:
-        raise Malformed(f"{data!r} is no number of rows or columns")
-    return data
+    if data != 1 or type(data) is not int:
+        raise Malformed(f"{data!r} is no number of rows or columns: a letter, or 1")
+    return 1
 
 
 def _letters(term: JSON) -> set[str]:
@@ -99,13 +93,3 @@ def _letters(term: JSON) -> set[str]:
 
 def _minus(equation: Equation) -> JSON:
     return ["+", equation[0], ["-", equation[1]]]
-
-
-def _rows(data: list[list[JSON]]) -> Rows:
-    return [[Fraction(*listed(_whole, 2)(entry)) for entry in row] for row in data]
-
-
-def _whole(data: JSON) -> int:
-    if type(data) is not int:
-        raise Malformed(f"{data!r} is no whole number")
-    return data

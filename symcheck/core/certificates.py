@@ -45,4 +45,4 @@ class MatrixProof(TypedDict):
     inverses: dict[str, JSON]  # what letters are the inverses of
     claim: list[JSON]
     proof: list[list[JSON]]  # each a fact, and a term that vanishes with it
-    witness: dict[str, object]
+    witness: dict[str, list[int]]  # fractions for which all that is assumed is so

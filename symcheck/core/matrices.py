@@ -3,7 +3,7 @@
     "A"    ["unit", n]    ["zero", n, m]    ["number", p, q], the fraction p/q
     ["+", X, ...]    ["*", X, ...]    ["-", X]    ["transpose", X]    ["trace", X]
 
-Each letter has a shape: its numbers of rows and columns, whole numbers or letters. What has one row and one column is a
+Each letter has a shape: its numbers of rows and columns, letters or 1. What has one row and one column is a
 number: it is its own transpose, and multiplies every matrix from either side. Terms that have the same normal form are
 equal for all matrices of these shapes over a commutative ring, whatever whole numbers the letters of sizes stand for.
 """
@@ -21,7 +21,6 @@ Shape: TypeAlias = "tuple[Size, Size]"
 Word: TypeAlias = "tuple[tuple[str, bool], ...]"  # letters in the order of a product, and whether each is transposed
 Factor: TypeAlias = "tuple[str, Word]"  # a number: a "word" of that shape, the "trace" of one, or a "size"
 Monomial: TypeAlias = "tuple[tuple[Factor, ...], Word]"  # numbers in alphabetic order, and the rest of a product
-Rows: TypeAlias = "list[list[Fraction]]"
 NUMBER: Shape = (1, 1)
 
 
@@ -38,10 +37,13 @@ def flipped(word: Word) -> Word:
 
 
 class Shapes:
-    """What letters of these shapes make: a letter of a `value` stands for that."""
+    """What letters of these shapes make, or where all sizes are 1; a letter of `values` stands for its value."""
 
-    def __init__(self, shapes: Mapping[str, Shape], values: Mapping[str, Matrix] | None = None) -> None:
-        self.shapes, self.values = shapes, values or {}
+    def __init__(
+        self, shapes: Mapping[str, Shape], values: Mapping[str, Matrix] | None = None, *, single: bool = False
+    ) -> None:
+        self.shapes = dict.fromkeys(shapes, NUMBER) if single else shapes
+        self.values, self.single = values or {}, single
 
     def value(self, term: JSON) -> Matrix:
         """The normal form of a term; Malformed if it is none, or its parts do not fit together."""
@@ -49,9 +51,9 @@ class Shapes:
             return self.values[term] if term in self.values else self._letter(term)
         match term:
             case ["unit", int() | str() as n]:
-                return Matrix((n, n), {((), ()): Fraction(1)})
+                return Matrix(NUMBER if self.single else (n, n), {((), ()): Fraction(1)})
             case ["zero", int() | str() as n, int() | str() as m]:
-                return Matrix((n, m), {})
+                return Matrix(NUMBER if self.single else (n, m), {})
             case ["number", int(p), int(q)] if q:
                 return Matrix(NUMBER, _nonzero([(((), ()), Fraction(p, q))]))
             case ["+" | "*" as tag, first, *rest]:
@@ -128,9 +130,7 @@ class Shapes:
         for (numbers, word), c in x.parts.items():
             cuts = [k for k, factor in enumerate(word, 1) if self._columns(factor) == 1]
             turned = [(*word[k:], *word[:k]) for k in cuts or range(len(word))]
-            if not word and isinstance(n, int):
-                found.append(((numbers, ()), n * c))
-            elif cuts:
+            if cuts:
                 found.append((self._monomial(numbers, turned[0]), c))
             else:
                 factor = ("trace", min(min(w, flipped(w)) for w in turned)) if word else ("size", ((str(n), False),))
@@ -143,44 +143,3 @@ def _nonzero(parts: Iterable[tuple[Monomial, Fraction]]) -> dict[Monomial, Fract
     for part, c in parts:
         total[part] = total.get(part, Fraction()) + c
     return {part: c for part, c in total.items() if c}
-
-
-def at(term: JSON, sizes: Mapping[str, int], values: Mapping[str, Rows]) -> Rows:
-    """The rows of a term of letters that have these, of a shape that is right already."""
-    match term:
-        case str():
-            return values[term]
-        case ["unit", int() | str() as n]:
-            return [[Fraction(i == k) for k in range(sized(n, sizes))] for i in range(sized(n, sizes))]
-        case ["zero", int() | str() as n, int() | str() as m]:
-            return [[Fraction()] * sized(m, sizes) for _ in range(sized(n, sizes))]
-        case ["number", int(p), int(q)]:
-            return [[Fraction(p, q)]]
-        case ["-", x]:
-            return [[-entry for entry in row] for row in at(x, sizes, values)]
-        case ["transpose", x]:
-            return [list(column) for column in zip(*at(x, sizes, values), strict=True)]
-        case ["trace", x]:
-            return [[sum((row[k] for k, row in enumerate(at(x, sizes, values))), Fraction())]]
-        case ["+" | "*" as tag, first, *rest]:
-            found = at(first, sizes, values)
-            for each in rest:
-                found = (_sum if tag == "+" else _product)(found, at(each, sizes, values))
-            return found
-    raise Malformed(f"{str(term)[:80]} is no term of matrices")
-
-
-def sized(n: Size, sizes: Mapping[str, int]) -> int:
-    """A number of rows or columns where letters stand for numbers."""
-    return n if isinstance(n, int) else sizes[n]
-
-
-def _sum(x: Rows, y: Rows) -> Rows:
-    return [[a + b for a, b in zip(row, other, strict=True)] for row, other in zip(x, y, strict=True)]
-
-
-def _product(x: Rows, y: Rows) -> Rows:
-    for number, matrix in ((x, y), (y, x)):
-        if len(number) == len(number[0]) == 1:
-            return [[number[0][0] * entry for entry in row] for row in matrix]
-    return [[sum((a * b for a, b in zip(row, c, strict=True)), Fraction()) for c in zip(*y, strict=True)] for row in x]

@@ -10,13 +10,13 @@ from fractions import Fraction
 from itertools import count, islice, product
 
 from symcheck.core.certificates import MatrixProof
-from symcheck.core.matrices import Factor, Matrix, Monomial, Rows, Shape, Shapes, Word, at, flipped, sized
+from symcheck.core.matrices import NUMBER, Factor, Matrix, Monomial, Shape, Shapes, Word, flipped
 from symcheck.core.terms import JSON
 
 FACT = "fact"  # the letter that stands for a fact in a step of a proof
 LONGEST = 10  # letters of a product of which two leading parts overlap
 MOST = 120  # rules: the identities that are printed need a dozen
-VALUES = (1, 0, 2, -1, 3)  # of the witness, times the unit
+VALUES = (1, 0, 2, -1, 3)  # of the witness
 TRIED = 1000  # choices of them
 Step = tuple[Fraction, JSON, JSON]  # a multiple of a term in which `fact` stands for the named fact
 
@@ -176,8 +176,6 @@ class Search:
         shapes = {x: shape for x, shape in statement.shapes.items() if x in printed}
         if (found := _witness(statement)) is None:
             return None
-        sizes, values = found
-        rows = {x: [[[e.numerator, e.denominator] for e in row] for row in values[x]] for x in shapes}
         return {
             "id": "question",
             "verdict": "proved",
@@ -186,7 +184,7 @@ class Search:
             "inverses": inverses,
             "claim": [*statement.claim],
             "proof": [[reference, ["*", _number(c), term]] for reference, term, c in total.values() if c],
-            "witness": {"sizes": sizes, "values": rows},
+            "witness": {x: [found[x].numerator, found[x].denominator] for x in shapes},
         }
 
 
@@ -265,43 +263,24 @@ def _within(term: JSON, inner: JSON) -> JSON:
     return inner if term == FACT else term
 
 
-def _witness(statement: Statement) -> tuple[dict[str, int], dict[str, Rows]] | None:
-    """Sizes of 1 and multiples of the unit for which all that is assumed is so, whether it is used or not."""
-    shapes, hypotheses, inverses = statement.shapes, statement.hypotheses, statement.inverses
-    sizes = {n: 1 for shape in shapes.values() for n in shape if isinstance(n, str)}
-    defined = {**_definitions(hypotheses), **inverses}
-    free = [x for x in shapes if x not in defined]
+def _witness(statement: Statement) -> dict[str, Fraction] | None:
+    """Numbers for which all that is assumed is so where all sizes are 1, whether it is used or not."""
+    hypotheses, inverses = statement.hypotheses, statement.inverses
+    defined, known = {**_definitions(hypotheses), **inverses}, statement.shapes.keys()
+    free = [x for x in known if x not in defined]
     for numbers in islice(product(VALUES, repeat=len(free)), TRIED):
-        values = {
-            x: _multiple(n, *(sized(size, sizes) for size in shapes[x])) for x, n in zip(free, numbers, strict=True)
-        }
+        values = {x: Fraction(n) for x, n in zip(free, numbers, strict=True)}
         with suppress(ZeroDivisionError):
-            while ready := [
-                x for x in defined if x not in values and _words(defined[x]) & shapes.keys() <= values.keys()
-            ]:
-                for x in ready:
-                    found = at(defined[x], sizes, values)
-                    values[x] = _inverse(found) if x in inverses else found
-            if values.keys() == shapes.keys() and all(
-                at(left, sizes, values) == at(right, sizes, values) for left, right in hypotheses.values()
-            ):
-                return sizes, values
+            while ready := [x for x in defined if x not in values and _words(defined[x]) & known <= values.keys()]:
+                found = {x: _number_of(defined[x], values) for x in ready}
+                values |= {x: 1 / value if x in inverses else value for x, value in found.items()}
+            sides = (["+", left, ["-", right]] for left, right in hypotheses.values())
+            if values.keys() == known and not any(_number_of(gap, values) for gap in sides):
+                return values
     return None
 
 
-def _multiple(number: int, rows: int, columns: int) -> Rows:
-    return [[Fraction(number * (i == k)) for k in range(columns)] for i in range(rows)]
-
-
-def _inverse(rows: Rows) -> Rows:
-    """The inverse of a matrix; ZeroDivisionError if it has none."""
-    n = len(rows)
-    full = [[*row, *unit] for row, unit in zip(rows, _multiple(1, n, n), strict=True)]
-    for k in range(n):
-        pivot = next((i for i in range(k, n) if full[i][k]), k)
-        full[k], full[pivot] = full[pivot], full[k]
-        full[k] = [entry / full[k][k] for entry in full[k]]
-        for i in range(n):
-            if i != k:
-                full[i] = [a - full[i][k] * b for a, b in zip(full[i], full[k], strict=True)]
-    return [row[n:] for row in full]
+def _number_of(term: JSON, values: Mapping[str, Fraction]) -> Fraction:
+    """The value of a term of numbers where all sizes are 1."""
+    numbers = {x: Matrix(NUMBER, {((), ()): value} if value else {}) for x, value in values.items()}
+    return Shapes(dict.fromkeys(values, NUMBER), numbers, single=True).value(term).parts.get(((), ()), Fraction())

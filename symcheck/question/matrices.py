@@ -196,7 +196,8 @@ class Lowering:
                 term, (n, m) = self.term(value)
                 return ["transpose", term], (m, n)
             case Diag(entries) if all(entry == Number("1") for entry in entries):
-                return ["unit", len(entries)], (len(entries), len(entries))
+                n = _size(len(entries))
+                return ["unit", n], (n, n)
             case Div(top, bottom):
                 below = self.term(bottom)
                 if below[1] != NUMBER:
@@ -255,7 +256,7 @@ class Lowering:
             else:
                 kind = "matrix" if letter.latex in self.free else letter.kind
                 rows, columns = self.declared.get(letter.latex, KINDS[kind])
-                self.shapes[new] = rows or self.fresh(), columns or self.fresh()
+                self.shapes[new] = _size(rows) or self.fresh(), _size(columns) or self.fresh()
             if letter.skew:
                 self.unify(self.shapes[new], self.shapes[new][::-1])
                 self.known[f"{new}_is_skew"] = ["transpose", new], ["-", new]
@@ -421,10 +422,25 @@ class Lowering:
         letters = {key[0]: shapes[x] for key, x in self.names.items() if isinstance(key, tuple) and x in shapes}
         units = {x.latex: "the identity" for x in self.notation.letters if x.identity}
         return units | {
-            x: f"a vector of {n}, whatever that is" if m == 1 else f"a matrix of {n} x {m}, whatever these are"
+            x: f"a vector of {_told(n)}, whatever that is"
+            if m == 1
+            else f"a matrix of {_told(n)} x {_told(m)}, whatever these are"
             for x, (n, m) in letters.items()
-            if not (isinstance(n, int) and isinstance(m, int))
+            if not (_is_told(n) and _is_told(m))
         }
+
+
+def _size(number: Size) -> Size:
+    """A letter for a number of rows or columns above 1: what holds for all sizes holds for it."""
+    return f"size{number}" if isinstance(number, int) and number > 1 else number
+
+
+def _told(size: Size) -> str:
+    return str(size).removeprefix("size")
+
+
+def _is_told(size: Size) -> bool:
+    return size == 1 or bool(re.fullmatch(r"size\d+", str(size)))
 
 
 KINDS: dict[str, Shape] = {"scalar": NUMBER, "vector": (0, 1), "matrix": (0, 0), "function": NUMBER}  # 0: any
