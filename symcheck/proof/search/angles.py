@@ -65,7 +65,7 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     comparisons += positive
     names = _names_of((i for pair in comparisons for i in (*pair.theorems(), pair.theorem(1))), definitions)
     whole = Ring(with_arguments({"pi", *ring.names, *names}), definitions)
-    always = [applied("circle_number"), *_of_atoms(whole)]
+    always = [applied("circle_number"), *_of_atoms(whole), *(_circular(whole) if arcs else ())]
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
     signs = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
     pending = dict.fromkeys((*always, *_forward(given, known.ring), *signs))
@@ -175,9 +175,16 @@ def _of_atoms(ring: Ring) -> Iterator[Instance]:
             yield applied("root", *arguments)
         elif function in INVERSE:
             yield from _known_angle(function, *arguments)
-            yield applied(f"circular_of_{function}", *arguments)
             yield applied(f"principal_value_{function}", *arguments)
             yield applied(f"first_quadrant_{function}", *arguments)
+
+
+def _circular(ring: Ring) -> Iterator[Instance]:
+    """The sines and cosines of inverse functions."""
+    for name in ring.names:
+        function, *arguments = atoms().get(name, ("",))
+        if function in INVERSE:
+            yield applied(f"circular_of_{function}", *arguments)
 
 
 def _known_angle(function: str, t: Term) -> Iterator[Instance]:
