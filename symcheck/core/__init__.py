@@ -13,6 +13,7 @@ __all__ = [
     "ids",
     "interrupts",
     "lazy",
+    "matrices",
     "problems",
     "terms",
     "verdicts",
