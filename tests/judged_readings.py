@@ -43,7 +43,11 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(\\phi; \\mathbf{q}), 0; \\ge)",
         "RussTedrake/underactuated/book/multibody.html",
     ),
-    ("\\vec{x}(t_0) = \\vec{b}", "Chain(Call(\\vec{x}; t_0), \\vec{b}; =)", "jirilebl/diffyqs/ch-systems.tex"),
+    (
+        "\\vec{x}(t_0) = \\vec{b}",
+        "Chain(Call(\\vec{x}; t_0), \\vec{b}; =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
     (
         "W({\\bf x}) \\ge 0 \\quad \\text{and} \\quad W({\\bf x}) \\ge \\mathcal{B}({\\bf x}) +1,",
         "System(Chain(Call(W; \\mathbf{x}), 0; \\ge), Chain(Call(W; \\mathbf{x}), Add(Call(\\mathcal{B}; \\mathbf{x}), 1); \\ge))",
@@ -154,13 +158,21 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "System(Chain(Add(Call(X''; x), Mul(\\lambda, Call(X; x))), 0; =), Chain(Add(Call(T'; t), Mul(\\lambda, k, Call(T; t))), 0; =))",
         "jirilebl/diffyqs/ch-fourier-and-pde.tex",
     ),
-    ("a = a_1 + a_2", "Chain(a, Add(a_1, a_2); =)", "CalebBell/fluids/fluids/geometry.py"),
+    (
+        "a = a_1 + a_2",
+        "Chain(a, Add(a_1, a_2); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
     (
         "\\sigma X",
         "Mul(\\sigma, X)",
         "AVSLab/basilisk/src/simulation/mujocoDynamics/_GeneralModuleFiles/inhomogeneousGeometricBrownianMotion.rst",
     ),
-    ("y'' - k^2 y = 0 .", "Chain(Add(y'', Neg(Mul(Pow(k; 2), y))), 0; =)", "jirilebl/diffyqs/ch-higher-order-ode.tex"),
+    (
+        "y'' - k^2 y = 0 .",
+        "Chain(Add(y'', Neg(Mul(Pow(k; 2), y))), 0; =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
     (
         "\\ddot{\\boldsymbol{R}} = \\boldsymbol{A}_s + \\boldsymbol{P}_p",
         "Chain(Call(\\ddot{\\boldsymbol{R}}), Add(\\boldsymbol{A}_s, \\boldsymbol{P}_p); =)",
@@ -271,7 +283,11 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Add(Mul(\\mathbf{P}, \\mathbf{A}), Mul(Transpose(\\mathbf{A}), \\mathbf{P})), Neg(\\mathbf{Q}); =)",
         "RussTedrake/underactuated/book/lyapunov.html",
     ),
-    ("4r(r-1) + 1 = 0 .", "Chain(Add(Mul(4, r, Add(r, Neg(1))), 1), 0; =)", "jirilebl/diffyqs/ch-power-ser.tex"),
+    (
+        "4r(r-1) + 1 = 0 .",
+        "Chain(Add(Mul(4, r, Add(r, Neg(1))), 1), 0; =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
     (
         "I_3>I_2>I_1",
         "Chain(I_3, I_2, I_1; >, >)",
@@ -322,13 +338,21 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(f; z), Neg(Div(Mul(Pow(\\pi; 2), Pow(z; 4)); 16)); =)",
         "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
     ),
-    ("R = 1", "Chain(R, 1; =)", "AVSLab/basilisk/src/simulation/communication/simpleAntenna/simpleAntenna.rst"),
+    (
+        "R = 1",
+        "Chain(R, 1; =)",
+        "AVSLab/basilisk/src/simulation/communication/simpleAntenna/simpleAntenna.rst",
+    ),
     (
         "Y = \\frac{\\Delta \\bar \\omega}{\\Delta P} - 0.0896 - 0.48\\beta^9",
         "Chain(Y, Add(Div(\\Delta \\bar { \\omega }; \\Delta P), Neg(0.0896), Neg(Mul(0.48, Pow(\\beta; 9)))); =)",
         "CalebBell/fluids/fluids/flow_meter.py",
     ),
-    ("E := K + V", "Chain(E, Add(K, V); =)", "moorepants/learn-multibody-dynamics/energy.rst"),
+    (
+        "E := K + V",
+        "Chain(E, Add(K, V); =)",
+        "moorepants/learn-multibody-dynamics/energy.rst",
+    ),
     (
         "\\mathrm{BIC} = -2\\,\\mathcal{L}^* + K\\,\\log N",
         "Chain(\\text{BIC}, Add(Neg(Mul(2, \\mathcal { L } ^ { * })), Mul(K, Call(log; N))); =)",
@@ -354,7 +378,11 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { m } }), \\prescript { b } { } { \\mathbf { m } }; =)",
         "Mayitzin/ahrs/ahrs/filters/saam.py",
     ),
-    ("\\sin\\theta = a_x", "Chain(Call(sin; \\theta), a_x; =)", "Mayitzin/ahrs/ahrs/filters/fqa.py"),
+    (
+        "\\sin\\theta = a_x",
+        "Chain(Call(sin; \\theta), a_x; =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
     (
         "F = \\frac{G m M}{r^2}",
         "Chain(F, Div(Mul(G, m, M); Pow(r; 2)); =)",
@@ -385,7 +413,11 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(\\ddot{\\boldsymbol{r}}_2), Neg(Mul(Div(\\mu'; Pow(Call(r_2); 3)), Call(\\boldsymbol{r}_2))); =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
     ),
-    ("L_1 = L_2' = 0", "Chain(L_1, L_2', 0; =, =)", "CalebBell/fluids/fluids/flow_meter.py"),
+    (
+        "L_1 = L_2' = 0",
+        "Chain(L_1, L_2', 0; =, =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
     (
         "Q = -b\\dot\\theta(t) + u(t).",
         "Chain(Q, Add(Neg(Mul(b, Call(\\dot{\\theta}; t))), Call(u; t)); =)",
@@ -421,7 +453,11 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(C_p, Div(A_{overlap}; \\pi); =)",
         "AVSLab/basilisk/src/simulation/communication/simpleAntenna/simpleAntenna.rst",
     ),
-    ("GM_A = G\\ M_A", "Chain(Mul(G, M_A), Mul(G, M_A); =)", "Mayitzin/ahrs/ahrs/utils/wgs84.py"),
+    (
+        "GM_A = G\\ M_A",
+        "Chain(Mul(G, M_A), Mul(G, M_A); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
     (
         "G = \\sum_{\\alpha,\\beta=1}^s M_{\\alpha\\beta}q'_\\alpha q'_\\beta",
         "Chain(G, BigSum(\\alpha, \\beta; 1; s; Mul(M_{\\alpha \\beta}, q'_{\\alpha}, q'_{\\beta})); =)",
@@ -734,7 +770,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{h} = \\boldsymbol{r}_0 \\times\\boldsymbol{v}_0 = \\boldsymbol{\\hat{w}}\\left(x_0\\dot{y}_0 - y_0\\dot{x}_0\\right)",
-        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), Mul(\\boldsymbol{\\hat{w}}, Add(Mul(Call(x_0), Call(\\dot{y}_0)), Neg(Mul(Call(y_0), Call(\\dot{x}_0))))); =, =)",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), Mul(\\boldsymbol{\\hat{w}}, Add(Mul(x_0, \\dot { y } _ { 0 }), Neg(Mul(y_0, \\dot { x } _ { 0 })))); =, =)",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
     ),
     (
@@ -1334,7 +1370,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned}\\boldsymbol{r}_0 &= x_0\\boldsymbol{\\hat{p}} + y_0\\boldsymbol{\\hat{q}} & \\boldsymbol{v}_0 &= \\dot{x}_0\\boldsymbol{\\hat{p}} + \\dot{y}_0\\boldsymbol{\\hat{q}}\\end{aligned}",
-        "System(Chain(\\boldsymbol{r}_0, Add(Mul(Call(x_0), \\boldsymbol{\\hat{p}}), Mul(Call(y_0), \\boldsymbol{\\hat{q}})); =), Chain(\\boldsymbol{v}_0, Add(Mul(Call(\\dot{x}_0), \\boldsymbol{\\hat{p}}), Mul(Call(\\dot{y}_0), \\boldsymbol{\\hat{q}})); =))",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(x_0, \\boldsymbol{\\hat{p}}), Mul(y_0, \\boldsymbol{\\hat{q}})); =), Chain(\\boldsymbol{v}_0, Add(Mul(\\dot { x } _ { 0 }, \\boldsymbol{\\hat{p}}), Mul(\\dot { y } _ { 0 }, \\boldsymbol{\\hat{q}})); =))",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
     ),
     (
@@ -1774,7 +1810,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\dot{\\rho}(t) = \\pm \\ddot{\\rho}_{\\text{max}} \\left( \\frac{(t - t_0)^3}{t_{\\text{smooth}}^2} - \\frac{(t - t_0)^4}{2 t_{\\text{smooth}}^3} \\right)",
-        "Chain(Call(\\dot{\\rho}; t), PlusMinus(Mul(Call(\\ddot{\\rho}_{max}), Add(Div(Pow(Add(t, Neg(t_0)); 3); Pow(t_{smooth}; 2)), Neg(Div(Pow(Add(t, Neg(t_0)); 4); Mul(2, Pow(t_{smooth}; 3))))))); =)",
+        "Chain(Call(\\dot{\\rho}; t), PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Div(Pow(Add(t, Neg(t_0)); 3); Pow(t_{smooth}; 2)), Neg(Div(Pow(Add(t, Neg(t_0)); 4); Mul(2, Pow(t_{smooth}; 3))))))); =)",
         "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
     ),
     (
@@ -2227,18 +2263,2999 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "System(Chain(0, Limiting(min; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})))); =), Chain(Call(\\pi ^ { * }; \\mathbf{x}), Limiting(argmin; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})))); =))",
         "RussTedrake/underactuated/book/dp.html",
     ),
+    (
+        "H = \\frac12 I_1 (\\dot{\\theta}^2 + \\dot{\\phi}^2 \\sin^2 \\theta) + \\frac12 I_3 (\\dot{\\psi} + \\dot{\\phi} \\cos \\theta)^2 + Mgl\\cos \\theta = E \\quad \\text{（常数）}",
+        "System(Chain(H, Add(Mul(Div(1; 2), I_1, Add(Pow(Call(\\dot{\\theta}); 2), Mul(Pow(Call(\\dot{\\phi}); 2), Pow(Call(sin; Call(\\theta)); 2)))), Mul(Div(1; 2), I_3, Pow(Add(Call(\\dot{\\psi}), Mul(Call(\\dot{\\phi}), Call(cos; Call(\\theta)))); 2)), Mul(M, g, l, Call(cos; Call(\\theta)))), E; =, =), Words(\\text{（常数）}))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\text{distance}^2 = r^2 + r^2 - 2 r^2 \\cos\\theta_{err}.",
+        "Chain(Pow(\\text{distance}; 2), Add(Pow(r; 2), Pow(r; 2), Neg(Mul(2, Pow(r; 2), Call(cos; \\theta_{err})))); =)",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "C_{11}: \\lvert{\\operatorname{arg}\\left(\\sigma\\right)}\\rvert = \\pi b^{*}",
+        "Located(C_{11}; Chain(Bars(Call(arg; \\sigma)), Mul(\\pi, b ^ { * }); =))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\bar{M} := \\bar{r}^{L/P} \\times \\bar{v}",
+        "Chain(\\bar{M}, Cross(\\bar { r } ^ { L / P }; \\bar{v}); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "f_n = \\frac{d f_h}{dt} = \\frac{\\partial f_h}{\\partial x} \\frac{dx}{dt} + \\frac{\\partial f_h}{\\partial y} \\frac{dy}{dt} + \\frac{\\partial f_h}{\\partial \\theta} \\frac{d\\theta}{dt} + \\frac{\\partial f_h}{\\partial t}",
+        "Chain(f_n, Derivative(Call(f_h); t, 1), Add(Mul(Derivative(Call(f_h); x, 1; True), Derivative(Call(x); t, 1)), Mul(Derivative(Call(f_h); y, 1; True), Derivative(Call(y); t, 1)), Mul(Derivative(Call(f_h); \\theta, 1; True), Derivative(Call(\\theta); t, 1)), Derivative(Call(f_h); t, 1; True)); =, =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "\\forall a, {\\bf J} \\le {\\bf \\ell}(a) + {\\bf T}(a) {\\bf J}.",
+        "System(Forall(a), Chain(\\mathbf{J}, Add(Call(\\mathbf{\\ell}; a), Mul(Call(\\mathbf{T}; a), \\mathbf{J})); \\le))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\dot{\\bar{q}} = -\\mathbf{M}_k(\\bar{q}, t)^{-1} \\bar{g}_k(\\bar{u}_s, \\bar{q}, t) \\\\ \\dot{\\bar{u}}_s = -\\mathbf{M}_d(\\bar{q}, t)^{-1} \\bar{g}_d(\\bar{u}_s, \\bar{q}, t)",
+        "System(Chain(Call(\\dot{\\bar{q}}), Neg(Mul(Pow(Call(\\mathbf{M}_k; Call(\\bar{q}), t); Neg(1)), Call(\\bar{g}_k; Call(\\bar{u}_s), Call(\\bar{q}), t))); =), Chain(Call(\\dot{\\bar{u}}_s), Neg(Mul(Pow(Call(\\mathbf{M}_d; Call(\\bar{q}), t); Neg(1)), Call(\\bar{g}_d; Call(\\bar{u}_s), Call(\\bar{q}), t))); =))",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "\\frac{d f(\\chi)}{d\\chi} = \\frac{r_0 v_{r,0}}{\\sqrt{\\mu}}\\chi\\left[1 - \\alpha\\chi^2 S(z)\\right] + \\left(1 - \\alpha r_0\\right)\\chi^2 C(z) + r_0",
+        "Chain(Derivative(Call(f; \\chi); \\chi, 1), Add(Mul(Div(Mul(r_0, v_{r,0}); Sqrt(\\mu)), \\chi, Add(1, Neg(Mul(\\alpha, Pow(\\chi; 2), Call(S; z))))), Mul(Add(1, Neg(Mul(\\alpha, r_0))), Pow(\\chi; 2), Call(C; z)), r_0); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "x_t = [e_t, \\dot{e}_t, \\theta_t, \\dot{\\theta}_t]^T",
+        "Chain(x_t, Transpose(Tuple(Call(e_t), Call(\\dot{e}_t), Call(\\theta_t), Call(\\dot{\\theta}_t); [])); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_steering_control/lqr_steering_control_main.rst",
+    ),
+    (
+        "{}^AX^B {}^BX^C = {}^AX^C,",
+        "Chain(Mul(\\prescript { A } { } { X } ^ { B }, \\prescript { B } { } { X } ^ { C }), \\prescript { A } { } { X } ^ { C }; =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "& \\dfrac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial L}{\\partial q_i} - \\frac{\\partial L}{\\partial q_i} = 0\\quad (i=1,2,\\cdots,l) \\\\ & \\dfrac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial L}{\\partial q_\\alpha} - \\frac{\\partial L}{\\partial q_\\alpha} = 0\\quad (\\alpha=l+1,\\cdots,l)",
+        "System(Chain(Add(Derivative(Derivative(Call(L); q_i, 1; True); t, 1), Neg(Derivative(Call(L); q_i, 1; True))), 0; =), Values(i; 1, 2, Dots(), l), Chain(Add(Derivative(Derivative(Call(L); q_\\alpha, 1; True); t, 1), Neg(Derivative(Call(L); q_\\alpha, 1; True))), 0; =), Values(\\alpha; Add(l, 1), Dots(), l))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "V_{\\text{int}} = \\frac{V_{\\text{max}} - V_{\\text{min}}}{u_{\\text{max}}} u_{s}",
+        "Chain(V_{int}, Mul(Div(Add(V_{max}, Neg(V_{min})); u_{max}), u_s); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwMotorVoltage/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "v=y^{1-5} = y^{-4}, \\qquad v' = -4 y^{-5} y' .",
+        "System(Chain(v, Pow(y; Add(1, Neg(5))), Pow(y; Neg(4)); =, =), Chain(v', Neg(Mul(4, Pow(y; Neg(5)), y')); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\Delta t = t_{n} - t_{n-1}",
+        "Chain(\\Delta t, Add(t_n, Neg(t_{n-1})); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secTest.tex",
+    ),
+    (
+        "\\mathbf{F} = m\\,\\mathbf{a}",
+        "Chain(\\mathbf{F}, Mul(m, \\mathbf{a}); =)",
+        "AVSLab/basilisk/src/simulation/mujocoDynamics/NBodyGravity/NBodyGravity.rst",
+    ),
+    (
+        "\\frac{dx}{dt} + x = 2 \\cos t .",
+        "Chain(Add(Derivative(Call(x); t, 1), Call(x)), Mul(2, Call(cos; t)); =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "\\mathbf{q} = q_w + \\mathbf{q}_v",
+        "Chain(\\mathbf{q}, Add(q_w, \\mathbf{q}_v); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{u} &=& \\frac{\\mathbf{q}_v}{\\|\\mathbf{q}_v\\|} \\\\ \\theta &=& \\arccos\\Big(\\frac{q_w}{\\|\\mathbf{q}\\|}\\Big) \\end{array}",
+        "System(Chain(\\mathbf{u}, Div(\\mathbf{q}_v; Norm(\\mathbf{q}_v)); =), Chain(\\theta, Call(arccos; Div(q_w; Norm(\\mathbf{q}))); =))",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\left[\\mathbf{R_3(\\gamma)}\\right]\\left[\\mathbf{R_1(\\beta)}\\right]\\left[\\mathbf{R_3(\\alpha)}\\right]",
+        "Chain([ \\mathbf { Q } ], Mul(Call(\\mathbf{R}_3; \\gamma), Call(\\mathbf{R}_1; \\beta), Call(\\mathbf{R}_3; \\alpha)); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\Gamma(1/3) = \\frac{2^{4/9} \\pi^{2/3}}{3^{1/12} \\left( \\operatorname{agm}\\left(1,\\frac{1}{2} \\sqrt{2+\\sqrt{3}}\\right)\\right)^{1/3}},",
+        "Chain(Call(Gamma; Div(1; 3)), Div(Mul(Pow(2; Div(4; 9)), Pow(\\pi; Div(2; 3))); Mul(Pow(3; Div(1; 12)), Pow(Call(\\text{agm}; 1, Mul(Div(1; 2), Sqrt(Add(2, Sqrt(3))))); Div(1; 3)))); =)",
+        "fredrik-johansson/arb/doc/source/gamma.rst",
+    ),
+    (
+        "\\frac{\\mathrm{d}r}{\\mathrm{d}t} = \\sqrt{\\frac{2}{\\mu}\\left(\\frac{\\beta^2}{2\\mu r_0^2}-\\frac{\\alpha}{r_0}+ \\frac{\\alpha}{r}- \\frac{\\beta^2}{2\\mu r^2}\\right)} = \\sqrt{\\frac{2}{\\mu}\\left(E+\\frac{\\alpha}{r}-\\frac{\\beta^2}{2\\mu r^2}\\right)}",
+        "Chain(Derivative(Call(r); t, 1), Sqrt(Mul(Div(2; \\mu), Add(Div(Pow(\\beta; 2); Mul(2, \\mu, Pow(r_0; 2))), Neg(Div(\\alpha; r_0)), Div(\\alpha; Call(r)), Neg(Div(Pow(\\beta; 2); Mul(2, \\mu, Pow(Call(r); 2))))))), Sqrt(Mul(Div(2; \\mu), Add(E, Div(\\alpha; Call(r)), Neg(Div(Pow(\\beta; 2); Mul(2, \\mu, Pow(Call(r); 2))))))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "q^{-1} = \\frac{q^*}{|q|^2}",
+        "Chain(Pow(q; Neg(1)), Div(q ^ { * }; Pow(Bars(q); 2)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\bar{f}_k(\\dot{\\bar{q}}, \\bar{u}_s, \\bar{q}, t) = \\mathbf{M}_k\\dot{\\bar{q}} + \\bar{g}_k = 0 \\in \\mathbb{R}^n \\\\ \\bar{f}_d(\\dot{\\bar{u}}_s, \\bar{u}_s, \\bar{q}, t) = \\mathbf{M}_d\\dot{\\bar{u}}_s + \\bar{g}_d = 0 \\in \\mathbb{R}^p",
+        "System(Chain(Call(\\bar{f}_k; Call(\\dot{\\bar{q}}), Call(\\bar{u}_s), Call(\\bar{q}), t), Add(Mul(\\mathbf{M}_k, Call(\\dot{\\bar{q}})), \\bar{g}_k), 0, Pow(\\mathbb{R}; n); =, =, \\in), Chain(Call(\\bar{f}_d; Call(\\dot{\\bar{u}}_s), Call(\\bar{u}_s), Call(\\bar{q}), t), Add(Mul(\\mathbf{M}_d, Call(\\dot{\\bar{u}}_s)), \\bar{g}_d), 0, Pow(\\mathbb{R}; p); =, =, \\in))",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "\\bar{\\mathbf{q}} = \\begin{bmatrix}\\mathbf{Q} \\\\ q\\end{bmatrix} = \\begin{bmatrix}\\hat{\\mathbf{X}}\\sin\\frac{\\theta}{2} \\\\ \\cos\\frac{\\theta}{2}\\end{bmatrix}",
+        "Chain(\\bar{\\mathbf{q}}, MatrixOf(\\mathbf{Q}, q), MatrixOf(Mul(\\hat{\\mathbf{X}}, Call(sin; Div(\\theta; 2))), Call(cos; Div(\\theta; 2))); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "T_{rot}=\\frac{1}{2}\\bm\\omega_{\\cal B/N}^T [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N}+\\frac{1}{2}m_{\\text{hub}}(\\bm{\\dot{r}}_{B_c,B}-\\bm{\\dot{c}})\\cdot(\\bm{\\dot{r}}_{B_c,B}-\\bm{\\dot{c}})+\\sum\\limits_{j=1}^{N_P} \\frac{1}{2} m_j (\\bm{\\dot{r}}_{P_{c,j}/B}-\\bm{\\dot{c}})\\cdot(\\bm{\\dot{r}}_{P_{c,j}/B}-\\bm{\\dot{c}})",
+        "Chain(T_{rot}, Add(Mul(Div(1; 2), Transpose(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), [ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Mul(Div(1; 2), m_{hub}, Add(\\bm{\\dot{r}}_{B_c,B}, Neg(\\bm{\\dot{c}})), Add(\\bm{\\dot{r}}_{B_c,B}, Neg(\\bm{\\dot{c}})); 3), BigSum(j; 1; N_P; Mul(Div(1; 2), m_j, Add(\\bm{\\dot{r}}_{P_c,j/B}, Neg(\\bm{\\dot{c}})), Add(\\bm{\\dot{r}}_{P_c,j/B}, Neg(\\bm{\\dot{c}})); 3))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "z = \\sqrt[3]{3M_p + \\sqrt{1 + \\left(3 M_p\\right)^2}}",
+        "Chain(z, Root(Add(Mul(3, M_p), Sqrt(Add(1, Pow(Mul(3, M_p); 2)))); 3); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/parabolic-trajectories.md",
+    ),
+    (
+        "\\gamma_{\\mathrm{clean}} = f_{\\mathrm{scale}} \\gamma_{\\textrm{li}}",
+        "Chain(\\gamma_{clean}, Mul(f_{scale}, \\gamma_{li}); =)",
+        "AVSLab/basilisk/src/simulation/sensors/coarseSunSensor/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{\\bf H}_1 = {\\bf I}, {\\bf H}_2 = 0, \\dot{\\bf H} = 0, \\bar{{\\bf H}}=-{\\bf M}_{11}^{-1}{\\bf M}_{12}.",
+        "System(Chain(\\mathbf{H}_1, \\mathbf{I}; =), Chain(\\mathbf{H}_2, 0; =), Chain(Call(\\dot{\\mathbf{H}}), 0; =), Chain(\\bar{\\mathbf{H}}, Neg(Mul(Pow(\\mathbf{M}_{11}; Neg(1)), \\mathbf{M}_{12})); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\bm\\omega_{\\mathcal{S}_{i1}/\\mathcal{N}} = \\bm\\omega_{\\mathcal{S}_{i1}/\\mathcal{H}_{i1}} + \\bm\\omega_{\\mathcal{H}_{i1}/\\mathcal{B}} + \\bm\\omega_{\\cal B/N}",
+        "Chain(\\bm{\\omega}_{\\mathcal S_i1/\\mathcal N}, Add(\\bm{\\omega}_{\\mathcal S_i1/\\mathcal H_i1}, \\bm{\\omega}_{\\mathcal H_i1/\\mathcal B}, \\bm{\\omega}_{\\mathcal B/\\mathcal N}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\varOmega = \\sqrt{\\frac{\\mu}{r_{12}^3}}",
+        "Chain(\\varOmega, Sqrt(Div(\\mu; Pow(r_{12}; 3))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "= m^{1/k} \\min(1, \\log(1+r/(m-r))/k).",
+        "Chain(Blank(), Mul(Pow(m; Div(1; k)), Call(min; 1, Div(Call(log; Add(1, Div(r; Add(m, Neg(r))))); k))); =)",
+        "fredrik-johansson/arb/doc/source/arb.rst",
+    ),
+    (
+        "\\bm \\omega_{\\cal{B/N}} = \\bm \\omega_{\\cal{B/N}}",
+        "Chain(\\bm{\\omega}_{\\cal B/N}, \\bm{\\omega}_{\\cal B/N}; =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "V^G = J^G(q)v.",
+        "Chain(V ^ { G }, Mul(Call(J ^ { G }; q), v); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\mu^*_m = \\sum_{k=1}^{2\\,J} \\left[Q^-_{n_0,k}X^-_{m,n_0,k}+Q^+_{n_0+1,k}X^+_{m,n_0+1,k}\\right] \\quad.",
+        "Chain(\\mu _ { m } ^ { * }, BigSum(k; 1; Mul(2, J); Add(Mul(Q _ { n _ { 0 } , k } ^ { - }, X _ { m , n _ { 0 } , k } ^ { - }), Mul(Q _ { n _ { 0 } + 1 , k } ^ { + }, X _ { m , n _ { 0 } + 1 , k } ^ { + }))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "ml^2 \\ddot{\\theta} + mgl\\sin\\theta = -b\\dot{\\theta},",
+        "Chain(Add(Mul(m, Pow(l; 2), Call(\\ddot{\\theta})), Mul(m, g, l, Call(sin; Call(\\theta)))), Neg(Mul(b, Call(\\dot{\\theta}))); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "F= \\ln\\left[\\frac{\\sqrt{e + 1} + \\sqrt{e - 1}\\tan\\frac{\\nu}{2}}{\\sqrt{e + 1} - \\sqrt{e - 1}\\tan\\frac{\\nu}{2}}\\right]",
+        "Chain(F, Call(ln; Div(Add(Sqrt(Add(e, 1)), Mul(Sqrt(Add(e, Neg(1))), Call(tan; Div(\\nu; 2)))); Add(Sqrt(Add(e, 1)), Neg(Mul(Sqrt(Add(e, Neg(1))), Call(tan; Div(\\nu; 2))))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\mathbf{R} \\approx \\mathbf{R}_y=\\underset{\\mathbf{R}\\in SO(3)}{\\operatorname{arg\\,min}} (\\lambda_1|e_3-\\mathbf{Rv}_a|^2 + \\lambda_2|\\mathbf{v}_m^*-\\mathbf{Rv}_m|^2)",
+        "Chain(\\mathbf{R}, \\mathbf{R}_y, Limiting(argmin; _{ \\mathbf { R } \\in S O ( 3 ) }; Add(Mul(\\lambda_1, Pow(Bars(Add(e_3, Neg(Mul(\\mathbf{R}, \\mathbf{v}_a)))); 2)), Mul(\\lambda_2, Pow(Bars(Add(\\mathbf { v } _ { m } ^ { * }, Neg(Mul(\\mathbf{R}, \\mathbf{v}_m)))); 2)))); \\approx, =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\bm\\sigma_{R/N} = {\\tt addMRP}(\\bm\\sigma_{R_{0}/N}, -\\bm\\sigma_{R_{0}/R})",
+        "Chain(\\bm{\\sigma}_{R/N}, Call(\\text{addMRP}; \\bm{\\sigma}_{R_0/N}, Neg(\\bm{\\sigma}_{R_0/R})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attTrackingError/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "A = \\pi D_o L + \\pi D_i L + 2\\cdot \\frac{\\pi D_o^2}{4} - 2\\cdot \\frac{\\pi D_i^2}{4}",
+        "Chain(A, Add(Mul(\\pi, D_o, L), Mul(\\pi, D_i, L), Mul(2, Div(Mul(\\pi, Pow(D_o; 2)); 4)), Neg(Mul(2, Div(Mul(\\pi, Pow(D_i; 2)); 4)))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\boldsymbol{L}' = \\boldsymbol{L} - \\boldsymbol{r}_C\\times M\\boldsymbol{v}_C",
+        "Chain(\\boldsymbol{L}', Add(\\boldsymbol{L}, Neg(Cross(\\boldsymbol{r}_C; Mul(M, \\boldsymbol{v}_C)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "L_1 = 1",
+        "Chain(L_1, 1; =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "x(t) = 0.5 \\cos (2t) + 0.5 \\sin (2t) .",
+        "Chain(Call(x; t), Add(Mul(0.5, Call(cos; Mul(2, t))), Mul(0.5, Call(sin; Mul(2, t)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "K = 0.0696\\left(1 - 0.569\\frac{r}{d_2}\\right)\\left(1-\\sqrt{\\frac{r} {d_2}}\\beta\\right)(1-\\beta^5)\\lambda^2 + (\\lambda-1)^2",
+        "Chain(K, Add(Mul(0.0696, Add(1, Neg(Mul(0.569, Div(r; d_2)))), Add(1, Neg(Mul(Sqrt(Div(r; d_2)), \\beta))), Add(1, Neg(Pow(\\beta; 5))), Pow(\\lambda; 2)), Pow(Add(\\lambda, Neg(1)); 2)); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\ddot{\\theta}(t) = \\begin{cases} \\pm \\ddot{\\theta}_{\\text{max}} & \\text{if } t_0 \\leq t < t_s \\\\ \\mp \\ddot{\\theta}_{\\text{max}} & \\text{if } t_s \\leq t \\leq t_f \\\\ 0 & \\text{if } t > t_f \\end{cases}",
+        "Chain(Call(\\ddot{\\theta}; t), Piecewise(PlusMinus(\\ddot { \\theta } _ { \\text { m a x } }), Chain(t_0, t, t_s; \\le, <), PlusMinus(\\ddot { \\theta } _ { \\text { m a x } }; True), Chain(t_s, t, t_f; \\le, \\le), 0, Chain(t, t_f; >)); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/stepperMotor/stepperMotor.rst",
+    ),
+    (
+        "^B_A\\mathbf{q}^* = \\,^A_B\\mathbf{q} = \\begin{bmatrix}q_w\\\\-q_x\\\\-q_y\\\\-q_z\\end{bmatrix}",
+        "Chain(\\prescript { B } { A } { \\mathbf { q } } ^ { * }, \\prescript { A } { B } { \\mathbf { q } }, MatrixOf(q_w, Neg(q_x), Neg(q_y), Neg(q_z)); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\left| \\frac{x}{y} - \\frac{x+a}{y+b} \\right| \\le \\frac{|xb|+|ya|}{|y| (|y|-|b|)}.",
+        "Chain(Bars(Add(Div(x; y), Neg(Div(Add(x, a); Add(y, b))))), Div(Add(Bars(Mul(x, b)), Bars(Mul(y, a))); Mul(Bars(y), Add(Bars(y), Neg(Bars(b))))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "n = \\frac{k\\eta_p}{1 - k(1-\\eta_p)}",
+        "Chain(n, Div(Mul(k, \\eta_p); Add(1, Neg(Mul(k, Add(1, Neg(\\eta_p)))))); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\mathrm{CNR}_{dB} = 10\\log_{10}(\\mathrm{CNR})",
+        "Chain(\\text{CNR}_{dB}, Mul(10, Call(lg; \\text{CNR})); =)",
+        "AVSLab/basilisk/src/simulation/communication/downlinkHandling/downlinkHandling.rst",
+    ),
+    (
+        "\\Big[m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T\\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i2,2}} \\hat{\\bm s}_{i2,2}^T - m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}]\\Big] \\dot{\\bm\\omega}_{\\cal B/N} + \\Big[I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d_{i2}^2 + m_{\\text{sp}_{i2}} l_{i1} d_{i2} \\hat{\\bm s}_{i2,3}^T \\bm{\\hat{s}}_{i1,3} \\Big] \\ddot\\theta_{i1} \\\\ + \\Big[I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d_{i2}^2 \\Big] \\ddot\\theta_{i2} = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} - k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\hat{\\bm s}_{i2,2}^T \\bm \\tau_{\\text{ext}_{i2},H_{i2}} \\\\ - m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T \\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B} + l_{i1} \\dot{\\theta}_{i1}^2 \\bm{\\hat{s}}_{i1,1} \\Big]",
+        "Chain(Add(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i2,2}, Transpose(\\hat{\\bm{s}}_{i2,2})), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\bm{\\hat{s}}_{i1,3})), Call(\\ddot{\\theta}_{i1})), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(Transpose(\\hat{\\bm{s}}_{i2,2}), \\bm{\\tau}_{ext_i2,H_i2}), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(l_{i1}, Pow(Call(\\dot{\\theta}_{i1}); 2), \\bm{\\hat{s}}_{i1,1}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\boldsymbol{\\hat{u}}_{r,1} = \\boldsymbol{\\hat{u}}_{r,2} = \\boldsymbol{\\hat{u}}_r",
+        "Chain(\\boldsymbol{\\hat{u}}_{r,1}, \\boldsymbol{\\hat{u}}_{r,2}, \\boldsymbol{\\hat{u}}_r; =, =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
+    ),
+    (
+        "f(x) := \\frac{\\exp\\left(-\\frac{1}{2}\\left(\\frac{x-\\mu}{\\sigma}+\\exp\\left(\\frac{x-\\mu}{\\sigma}\\right)\\right)\\right)} {\\sqrt{2\\pi}\\sigma}",
+        "Chain(Call(f; x), Div(Call(exp; Neg(Mul(Div(1; 2), Add(Div(Add(x, Neg(\\mu)); \\sigma), Call(exp; Div(Add(x, Neg(\\mu)); \\sigma)))))); Mul(Sqrt(Mul(2, \\pi)), \\sigma)); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "t_0 = 0\\quad r_0 = r_p \\quad v_{r,0} = 0",
+        "System(Chain(t_0, 0; =), Chain(r_0, r_p; =), Chain(v_{r,0}, 0; =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "\\dot{\\bar{x}}(t) = \\bar{f}_m(\\bar{x}, t) = -\\mathbf{M}_m^{-1}\\bar{g}_m",
+        "Chain(Call(\\dot{\\bar{x}}; t), Call(\\bar{f}_m; Call(\\bar{x}), t), Neg(Mul(Pow(\\mathbf{M}_m; Neg(1)), \\bar{g}_m)); =, =)",
+        "moorepants/learn-multibody-dynamics/simulation.rst",
+    ),
+    (
+        "f(x) := \\frac{1}{\\pi \\gamma [1 + {(\\frac{x-x_0}{\\gamma})}^2]}",
+        "Chain(Call(f; x), Div(1; Mul(\\pi, \\gamma, Add(1, Pow(Div(Add(x, Neg(x_0)); \\gamma); 2)))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\begin{array}{c} ^b\\mathbf{a} = \\mathbf{C}\\,^r\\mathbf{a} \\\\ \\\\ ^b\\mathbf{m} = \\mathbf{C}\\,^r\\mathbf{m} \\end{array}",
+        "System(Chain(\\prescript { b } { } { \\mathbf { a } }, Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { a } }); =), Chain(\\prescript { b } { } { \\mathbf { m } }, Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { m } }); =))",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "\\dot{V} = -2 \\alpha x_\\perp^2 < 0, \\quad \\forall x_\\perp > -1.",
+        "System(Chain(Call(\\dot{V}), Neg(Mul(2, \\alpha, Pow(x_\\perp; 2))), 0; =, <), Forall(Chain(x_\\perp, Neg(1); >)))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "f(\\boldsymbol{r}_1,\\boldsymbol{r}_2,\\cdots,\\boldsymbol{r}_n,t) = 0",
+        "Chain(Call(f; \\boldsymbol{r}_1, \\boldsymbol{r}_2, Dots(), \\boldsymbol{r}_n, t), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/analytical-mechanics/Constraint.tex",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{v}_{\\mathrm{COG}} &= \\dot{\\boldsymbol{R}}_{\\mathrm{COG}} = \\frac{m_1 \\dot{\\boldsymbol{R}}_1 + m_2\\dot{\\boldsymbol{R}}_2}{m_1 + m_2}\\\\ \\boldsymbol{a}_{\\mathrm{COG}} &= \\ddot{\\boldsymbol{R}}_{\\mathrm{COG}} = \\frac{m_1 \\ddot{\\boldsymbol{R}}_1 + m_2\\ddot{\\boldsymbol{R}}_2}{m_1 + m_2} \\end{aligned}",
+        "System(Chain(\\boldsymbol{v}_{COG}, Call(\\dot{\\boldsymbol{R}}_{COG}), Div(Add(Mul(m_1, Call(\\dot{\\boldsymbol{R}}_1)), Mul(m_2, Call(\\dot{\\boldsymbol{R}}_2))); Add(m_1, m_2)); =, =), Chain(\\boldsymbol{a}_{COG}, Call(\\ddot{\\boldsymbol{R}}_{COG}), Div(Add(Mul(m_1, Call(\\ddot{\\boldsymbol{R}}_1)), Mul(m_2, Call(\\ddot{\\boldsymbol{R}}_2))); Add(m_1, m_2)); =, =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/motion-of-the-barycenter.md",
+    ),
+    (
+        "\\alpha_m = \\frac{1}{1 + \\left(\\frac{1-x}{x}\\right)\\frac{\\rho_g}{\\rho_l}} \\text{(homogeneous model)}",
+        "System(Chain(\\alpha_m, Div(1; Add(1, Mul(Div(Add(1, Neg(x)); x), Div(\\rho_g; \\rho_l)))); =), Words(\\text{(homogeneous~model)}))",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "F(t) = \\begin{cases} -1 & \\text{if } \\; {-1} < t < 0 , \\\\ 1 & \\text{if } \\; \\phantom{-}0 < t < 1 , \\end{cases}",
+        "Chain(Call(F; t), Piecewise(Neg(1), Chain(Neg(1), t, 0; <, <), 1, Chain(0, t, 1; <, <)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "K = N\\cdot f_d",
+        "Chain(K, Mul(N, f_d); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "C_{\\infty} = 0.5959 + 0.0312\\beta^{2.1} - 0.184\\beta^8 + \\frac{0.039\\beta^4}{(1.0 - \\beta^4)} - 0.01584",
+        "Chain(C_\\infty, Add(0.5959, Mul(0.0312, Pow(\\beta; 2.1)), Neg(Mul(0.184, Pow(\\beta; 8))), Div(Mul(0.039, Pow(\\beta; 4)); Add(1.0, Neg(Pow(\\beta; 4)))), Neg(0.01584)); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\begin{array}{c} f_g( \\mathbf{q}, \\,^S\\mathbf{a}) = \\begin{bmatrix} 2(q_xq_z-q_wq_y)-a_x \\\\ 2(q_wq_x+q_yq_z)-a_y \\\\ 2(\\frac{1}{2}-q_x^2-q_y^2)-a_z \\end{bmatrix} \\\\ \\\\ J_g( \\mathbf{q})=\\begin{bmatrix} -2q_y & 2q_z & -2q_w & 2q_x \\\\ 2q_x & 2q_w & 2q_z & 2q_y \\\\ 0 & -4q_x & -4q_y & 0 \\end{bmatrix} \\end{array}",
+        "System(Chain(Call(f_g; \\mathbf{q}, \\prescript { S } { } { \\mathbf { a } }), MatrixOf(Add(Mul(2, Add(Mul(q_x, q_z), Neg(Mul(q_w, q_y)))), Neg(a_x)), Add(Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z))), Neg(a_y)), Add(Mul(2, Add(Div(1; 2), Neg(Pow(q_x; 2)), Neg(Pow(q_y; 2)))), Neg(a_z))); =), Chain(Call(J_g; \\mathbf{q}), MatrixOf(Neg(Mul(2, q_y)), Mul(2, q_z), Neg(Mul(2, q_w)), Mul(2, q_x), Mul(2, q_x), Mul(2, q_w), Mul(2, q_z), Mul(2, q_y), 0, Neg(Mul(4, q_x)), Neg(Mul(4, q_y)), 0); =))",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "\\mathbf{M}_{B_1} = \\begin{bmatrix} m_{B_1} & 0 & 0 & 0 & 0 & 0 \\\\ 0 & m_{B_1} & 0 & 0 & 0 & 0 \\\\ 0 & 0 & m_{B_1} & 0 & 0 & 0 \\\\ 0 & 0 & 0 & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_x\\hat{n}_x & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_x\\hat{n}_y & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_x\\hat{n}_z \\\\ 0 & 0 & 0 & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_y\\hat{n}_x & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_y\\hat{n}_y & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_y\\hat{n}_z \\\\ 0 & 0 & 0 & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_z\\hat{n}_x & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_z\\hat{n}_y & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_z\\hat{n}_z \\\\ \\end{bmatrix}",
+        "Chain(\\mathbf{M}_{B_1}, MatrixOf(m_{B_1}, 0, 0, 0, 0, 0, 0, m_{B_1}, 0, 0, 0, 0, 0, 0, m_{B_1}, 0, 0, 0, 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_x; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_y; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_z; 1), 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_x; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_y; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_z; 1), 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_x; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_y; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_z; 1)); =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\boldsymbol{r}' & = \\overrightarrow{OQ} = \\overrightarrow{ON} + \\overrightarrow{NV} + \\overrightarrow{VQ} \\\\ & = (\\boldsymbol{n}\\cdot \\boldsymbol{r})\\boldsymbol{n} + \\big[\\boldsymbol{r}-(\\boldsymbol{n}\\cdot\\boldsymbol{r})\\boldsymbol{n}\\big] \\cos \\phi - (\\boldsymbol{r}\\times \\boldsymbol{n})\\sin \\phi",
+        "Chain(\\boldsymbol{r}', \\vec { O Q }, Add(\\vec { O N }, \\vec { N V }, \\vec { V Q }), Add(Mul(Mul(\\boldsymbol{n}, \\boldsymbol{r}; 1), \\boldsymbol{n}), Mul(Add(\\boldsymbol{r}, Neg(Mul(Mul(\\boldsymbol{n}, \\boldsymbol{r}; 1), \\boldsymbol{n}))), Call(cos; \\phi)), Neg(Mul(Cross(\\boldsymbol{r}; \\boldsymbol{n}), Call(sin; \\phi)))); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "L_{s_{i1,2}} = - k_{i1} \\theta_{i1} - c_{i1}\\dot{\\theta}_{i1} + k_{i2} \\theta_{i2} + c_{i2} \\dot\\theta_{i2} + \\hat{\\bm s}_{i1,2} \\cdot \\bm \\tau_{\\text{ext}_{i1},H_{i1}} + l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\bm F_{\\text{ext}_{i2}} - m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[\\ddot{\\bm{r}}_{B/N} \\\\ + \\bm{r}''_{S_{c,i1}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i1}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B})\\Big]\\\\ - m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[\\ddot{\\bm{r}}_{B/N} + \\bm{r}''_{S_{c,i2}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B} \\\\ + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]",
+        "Chain(L_{s_i1,2}, Add(Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(\\hat{\\bm{s}}_{i1,2}, \\bm{\\tau}_{ext_i1,H_i1}; 1), Mul(l_{i1}, \\hat{\\bm{s}}_{i1,3}, \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i1/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i1/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B}))); 3)), Neg(Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))); 3))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h} - \\mu\\frac{\\boldsymbol{r}}{r} = \\boldsymbol{B}",
+        "Chain(Add(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}), Neg(Mul(\\mu, Div(Call(\\boldsymbol{r}); Call(r))))), \\boldsymbol{B}; =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\nu_{\\text{circle}} = \\frac{2\\pi}{T} t",
+        "Chain(\\nu_{circle}, Mul(Div(Mul(2, \\pi); T), t); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "x^{*} = \\frac{1 - \\pi_2}{\\sigma^3}\\left(x^* + \\pi_2\\right) + \\frac{\\pi_2}{\\psi^3}\\left(x^* - 1 + \\pi_2\\right)",
+        "Chain(x ^ { * }, Add(Mul(Div(Add(1, Neg(\\pi_2)); Pow(\\sigma; 3)), Add(x ^ { * }, \\pi_2)), Mul(Div(\\pi_2; Pow(\\psi; 3)), Add(x ^ { * }, Neg(1), \\pi_2))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "u(x,t) = V(x) \\cos (\\omega t) + W (x) \\sin ( \\omega t)",
+        "Chain(Call(u; x, t), Add(Mul(Call(V; x), Call(cos; Mul(\\omega, t))), Mul(Call(W; x), Call(sin; Mul(\\omega, t)))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\mathscr{J}_\\theta = \\boldsymbol{J} \\cdot \\frac{\\partial \\boldsymbol{r}'}{\\partial \\theta} = Jl\\cos\\theta \\\\ \\mathscr{J}_\\phi = \\boldsymbol{J} \\cdot \\frac{\\partial \\boldsymbol{r}'}{\\partial \\phi} = Ja\\cos\\phi",
+        "System(Chain(\\mathscr{J}_\\theta, Mul(\\boldsymbol{J}, Derivative(Call(\\boldsymbol{r}'); \\theta, 1; True)), Mul(J, l, Call(cos; \\theta)); =, =), Chain(\\mathscr{J}_\\phi, Mul(\\boldsymbol{J}, Derivative(Call(\\boldsymbol{r}'); \\phi, 1; True)), Mul(J, a, Call(cos; \\phi)); =, =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\phi_{n,2\\,j-1} = \\phi_{n,2\\,j} = e^{-c_j\\,(t_n - t_{n-1})}",
+        "Chain(\\phi_{n,2\\,j-1}, \\phi_{n,2\\,j}, Pow(e; Neg(Mul(c_j, Add(t_n, Neg(t_{n-1}))))); =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "x = C_1 x_0(t) + C_2 x_0(t) \\int \\frac{g(t) F(t) P(t)}{x_0^{2}(t)} \\,dt",
+        "Chain(x, Add(Mul(C_1, Call(x_0; t)), Mul(C_2, Call(x_0; t), Antiderivative(Div(Mul(Call(g; t), Call(F; t), Call(P; t)); Pow(Call(x_0; t); 2)); t))); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\mathbf{y} = \\begin{bmatrix}f_x & f_y & f_z & h_x & h_y & h_z\\end{bmatrix}^T",
+        "Chain(\\mathbf{y}, Transpose(MatrixOf(f_x, f_y, f_z, h_x, h_y, h_z)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fourati.py",
+    ),
+    (
+        "\\frac{dV}{dt} = -\\frac{G m_1 m_2}{\\left(x^2 + y^2 + z^2\\right)^{3/2}} \\left(-x v_x - y v_y - z v_z\\right)",
+        "Chain(Derivative(Call(V); t, 1), Neg(Mul(Div(Mul(G, m_1, m_2); Pow(Add(Pow(x; 2), Pow(y; 2), Pow(z; 2)); Div(3; 2))), Add(Neg(Mul(x, v_x)), Neg(Mul(y, v_y)), Neg(Mul(z, v_z))))); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "X(t) = \\exp(B(t)) C",
+        "Chain(Call(X; t), Mul(Call(exp; Call(B; t)), C); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\bar{T} = \\bar{M}^{S/P} \\\\ \\bar{v} = \\bar{R}^{S/P}",
+        "System(Chain(\\bar{T}, \\bar { M } ^ { S / P }; =), Chain(\\bar{v}, \\bar { R } ^ { S / P }; =))",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "M_h = e\\sinh F - F",
+        "Chain(M_h, Add(Mul(e, Call(sinh; F)), Neg(F)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "{}^A\\bar{v}^P & = \\frac{{}^Ad\\bar{r}^{P/O}}{dt} \\\\ & = \\frac{{}^Bd\\bar{r}^{P/O}}{dt} + {}^A\\bar{\\omega}^B\\times\\bar{r}^{P/O} \\\\ & = {}^B\\bar{v}^P + {}^A\\bar{\\omega}^B\\times\\bar{r}^{P/O}",
+        "Chain(\\prescript { A } { } { \\bar { v } } ^ { P }, Marked(Derivative(Call(\\bar { r } ^ { P / O }); t, 1); _{ A }), Add(Marked(Derivative(Call(\\bar { r } ^ { P / O }); t, 1); _{ B }), Cross(\\prescript { A } { } { \\bar { \\omega } } ^ { B }; Call(\\bar { r } ^ { P / O }))), Add(\\prescript { B } { } { \\bar { v } } ^ { P }, Cross(\\prescript { A } { } { \\bar { \\omega } } ^ { B }; Call(\\bar { r } ^ { P / O }))); =, =, =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "(m\\ddot{z} + mg) (x_{cp} - x) = (z_{cp} - z) m\\ddot{x} - I\\ddot\\theta.",
+        "Chain(Mul(Add(Mul(m, Call(\\ddot{z})), Mul(m, g)), Add(x_{cp}, Neg(Call(x)))), Add(Mul(Add(z_{cp}, Neg(Call(z))), m, Call(\\ddot{x})), Neg(Mul(I, Call(\\ddot{\\theta})))); =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\Gamma(s,z) = \\Gamma(s) - \\frac{z^s}{s} {}_1F_1(s, s+1, -z)",
+        "Chain(Call(Gamma; s, z), Add(Call(Gamma; s), Neg(Mul(Div(Pow(z; s); s), Call(\\prescript { } { 1 } { F } _ { 1 }; s, Add(s, 1), Neg(z))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\bar{f}_k(\\dot{\\bar{q}}, \\dot{\\bar{q}}_r, \\bar{u}, \\bar{u}_r, \\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^N",
+        "Chain(Call(\\bar{f}_k; Call(\\dot{\\bar{q}}), Call(\\dot{\\bar{q}}_r), \\bar{u}, \\bar{u}_r, Call(\\bar{q}), Call(\\bar{q}_r), t), 0, Pow(\\mathbb{R}; N); =, \\in)",
+        "moorepants/learn-multibody-dynamics/holonomic-eom.rst",
+    ),
+    (
+        "{\\bf P} = {\\bf P}^T \\succ 0, \\quad {\\bf A}^T {\\bf P}{\\bf E} + {\\bf E}^T {\\bf P} {\\bf A} \\prec 0.",
+        "System(Chain(\\mathbf{P}, Transpose(\\mathbf{P}), 0; =, \\succ), Chain(Add(Mul(Transpose(\\mathbf{A}), \\mathbf{P}, \\mathbf{E}), Mul(Transpose(\\mathbf{E}), \\mathbf{P}, \\mathbf{A})), 0; \\prec))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "u = -\\tau_g + K_p (q_d - q) + K_d (\\dot{q}_d - \\dot{q}).",
+        "Chain(u, Add(Neg(\\tau_g), Mul(K_p, Add(Call(q_d), Neg(Call(q)))), Mul(K_d, Add(Call(\\dot{q}_d), Neg(Call(\\dot{q}))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "H3 &= 1",
+        "Chain(\\text{H3}, 1; =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/control_problems.rst",
+    ),
+    (
+        "\\bar{v} = & v_x \\hat{n}_x + v_y \\hat{n}_y + v_z \\hat{n}_z \\\\ \\bar{w} = & w_x \\hat{n}_x + w_y \\hat{n}_y + w_z \\hat{n}_z \\\\ \\bar{v} \\cdot \\bar{w} = & v_x w_x + v_v w_y + v_z w_z",
+        "System(Chain(\\bar{v}, Add(Mul(v_x, \\hat{n}_x), Mul(v_y, \\hat{n}_y), Mul(v_z, \\hat{n}_z)); =), Chain(\\bar{w}, Add(Mul(w_x, \\hat{n}_x), Mul(w_y, \\hat{n}_y), Mul(w_z, \\hat{n}_z)); =), Chain(Mul(\\bar{v}, \\bar{w}; 1), Add(Mul(v_x, w_x), Mul(v_v, w_y), Mul(v_z, w_z)); =))",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "f(x, \\mu, \\sigma) = \\frac{1}{\\sigma\\sqrt{2\\pi}} \\exp\\big [{-\\frac{(x-\\mu)^2}{2\\sigma^2} }\\big ]",
+        "Chain(Call(f; x, \\mu, \\sigma), Mul(Div(1; Mul(\\sigma, Sqrt(Mul(2, \\pi)))), Call(exp; Neg(Div(Pow(Add(x, Neg(\\mu)); 2); Mul(2, Pow(\\sigma; 2)))))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\bm \\omega_k = \\frac{1}{\\Delta t} \\frac{\\bm d_k \\times \\bm d_{k-1}}{\\|\\bm d_k \\times \\bm d_{k-1} \\|} \\arccos\\left( \\frac{\\bm d_k \\cdot \\bm d_{k-1}}{\\|\\bm d_k \\| \\| \\bm d_{k-1}\\|}\\right)",
+        "Chain(\\bm{\\omega}_k, Mul(Div(1; \\Delta t), Div(Cross(\\bm{d}_k; \\bm{d}_{k-1}); Norm(Cross(\\bm{d}_k; \\bm{d}_{k-1}))), Call(arccos; Div(Mul(\\bm{d}_k, \\bm{d}_{k-1}; 1); Mul(Norm(\\bm{d}_k), Norm(\\bm{d}_{k-1}))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attDetermination/okeefeEKF/_Documentation/Okeefe_EKF.tex",
+    ),
+    (
+        "\\left\\|\\exp(2^{-r}A) - \\sum_{k=0}^{N-1} \\frac{\\left(2^{-r} A\\right)^k}{k!} \\right\\|_{\\infty} = \\left\\|\\sum_{k=N}^{\\infty} \\frac{\\left(2^{-r} A\\right)^k}{k!}\\right\\|_{\\infty} \\le \\sum_{k=N}^{\\infty} \\frac{(2^{-r} \\|A\\|_{\\infty})^k}{k!}.",
+        "Chain(Marked(Norm(Add(Call(exp; Mul(Pow(2; Neg(r)), A)), Neg(BigSum(k; 0; Add(N, Neg(1)); Div(Pow(Mul(Pow(2; Neg(r)), A); k); Factorial(k)))))); _{ \\infty }), Marked(Norm(BigSum(k; N; Infinity(); Div(Pow(Mul(Pow(2; Neg(r)), A); k); Factorial(k)))); _{ \\infty }), BigSum(k; N; Infinity(); Div(Pow(Mul(Pow(2; Neg(r)), Marked(Norm(A); _{ \\infty })); k); Factorial(k))); =, \\le)",
+        "fredrik-johansson/arb/doc/source/arb_mat.rst",
+    ),
+    (
+        "P_n^m(z) = \\frac{(1+z)^{m/2}}{(1-z)^{m/2}} \\mathbf{F}\\left(-n, n+1, 1-m, \\frac{1-z}{2}\\right)",
+        "Chain(Call(P _ { n } ^ { m }; z), Mul(Div(Pow(Add(1, z); Div(m; 2)); Pow(Add(1, Neg(z)); Div(m; 2))), Call(\\mathbf{F}; Neg(n), Add(n, 1), Add(1, Neg(m)), Div(Add(1, Neg(z)); 2))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "U(x^*, y^*) = -\\frac{1 - \\pi_2}{\\sigma} - \\frac{\\pi_2}{\\psi} - \\frac{1}{2}\\left[\\left(1 - \\pi_2\\right)\\sigma^2 + \\pi_2 \\psi^2\\right]",
+        "Chain(Call(U; x ^ { * }, y ^ { * }), Add(Neg(Div(Add(1, Neg(\\pi_2)); \\sigma)), Neg(Div(\\pi_2; \\psi)), Neg(Mul(Div(1; 2), Add(Mul(Add(1, Neg(\\pi_2)), Pow(\\sigma; 2)), Mul(\\pi_2, Pow(\\psi; 2)))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/jacobi-constant.md",
+    ),
+    (
+        "\\begin{bmatrix} x_{lm,obs} \\\\ y_{lm,obs} \\end{bmatrix} = \\begin{bmatrix} x + d \\cos(\\phi + \\theta) \\\\ y + d \\sin(\\phi + \\theta) \\end{bmatrix}",
+        "Chain(MatrixOf(x_{lm,obs}, y_{lm,obs}), MatrixOf(Add(x, Mul(d, Call(cos; Add(\\phi, \\theta)))), Add(y, Mul(d, Call(sin; Add(\\phi, \\theta))))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\dot{x} = v \\cos\\theta \\\\ \\dot{y} = v \\sin\\theta \\\\ v = \\sqrt{\\dot{x}^2 + \\dot{y}^2}",
+        "System(Chain(Call(\\dot{x}), Mul(v, Call(cos; \\theta)); =), Chain(Call(\\dot{y}), Mul(v, Call(sin; \\theta)); =), Chain(v, Sqrt(Add(Pow(Call(\\dot{x}); 2), Pow(Call(\\dot{y}); 2))); =))",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "\\begin{aligned} {}_I \\mathbf J_Q(\\mathbf q) &= \\begin{bmatrix} {}_I \\mathbf J_P \\\\ {}_I \\mathbf J_R \\end{bmatrix} \\\\ &= \\begin{bmatrix} \\mathds{1}_{3\\times 3} && -\\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\\\ \\mathbf{0}_{3 \\times 3} && \\mathbf C_{I\\!B} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{R_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\end{aligned}",
+        "Chain(Call(\\prescript { } { I } { \\mathbf { J } } _ { Q }; \\mathbf{q}), MatrixOf(\\prescript { } { I } { \\mathbf { J } } _ { P }, \\prescript { } { I } { \\mathbf { J } } _ { R }), MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(\\mathbf{C}_{I\\!B}, \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q })), Blank(), Mul(\\mathbf{C}_{I\\!B}, Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; \\mathbf{q}_j)), Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{I\\!B}, Blank(), Mul(\\mathbf{C}_{I\\!B}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))); =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\sinh F = \\frac{y}{b}",
+        "Chain(Call(sinh; F), Div(y; b); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\omega = \\sqrt{\\omega_1^2 +\\omega_2^2 +\\omega_3^2} = \\sqrt{\\omega_0^2 + \\varOmega^2}\\quad \\text{（常数）}",
+        "System(Chain(\\omega, Sqrt(Add(Pow(\\omega_1; 2), Pow(\\omega_2; 2), Pow(\\omega_3; 2))), Sqrt(Add(Pow(\\omega_0; 2), Pow(\\varOmega; 2))); =, =), Words(\\text{（常数）}))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right]^T = \\begin{bmatrix}Q_{11} & Q_{21} & Q_{31}\\\\Q_{12} & Q_{22} & Q_{32}\\\\Q_{13} & Q_{23} & Q_{33}\\end{bmatrix}",
+        "Chain(Transpose([ \\mathbf { Q } ]), MatrixOf(Q_{11}, Q_{21}, Q_{31}, Q_{12}, Q_{22}, Q_{32}, Q_{13}, Q_{23}, Q_{33}); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "r_{\\text{SOI}} = R \\left(\\frac{m_p}{m_s}\\right)^{2/5}",
+        "Chain(r_{SOI}, Mul(R, Pow(Div(m_p; m_s); Div(2; 5))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "C_0 = \\sup_{|t| \\le |a|} |f(x+t)|, \\quad C_1 = \\sup_{|t| \\le |a|} |f'(x+t)|.",
+        "System(Chain(C_0, Limiting(sup; _{ | t | \\le | a | }; Bars(Call(f; Add(x, t)))); =), Chain(C_1, Limiting(sup; _{ | t | \\le | a | }; Bars(Call(f'; Add(x, t)))); =))",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "n := N - M",
+        "Chain(n, Add(N, Neg(M)); =)",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "{\\bf y}[0] =& {\\bf C}{\\bf x}[0] + {\\bf D}{\\bf u}[0] + {\\bf v}[0], \\\\ {\\bf y}[1] =& {\\bf C}({\\bf A}{\\bf x}[0] + {\\bf B}{\\bf u}[0] + {\\bf w}[0]) + {\\bf D}{\\bf u}[1] + {\\bf v}[1], \\\\ {\\bf y}[n] =& {\\bf C}{\\bf A}^n{\\bf x}[0] + {\\bf D}{\\bf u}[n] + {\\bf v}[n] + \\sum_{k=0}^{n-1}{\\bf C}{\\bf A}^{n-k-1}({\\bf B}{\\bf u}[k] + {\\bf w}[k]).",
+        "System(Chain(Indexed(\\mathbf{y}; 0), Add(Mul(\\mathbf{C}, Indexed(\\mathbf{x}; 0)), Mul(\\mathbf{D}, Indexed(\\mathbf{u}; 0)), Indexed(\\mathbf{v}; 0)); =), Chain(Indexed(\\mathbf{y}; 1), Add(Mul(\\mathbf{C}, Add(Mul(\\mathbf{A}, Indexed(\\mathbf{x}; 0)), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; 0)), Indexed(\\mathbf{w}; 0))), Mul(\\mathbf{D}, Indexed(\\mathbf{u}; 1)), Indexed(\\mathbf{v}; 1)); =), Chain(Indexed(\\mathbf{y}; n), Add(Mul(\\mathbf{C}, Pow(\\mathbf{A}; n), Indexed(\\mathbf{x}; 0)), Mul(\\mathbf{D}, Indexed(\\mathbf{u}; n)), Indexed(\\mathbf{v}; n), BigSum(k; 0; Add(n, Neg(1)); Mul(\\mathbf{C}, Pow(\\mathbf{A}; Add(n, Neg(k), Neg(1))), Add(Mul(\\mathbf{B}, Indexed(\\mathbf{u}; k)), Indexed(\\mathbf{w}; k))))); =))",
+        "RussTedrake/underactuated/book/sysid.html",
+    ),
+    (
+        "|R| \\le \\frac{4}{(2\\pi)^{2M}} \\int_N^U \\left| f^{(2M)}(t) \\right| dt.",
+        "Chain(Bars(R), Mul(Div(4; Pow(Mul(2, \\pi); Mul(2, M))), Integral(Bars(Call(f ^ { ( 2 M ) }; t)); t; N; U)); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "f^{B_q}_C = f^{B_p}_C, \\qquad \\tau^{B_q}_C = \\tau^{B_p}_C + {}^{B_q}p^{B_p}_C \\times f^{B_p}_C.",
+        "System(Chain(f _ { C } ^ { B _ { q } }, f _ { C } ^ { B _ { p } }; =), Chain(\\tau _ { C } ^ { B _ { q } }, Add(\\tau _ { C } ^ { B _ { p } }, Cross(\\prescript { B _ { q } } { } { p } _ { C } ^ { B _ { p } }; f _ { C } ^ { B _ { p } })); =))",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "F \\left( \\begin{bmatrix} 1 \\\\ 3 \\end{bmatrix} \\right) = 2 \\begin{bmatrix} 1 \\\\ 3 \\end{bmatrix} = \\begin{bmatrix} 2 \\\\ 6 \\end{bmatrix} .",
+        "Chain(Call(F; MatrixOf(1, 3)), Mul(2, MatrixOf(1, 3)), MatrixOf(2, 6); =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "L & = T-U = T_2 - U_1 - U_0 \\\\ H & = L_2 - L_0 = T_2 + U_1 + U_0",
+        "System(Chain(L, Add(T, Neg(U)), Add(T_2, Neg(U_1), Neg(U_0)); =, =), Chain(H, Add(L_2, Neg(L_0)), Add(T_2, U_1, U_0); =, =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\theta(h) = \\arg \\left(\\Gamma\\left(\\frac{2ih+1}{4}\\right)\\right) - \\frac{\\log \\pi}{2} h",
+        "Chain(Call(\\theta; h), Add(Call(arg; Call(Gamma; Div(Add(Mul(2, i, h), 1); 4))), Neg(Mul(Div(Call(log; \\pi); 2), h))); =)",
+        "fredrik-johansson/arb/doc/source/arb_poly.rst",
+    ),
+    (
+        "\\lambda = \\sigma + \\mathbf{Z}\\cdot\\mathbf{Y}",
+        "Chain(\\lambda, Add(\\sigma, Mul(\\mathbf{Z}, \\mathbf{Y})); =)",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "\\boxed{\\mathbf{P}_{yy} = \\sum_{i=0}^{2n} w_i^{(c)} (\\mathcal{Y}_i - \\bar{\\mathbf{y}})(\\mathcal{Y}_i - \\bar{\\mathbf{y}})^T + \\mathbf{Q}}",
+        "Chain(\\mathbf{P}_{yy}, Add(BigSum(i; 0; Mul(2, n); Mul(w _ { i } ^ { ( c ) }, Add(\\mathcal{Y}_i, Neg(\\bar{\\mathbf{y}})), Transpose(Add(\\mathcal{Y}_i, Neg(\\bar{\\mathbf{y}}))))), \\mathbf{Q}); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "C = \\frac{F_0}{m \\sqrt{{(2\\omega p)}^2+{(\\omega_0^2-\\omega^2)}^2}} .",
+        "Chain(C, Div(F_0; Mul(m, Sqrt(Add(Pow(Mul(2, \\omega, p); 2), Pow(Add(Pow(\\omega_0; 2), Neg(Pow(\\omega; 2))); 2))))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "R = \\begin{bmatrix} \\cos(\\theta) & 0 & -\\sin(\\theta) \\\\ 0 & 1 & 0 \\\\ \\sin(\\theta) & 0 & \\cos(\\theta) \\end{bmatrix}",
+        "Chain(R, MatrixOf(Call(cos; \\theta), 0, Neg(Call(sin; \\theta)), 0, 1, 0, Call(sin; \\theta), 0, Call(cos; \\theta)); =)",
+        "sympy/sympy/sympy/matrices/dense.py",
+    ),
+    (
+        "\\dot{\\boldsymbol{x}} = \\boldsymbol{f}\\big( \\boldsymbol{x}\\,,\\,\\boldsymbol{u} \\big)",
+        "Chain(Call(\\dot{\\boldsymbol{x}}), Call(\\boldsymbol{f}; Call(\\boldsymbol{x}), \\boldsymbol{u}); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/overview.md",
+    ),
+    (
+        "\\begin{split} \\det \\left( \\begin{bmatrix} 1 & 2 & 3 \\\\ 0 & 5 & 0 \\\\ 7 & 8 & 9 \\end{bmatrix} \\right) & = - 0 \\cdot \\det \\left( \\begin{bmatrix} 2 & 3 \\\\ 8 & 9 \\end{bmatrix} \\right) + 5 \\cdot \\det \\left( \\begin{bmatrix} 1 & 3 \\\\ 7 & 9 \\end{bmatrix} \\right) - 0 \\cdot \\det \\left( \\begin{bmatrix} 1 & 2 \\\\ 7 & 8 \\end{bmatrix} \\right) \\\\ & = 0 + 5 (1 \\cdot 9 - 3 \\cdot 7) + 0 = -60 . \\end{split}",
+        "Chain(Call(det; MatrixOf(1, 2, 3, 0, 5, 0, 7, 8, 9)), Add(Neg(Mul(0, Call(det; MatrixOf(2, 3, 8, 9)))), Mul(5, Call(det; MatrixOf(1, 3, 7, 9))), Neg(Mul(0, Call(det; MatrixOf(1, 2, 7, 8))))), Add(0, Mul(5, Add(Mul(1, 9), Neg(Mul(3, 7)))), 0), Neg(60); =, =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\begin{bmatrix} x_{cp} \\\\ z_{cp}\\end{bmatrix} \\equiv \\,{}^Wp^{R_{cp}}_W = \\frac{\\sum_i {}^Wp^{B_i}_{W}\\, f^{B_i}_{W_z}}{\\sum_i f^{B_i}_{W_z}}.",
+        "Chain(MatrixOf(x_{cp}, z_{cp}), \\prescript { W } { } { p } _ { W } ^ { R _ { c p } }, Div(BigSum(i; Mul(\\prescript { W } { } { p } _ { W } ^ { B _ { i } }, f _ { W _ { z } } ^ { B _ { i } })); BigSum(i; f _ { W _ { z } } ^ { B _ { i } })); \\equiv, =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\begin{aligned}f &= \\frac{x\\dot{y}_0 - y\\dot{x}_0}{h} & g &= \\frac{-xy_0 + yx_0}{h} \\\\ \\dot{f} &= \\frac{\\dot{x}\\dot{y}_0 - \\dot{y}\\dot{x}_0}{h} & \\dot{g} &= \\frac{-\\dot{x}y_0 + \\dot{y}x_0}{h}\\end{aligned}",
+        "System(Chain(Call(f), Div(Add(Mul(Call(x), \\dot { y } _ { 0 }), Neg(Mul(Call(y), \\dot { x } _ { 0 }))); h); =), Chain(Call(g), Div(Add(Neg(Mul(Call(x), y_0)), Mul(Call(y), x_0)); h); =), Chain(Call(\\dot{f}), Div(Add(Mul(Call(\\dot{x}), \\dot { y } _ { 0 }), Neg(Mul(Call(\\dot{y}), \\dot { x } _ { 0 }))); h); =), Chain(Call(\\dot{g}), Div(Add(Neg(Mul(Call(\\dot{x}), y_0)), Mul(Call(\\dot{y}), x_0)); h); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "x(t) = \\int_0^t \\frac{\\sin (\\omega_0 \\tau)}{\\omega_0} \\, \\cos \\bigl( \\omega_0 (t-\\tau) \\bigr) \\, d\\tau = \\frac{1}{\\omega_0} \\int_0^t \\sin ( \\omega_0 \\tau ) \\, \\cos \\bigl(\\omega_0 (t-\\tau) \\bigr) \\, d\\tau .",
+        "Chain(Call(x; t), Integral(Mul(Div(Call(sin; Mul(\\omega_0, \\tau)); \\omega_0), Call(cos; Mul(\\omega_0, Add(t, Neg(\\tau))))); \\tau; 0; t), Mul(Div(1; \\omega_0), Integral(Mul(Call(sin; Mul(\\omega_0, \\tau)), Call(cos; Mul(\\omega_0, Add(t, Neg(\\tau))))); \\tau; 0; t)); =, =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "\\dot{v} = 0",
+        "Chain(Call(\\dot{v}), 0; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "v^* = v[n] - 2h \\frac{1 + \\epsilon}{\\kappa} v[n] - h\\frac{1+\\epsilon}{\\kappa^2} q[n].",
+        "Chain(v ^ { * }, Add(Indexed(v; n), Neg(Mul(2, h, Div(Add(1, \\epsilon); \\kappa), Indexed(v; n))), Neg(Mul(h, Div(Add(1, \\epsilon); Pow(\\kappa; 2)), Indexed(q; n)))); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "r^4 - 4 r^3 + 8 r^2 - 8 r + 4 & = 0 , \\\\ {(r^2-2r+2)}^2 & = 0 , \\\\ {\\bigl({(r-1)}^2+1\\bigr)}^2 & = 0 .",
+        "System(Chain(Add(Pow(r; 4), Neg(Mul(4, Pow(r; 3))), Mul(8, Pow(r; 2)), Neg(Mul(8, r)), 4), 0; =), Chain(Pow(Add(Pow(r; 2), Neg(Mul(2, r)), 2); 2), 0; =), Chain(Pow(Add(Pow(Add(r, Neg(1)); 2), 1); 2), 0; =))",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "P_{nm}(x) = 2^{-n}(1-x^2)^{m/2} \\sum_{k=0}^{K}(-1)^k\\frac{(2n-2k)!}{k!(n-k)!(n-m-2k)!}x^{n-m-2k}",
+        "Chain(Call(P_{nm}; x), Mul(Pow(2; Neg(n)), Pow(Add(1, Neg(Pow(x; 2))); Div(m; 2)), BigSum(k; 0; K; Mul(Pow(Neg(1); k), Div(Factorial(Add(Mul(2, n), Neg(Mul(2, k)))); Mul(Factorial(k), Factorial(Add(n, Neg(k))), Factorial(Add(n, Neg(m), Neg(Mul(2, k)))))), Pow(x; Add(n, Neg(m), Neg(Mul(2, k))))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "f(x) := \\frac{\\alpha\\,x_m^\\alpha}{x^{\\alpha+1}}",
+        "Chain(Call(f; x), Div(Mul(\\alpha, Pow(x_m; \\alpha)); Pow(x; Add(\\alpha, 1))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\mathbf{T} := \\mathbf{J}_{\\bar{v},\\bar{u}} \\in \\mathbb{R}^{6\\nu \\times n} \\quad \\textrm{where} \\quad \\bar{v} = \\mathbf{T} \\bar{u}",
+        "System(Chain(\\mathbf{T}, \\mathbf{J}_{\\bar v,\\bar u}, Pow(\\mathbb{R}; Cross(Mul(6, \\nu); n)); =, \\in), Chain(\\bar{v}, Mul(\\mathbf{T}, \\bar{u}); =))",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\hat{J}^*_{\\bf \\alpha}({\\bf x}) = \\sum_i \\alpha_i \\psi_i({\\bf x}) = {\\bf \\psi}^T({\\bf x}) {\\bf \\alpha},",
+        "Chain(Call(\\hat { J } _ { \\mathbf { \\alpha } } ^ { * }; \\mathbf{x}), BigSum(i; Mul(\\alpha_i, Call(\\psi_i; \\mathbf{x}))), Mul(Transpose(Call(\\mathbf{\\psi}; \\mathbf{x})), \\mathbf{\\alpha}); =, =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\begin{aligned} m_1 x_1'' & = k(x_2-x_1) , \\\\ m_2 x_2'' & = - k(x_2-x_1) . \\end{aligned}",
+        "System(Chain(Mul(m_1, x_1''), Mul(k, Add(x_2, Neg(x_1))); =), Chain(Mul(m_2, x_2''), Neg(Mul(k, Add(x_2, Neg(x_1)))); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\begin{aligned} x_1'(t) &= g_1\\bigl(x_1(t),x_2(t),x_3(t),t\\bigr) , \\\\ x_2'(t) &= g_2\\bigl(x_1(t),x_2(t),x_3(t),t\\bigr) , \\\\ x_3'(t) &= g_3\\bigl(x_1(t),x_2(t),x_3(t),t\\bigr) . \\end{aligned}",
+        "System(Chain(Call(x_1'; t), Call(g_1; Call(x_1; t), Call(x_2; t), Call(x_3; t), t); =), Chain(Call(x_2'; t), Call(g_2; Call(x_1; t), Call(x_2; t), Call(x_3; t), t); =), Chain(Call(x_3'; t), Call(g_3; Call(x_1; t), Call(x_2; t), Call(x_3; t), t); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "M_e = L - \\varpi + b T^2 + c\\cos\\left(f T\\right) + s\\sin\\left(f T\\right)",
+        "Chain(M_e, Add(L, Neg(\\varpi), Mul(b, Pow(T; 2)), Mul(c, Call(cos; Mul(f, T))), Mul(s, Call(sin; Mul(f, T)))); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/planetary-ephemeris.md",
+    ),
+    (
+        "\\begin{cases} N_r = \\lambda \\dfrac{\\partial}{\\partial r}(r-R) = \\lambda \\\\[1.5ex] N_\\theta = \\lambda \\dfrac{\\partial}{\\partial \\theta}(r-R) = 0 \\end{cases}",
+        "System(Chain(N_r, Mul(\\lambda, Derivative(Add(r, Neg(R)); r, 1; True)), \\lambda; =, =), Chain(N_\\theta, Mul(\\lambda, Derivative(Add(r, Neg(R)); \\theta, 1; True)), 0; =, =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "& C = \\begin{bmatrix} 1 & 0 & 0 & 0\\\\0 & 0 & 1 & 0 \\end{bmatrix}\\\\ & D = \\begin{bmatrix} 0 \\\\ 0 \\end{bmatrix}",
+        "System(Chain(C, MatrixOf(1, 0, 0, 0, 0, 0, 1, 0); =), Chain(D, MatrixOf(0, 0); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "f^{F_c} = - mg - u.",
+        "Chain(f ^ { F _ { c } }, Add(Neg(Mul(m, g)), Neg(u)); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "S_\\mathrm{true} (\\omega) = \\frac{\\lambda\\,A}{2}\\,\\left[ \\exp\\left(-\\frac{\\lambda^2}{2}\\,\\left(\\omega- \\frac{2\\,\\pi}{P_\\mathrm{true}}\\right)^2\\right) + \\exp\\left(-\\frac{\\lambda^2}{2}\\,\\left(\\omega+ \\frac{2\\,\\pi}{P_\\mathrm{true}}\\right)^2\\right) \\right]",
+        "Chain(Call(S_{true}; \\omega), Mul(Div(Mul(\\lambda, A); 2), Add(Call(exp; Neg(Mul(Div(Pow(\\lambda; 2); 2), Pow(Add(\\omega, Neg(Div(Mul(2, \\pi); P_{true}))); 2)))), Call(exp; Neg(Mul(Div(Pow(\\lambda; 2); 2), Pow(Add(\\omega, Div(Mul(2, \\pi); P_{true})); 2)))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\dot{V}({\\bf x}) = {\\bf x}^T {\\bf PA} {\\bf x} + {\\bf x}^T {\\bf A}^T {\\bf P}{\\bf x} \\prec 0.",
+        "Chain(Call(\\dot{V}; \\mathbf{x}), Add(Mul(Transpose(\\mathbf{x}), \\mathbf{P}, \\mathbf{A}, \\mathbf{x}), Mul(Transpose(\\mathbf{x}), Transpose(\\mathbf{A}), \\mathbf{P}, \\mathbf{x})), 0; =, \\prec)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "x''(T)=2a_2+6a_3T+12a_4T^2+20a_5T^3=a_e",
+        "Chain(Call(x''; T), Add(Mul(2, a_2), Mul(6, a_3, T), Mul(12, a_4, Pow(T; 2)), Mul(20, a_5, Pow(T; 3))), a_e; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "Y(t) = \\begin{bmatrix} 0 & 1 \\end{bmatrix} \\begin{bmatrix} x_1(t) \\\\ x_2(t) \\end{bmatrix} + \\begin{bmatrix} 0 \\end{bmatrix} v_{in}(t)",
+        "Chain(Call(Y; t), Add(Mul(MatrixOf(0, 1), MatrixOf(Call(x_1; t), Call(x_2; t))), Mul(MatrixOf(0), Call(v_{in}; t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "\\mu = \\begin{bmatrix}\\mu_1\\\\\\mu_2\\\\ \\vdots \\\\\\mu_n\\end{bmatrix}",
+        "Chain(\\mu, MatrixOf(\\mu_1, \\mu_2, Dots(), \\mu_n); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "{\\vec{x}}' = P\\vec{x} ,",
+        "Chain(\\vec{x}', Mul(P, \\vec{x}); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\sigma = \\frac{P_1 - P_{sat}}{P_1 - P_2}",
+        "Chain(\\sigma, Div(Add(P_1, Neg(P_{sat})); Add(P_1, Neg(P_2))); =)",
+        "CalebBell/fluids/fluids/control_valve.py",
+    ),
+    (
+        "v[n+1] = v[n] + \\frac{h}{m}(u + f^+ - f^-).",
+        "Chain(Indexed(v; Add(n, 1)), Add(Indexed(v; n), Mul(Div(h; m), Add(u, f ^ { + }, Neg(f ^ { - })))); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\bm{r}''_{Tc/B}\\cdot\\bm{\\hat{k}}_3 = -\\frac{\\pi\\,R_{\\text{tank}}^4\\,\\rho_{\\text{fuel}}}{4} \\left(\\frac{\\ddot{q}}{m_{\\text{fuel}}} -\\frac{2\\dot{q}\\dot{m}_{\\text{fuel}}}{m_{\\text{fuel}}^2} -\\frac{q\\ddot{m}_{\\text{fuel}}}{m_{\\text{fuel}}^2} +\\frac{2q\\dot{m}_{\\text{fuel}}^2}{m_{\\text{fuel}}^3}\\right).",
+        "Chain(Mul(\\bm{r}_{Tc/B}'', \\bm{\\hat{k}}_3; 1), Neg(Mul(Div(Mul(\\pi, Pow(R_{tank}; 4), \\rho_{fuel}); 4), Add(Div(Call(\\ddot{q}); Call(m_{fuel})), Neg(Div(Mul(2, Call(\\dot{q}), Call(\\dot{m}_{fuel})); Pow(Call(m_{fuel}); 2))), Neg(Div(Mul(Call(q), Call(\\ddot{m}_{fuel})); Pow(Call(m_{fuel}); 2))), Div(Mul(2, Call(q), Pow(Call(\\dot{m}_{fuel}); 2)); Pow(Call(m_{fuel}); 3))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\frac{d}{dt} \\left(e^{at} \\right) = 0 + a + a^2 t + \\frac{a^3t^2}{2} + \\frac{a^4t^3}{6} + \\cdots = a \\left( 1 + a t + \\frac{{(at)}^2}{2} + \\frac{{(at)}^3}{6} + \\cdots \\right) = a e^{at}.",
+        "Chain(Derivative(Pow(e; Mul(a, t)); t, 1), Add(0, a, Mul(Pow(a; 2), t), Div(Mul(Pow(a; 3), Pow(t; 2)); 2), Div(Mul(Pow(a; 4), Pow(t; 3)); 6), Dots()), Mul(a, Add(1, Mul(a, t), Div(Pow(Mul(a, t); 2); 2), Div(Pow(Mul(a, t); 3); 6), Dots())), Mul(a, Pow(e; Mul(a, t))); =, =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "r_{a} = \\frac{p}{1 - e}",
+        "Chain(r_a, Div(p; Add(1, Neg(e))); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "V = \\frac{GM}{E}\\arctan\\Big(\\frac{E}{u}\\Big) + \\frac{1}{2}\\omega^2a^2\\frac{q}{q_0}\\Big(\\sin^2\\beta-\\frac{1}{3}\\Big)",
+        "Chain(V, Add(Mul(Div(Mul(G, M); E), Call(arctan; Div(E; u))), Mul(Div(1; 2), Pow(\\omega; 2), Pow(a; 2), Div(q; q_0), Add(Pow(Call(sin; \\beta); 2), Neg(Div(1; 3))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "\\tau = \\sqrt{\\frac{(I_3-I_2)(L^2-2I_1T)}{I_1I_2I_3}}t,\\quad s = \\sqrt{\\frac{I_2(I_3-I_2)}{2I_3T-L^2}}\\omega_2",
+        "System(Chain(\\tau, Mul(Sqrt(Div(Mul(Add(I_3, Neg(I_2)), Add(Pow(L; 2), Neg(Mul(2, I_1, T)))); Mul(I_1, I_2, I_3))), t); =), Chain(s, Mul(Sqrt(Div(Mul(I_2, Add(I_3, Neg(I_2))); Add(Mul(2, I_3, T), Neg(Pow(L; 2))))), \\omega_2); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\mathbf{K} = \\begin{bmatrix} \\mathbf{S} - \\boldsymbol{\\sigma}\\mathbf{I}_3 & \\mathbf{z} \\\\ \\mathbf{z}^T & \\boldsymbol{\\sigma} \\end{bmatrix}",
+        "Chain(\\mathbf{K}, MatrixOf(Add(\\mathbf{S}, Neg(Mul(\\boldsymbol{\\sigma}, \\mathbf{I}_3))), \\mathbf{z}, Transpose(\\mathbf{z}), \\boldsymbol{\\sigma}); =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\textbf{x}_{t+1} = f(\\textbf{x}_t, \\textbf{u}_t) = F\\textbf{x}_t+B\\textbf{u}_t",
+        "Chain(\\mathbf{x}_{t+1}, Call(f; \\mathbf{x}_t, \\mathbf{u}_t), Add(Mul(F, \\mathbf{x}_t), Mul(B, \\mathbf{u}_t)); =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\ddot{q} + \\mu (q^2 - 1) \\dot{q} + q = 0, \\quad \\mu>0,",
+        "System(Chain(Add(Call(\\ddot{q}), Mul(\\mu, Add(Pow(Call(q); 2), Neg(1)), Call(\\dot{q})), Call(q)), 0; =), Chain(\\mu, 0; >))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "\\lambda_k = k^2 \\qquad \\text{with an eigenfunction} \\qquad x_k = \\cos (k t) \\qquad \\text{for all integers } k \\geq 1 ,",
+        "System(Chain(\\lambda_k, Pow(k; 2); =), Words(\\text{with~an~eigenfunction}), Chain(x_k, Call(cos; Mul(k, t)); =), Words(\\text{for~all~integers}), Chain(k, 1; \\ge))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\mathrm{i}^2=\\mathrm{j}^2=\\mathrm{k}^2=\\mathrm{i}\\mathrm{j}\\mathrm{k}=-1",
+        "Chain(Pow(\\text{i}; 2), Pow(\\text{j}; 2), Pow(\\text{k}; 2), Mul(\\text{i}, \\text{j}, \\text{k}), Neg(1); =, =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "p^G(t) = \\begin{bmatrix} 2\\cos(1-t) \\\\ 0 \\end{bmatrix}.",
+        "Chain(Call(p ^ { G }; t), MatrixOf(Mul(2, Call(cos; Add(1, Neg(t)))), 0); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\frac{r_3}{r_1} < 11.94",
+        "Chain(Div(r_3; r_1), 11.94; <)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/bielliptic-hohmann-transfer.md",
+    ),
+    (
+        "\\boldsymbol{\\eta} = \\begin{bmatrix} \\boldsymbol{\\Omega} \\\\ \\boldsymbol{\\gamma} \\end{bmatrix}",
+        "Chain(\\boldsymbol{\\eta}, MatrixOf(\\boldsymbol{\\Omega}, \\boldsymbol{\\gamma}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/vscmgVelocitySteering/vscmgVelocitySteering.rst",
+    ),
+    (
+        "P = A^T P A - A^T P B ( R + B^T P B )^{-1} B^T P A + Q",
+        "Chain(P, Add(Mul(Transpose(A), P, A), Neg(Mul(Transpose(A), P, B, Pow(Add(R, Mul(Transpose(B), P, B)); Neg(1)), Transpose(B), P, A)), Q); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "\\tilde{v}_r = & \\bar{v}_r + \\left[\\bar{v}_{p+1} \\ldots \\bar{v}_{n}\\right] \\mathbf{A}_n \\hat{e}_r \\\\ \\tilde{\\omega}_r = & \\bar{\\omega}_r + \\left[\\bar{\\omega}_{p+1} \\ldots \\bar{\\omega}_{n}\\right] \\mathbf{A}_n \\hat{e}_r \\quad \\textrm{for } r=1\\ldots p",
+        "System(Chain(\\tilde{v}_r, Add(\\bar{v}_r, Mul(Tuple(\\bar{v}_{p+1}, Dots(), \\bar{v}_n; []), \\mathbf{A}_n, \\hat{e}_r)); =), Chain(\\tilde{\\omega}_r, Add(\\bar{\\omega}_r, Mul(Tuple(\\bar{\\omega}_{p+1}, Dots(), \\bar{\\omega}_n; []), \\mathbf{A}_n, \\hat{e}_r)); =), Values(r; 1, Dots(), p))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "A = P * J * P^{-1}",
+        "Chain(A, Operated(*; Operated(*; P; J); Pow(P; Neg(1))); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\begin{bmatrix} \\psi_1(0) & \\psi_2(0) & \\dots & \\psi_N(0) \\\\ \\dot \\psi_1(0) & \\dot \\psi_2(0) & \\dots & \\dot \\psi_N(0) \\\\ \\vdots & \\vdots & & \\vdots \\\\ \\psi^{(q)}_1(0) & \\psi^{(q)}_2(0) & \\dots & \\psi^{(q)}_N(0) \\\\[1ex] \\psi_1(T) & \\psi_2(T) & \\dots & \\psi_N(T) \\\\ \\dot \\psi_1(T) & \\dot \\psi_2(T) & \\dots & \\dot \\psi_N(T) \\\\ \\vdots & \\vdots & & \\vdots \\\\ \\psi^{(q)}_1(T) & \\psi^{(q)}_2(T) & \\dots & \\psi^{(q)}_N(T) \\\\ \\end{bmatrix} \\begin{bmatrix} c_1 \\\\ \\vdots \\\\ c_N \\end{bmatrix} = \\begin{bmatrix} z(0) \\\\ \\dot z(0) \\\\ \\vdots \\\\ z^{(q)}(0) \\\\[1ex] z(T) \\\\ \\dot z(T) \\\\ \\vdots \\\\ z^{(q)}(T) \\\\ \\end{bmatrix}",
+        "Chain(Mul(MatrixOf(Call(\\psi_1; 0), Call(\\psi_2; 0), Dots(), Call(\\psi_N; 0), Call(\\dot{\\psi}_1; 0), Call(\\dot{\\psi}_2; 0), Dots(), Call(\\dot{\\psi}_N; 0), Dots(), Dots(), Blank(), Dots(), Call(\\psi _ { 1 } ^ { ( q ) }; 0), Call(\\psi _ { 2 } ^ { ( q ) }; 0), Dots(), Call(\\psi _ { N } ^ { ( q ) }; 0), Call(\\psi_1; T), Call(\\psi_2; T), Dots(), Call(\\psi_N; T), Call(\\dot{\\psi}_1; T), Call(\\dot{\\psi}_2; T), Dots(), Call(\\dot{\\psi}_N; T), Dots(), Dots(), Blank(), Dots(), Call(\\psi _ { 1 } ^ { ( q ) }; T), Call(\\psi _ { 2 } ^ { ( q ) }; T), Dots(), Call(\\psi _ { N } ^ { ( q ) }; T)), MatrixOf(c_1, Dots(), c_N)), MatrixOf(Call(z; 0), Call(\\dot{z}; 0), Dots(), Call(z ^ { ( q ) }; 0), Call(z; T), Call(\\dot{z}; T), Dots(), Call(z ^ { ( q ) }; T)); =)",
+        "python-control/python-control/doc/flatsys.rst",
+    ),
+    (
+        "\\text{cooling degree days} = max(T_{base} - T, 0)",
+        "Chain(\\text{cooling~degree~days}, Call(max; Add(T_{base}, Neg(T)), 0); =)",
+        "CalebBell/fluids/fluids/design_climate.py",
+    ),
+    (
+        "B_{j\\alpha}(\\boldsymbol{q},t) = \\sum_{i=1}^n \\boldsymbol{A}_{ji}\\cdot \\frac{\\partial \\boldsymbol{r}_i}{\\partial q_\\alpha},\\quad B_{j0}(\\boldsymbol{q},t) = \\sum_{i=1}^n \\boldsymbol{A}_{ji}\\cdot \\frac{\\partial \\boldsymbol{r}_i}{\\partial t}+A_{j0}",
+        "System(Chain(Call(B_{j\\alpha}; \\boldsymbol{q}, t), BigSum(i; 1; n; Mul(\\boldsymbol{A}_{ji}, Derivative(Call(\\boldsymbol{r}_i); q_\\alpha, 1; True))); =), Chain(Call(B_{j0}; \\boldsymbol{q}, t), Add(BigSum(i; 1; n; Mul(\\boldsymbol{A}_{ji}, Derivative(Call(\\boldsymbol{r}_i); t, 1; True))), A_{j0}); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/analytical-mechanics/Constraint.tex",
+    ),
+    (
+        "\\psi_i(x(T)) = 0, \\qquad i = 1, \\dots, q.",
+        "System(Chain(Call(\\psi_i; Call(x; T)), 0; =), Values(i; 1, Dots(), q))",
+        "python-control/python-control/doc/optimal.rst",
+    ),
+    (
+        "P(x) = \\frac{M_y-N_x}{N} = \\frac{2y}{x+1} \\, \\frac{1}{2y} = \\frac{1}{x+1}",
+        "Chain(Call(P; x), Div(Add(M_y, Neg(N_x)); N), Mul(Div(Mul(2, y); Add(x, 1)), Div(1; Mul(2, y))), Div(1; Add(x, 1)); =, =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "T_{syn} = \\frac{T_i T_f}{\\lvert T_i - T_f\\rvert}",
+        "Chain(T_{syn}, Div(Mul(T_i, T_f); Bars(Add(T_i, Neg(T_f)))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "{\\bf x}[1] &= {\\bf A}{\\bf x}_0 + {\\bf B}\\tilde{\\bf K}_0{\\bf x}_0, \\\\ {\\bf x}[2] &= {\\bf A}({\\bf A} + {\\bf B}\\tilde{\\bf K}_0){\\bf x}_0 + {\\bf B}\\tilde{\\bf K}_1 {\\bf x}_0 \\\\ {\\bf x}[n] &= \\left( {\\bf A}^n + \\sum_{i=0}^{n-1}{\\bf A}^{n-i-1}{\\bf B}\\tilde{\\bf K}_{i} \\right) {\\bf x}_0",
+        "System(Chain(Indexed(\\mathbf{x}; 1), Add(Mul(\\mathbf{A}, \\mathbf{x}_0), Mul(\\mathbf{B}, \\tilde{\\mathbf{K}}_0, \\mathbf{x}_0)); =), Chain(Indexed(\\mathbf{x}; 2), Add(Mul(\\mathbf{A}, Add(\\mathbf{A}, Mul(\\mathbf{B}, \\tilde{\\mathbf{K}}_0)), \\mathbf{x}_0), Mul(\\mathbf{B}, \\tilde{\\mathbf{K}}_1, \\mathbf{x}_0)); =), Chain(Indexed(\\mathbf{x}; n), Mul(Add(Pow(\\mathbf{A}; n), BigSum(i; 0; Add(n, Neg(1)); Mul(Pow(\\mathbf{A}; Add(n, Neg(i), Neg(1))), \\mathbf{B}, \\tilde{\\mathbf{K}}_i))), \\mathbf{x}_0); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "F^{B_p}_{\\text{total},C} = \\sum_i F^{B_p}_{i,C} .",
+        "Chain(F _ { \\text { t o t a l } , C } ^ { B _ { p } }, BigSum(i; F _ { i , C } ^ { B _ { p } }); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\dot{\\boldsymbol{y}} = f\\left(t, \\boldsymbol{y}\\right)",
+        "Chain(Call(\\dot{\\boldsymbol{y}}), Call(f; t, Call(\\boldsymbol{y})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-numerical-solution.md",
+    ),
+    (
+        "v_p = \\frac{h}{r_p} = \\frac{v_{\\infty}y}{r_p}",
+        "Chain(v_p, Div(h; r_p), Div(Mul(v_\\infty, y); r_p); =, =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-capture.md",
+    ),
+    (
+        "f_{n,j} &=& \\phi_{n,j}\\,\\left[f_{n-1,j} + \\tilde{W}_{n-1,j}\\,z_{n-1}^\\prime\\right] \\\\ z_n^\\prime &=& y_n - \\sum_{j=1}^{2\\,J} \\tilde{U}_{n,j}\\,f_{n,j}",
+        "System(Chain(f_{n,j}, Mul(\\phi_{n,j}, Add(f_{n-1,j}, Mul(\\tilde{W}_{n-1,j}, z_{n-1}'))); =), Chain(z_n', Add(y_n, Neg(BigSum(j; 1; Mul(2, J); Mul(\\tilde{U}_{n,j}, f_{n,j})))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "{}^AV^{B_A} = \\begin{bmatrix} {}^A\\omega^{B_A} \\\\ {}^A\\text{v}^{B_A} \\end{bmatrix} = \\begin{bmatrix} {}^A\\omega^{B_A} + {}^{B_A}\\omega^B_{A} \\\\ {}^A\\text{v}^B + {}^B\\text{v}^{B_A}_A + {}^A\\omega^B \\times {}^Bp^{B_A}_A \\end{bmatrix} = \\begin{bmatrix} {}^A \\omega^{B} \\\\ {}^A\\text{v}^B - {}^A\\omega^B \\times {}^Ap^{B} \\end{bmatrix}.",
+        "Chain(\\prescript { A } { } { V } ^ { B _ { A } }, MatrixOf(\\prescript { A } { } { \\omega } ^ { B _ { A } }, \\prescript { A } { } { \\text { v } } ^ { B _ { A } }), MatrixOf(Add(\\prescript { A } { } { \\omega } ^ { B _ { A } }, \\prescript { B _ { A } } { } { \\omega } _ { A } ^ { B }), Add(\\prescript { A } { } { \\text { v } } ^ { B }, \\prescript { B } { } { \\text { v } } _ { A } ^ { B _ { A } }, Cross(\\prescript { A } { } { \\omega } ^ { B }; \\prescript { B } { } { p } _ { A } ^ { B _ { A } }))), MatrixOf(\\prescript { A } { } { \\omega } ^ { B }, Add(\\prescript { A } { } { \\text { v } } ^ { B }, Neg(Cross(\\prescript { A } { } { \\omega } ^ { B }; \\prescript { A } { } { p } ^ { B })))); =, =, =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "{}^B\\mathbf{C}^A = \\begin{bmatrix} \\frac{\\sqrt{2}}{4} & \\frac{\\sqrt{2}}{2} & \\frac{\\sqrt{6}}{4} \\\\ -\\frac{\\sqrt{3}}{2} & 0 & \\frac{1}{2} \\\\ \\frac{\\sqrt{2}}{4} & - \\frac{\\sqrt{2}}{2} & \\frac{\\sqrt{6}}{4} \\end{bmatrix}",
+        "Chain(\\prescript { B } { } { \\mathbf { C } } ^ { A }, MatrixOf(Div(Sqrt(2); 4), Div(Sqrt(2); 2), Div(Sqrt(6); 4), Neg(Div(Sqrt(3); 2)), 0, Div(1; 2), Div(Sqrt(2); 4), Neg(Div(Sqrt(2); 2)), Div(Sqrt(6); 4)); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\mathcal{A}(s) = (-i)^{s+1} \\operatorname{Li}_{-s}(i) + i^{s+1} \\operatorname{Li}_{-s}(-i) = \\\\ \\frac{2 \\Gamma(s+1)}{(2\\pi)^{s+1}} (\\zeta(s+1, 1/4) - \\zeta(s+1, 3/4) \\cos{\\pi s})",
+        "Chain(Call(\\mathcal{A}; s), Add(Mul(Pow(Neg(i); Add(s, 1)), Call(\\text{Li}_{-s}; i)), Mul(Pow(i; Add(s, 1)), Call(\\text{Li}_{-s}; Neg(i)))), Mul(Div(Mul(2, Call(Gamma; Add(s, 1))); Pow(Mul(2, \\pi); Add(s, 1))), Add(Call(\\zeta; Add(s, 1), Div(1; 4)), Neg(Mul(Call(\\zeta; Add(s, 1), Div(3; 4)), Call(cos; Mul(\\pi, s)))))); =, =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "\\Delta \\boldsymbol{p}_1 = \\Delta M_1\\boldsymbol{u}_1,\\quad \\Delta \\boldsymbol{p}_2 = \\Delta M_2\\boldsymbol{u}_2",
+        "System(Chain(\\Delta \\boldsymbol { p } _ { 1 }, Mul(\\Delta M _ { 1 }, \\boldsymbol{u}_1); =), Chain(\\Delta \\boldsymbol { p } _ { 2 }, Mul(\\Delta M _ { 2 }, \\boldsymbol{u}_2); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\mathbf{q}_t = \\mathbf{q}_{t-1} + \\dot{\\hat{\\mathbf{q}}}\\Delta_t",
+        "Chain(\\mathbf{q}_t, Add(\\mathbf{q}_{t-1}, Mul(Call(\\dot{\\hat{\\mathbf{q}}}), \\Delta_t)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fourati.py",
+    ),
+    (
+        "C(z) = \\begin{cases}\\displaystyle \\frac{1 - \\cos\\sqrt{z}}{z} & \\left(z > 0\\right)\\\\ \\displaystyle\\frac{\\cosh\\sqrt{-z} - 1}{-z} & \\left(z < 0\\right) \\\\ \\displaystyle\\frac{1}{2} & \\left(z = 0\\right)\\end{cases}",
+        "Chain(Call(C; z), Piecewise(Div(Add(1, Neg(Call(cos; Sqrt(z)))); z), Chain(z, 0; >), Div(Add(Call(cosh; Sqrt(Neg(z))), Neg(1)); Neg(z)), Chain(z, 0; <), Div(1; 2), Chain(z, 0; =)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "X'' = A(t) * (t*X' - X) + b(t)",
+        "Chain(X'', Add(Operated(*; Call(A; t); Add(Operated(*; t; X'), Neg(X))), Call(b; t)); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\bar{r}^{P_1/O}\\cdot\\hat{n}_z = 0 \\\\ \\bar{r}^{P_2/O}\\cdot\\hat{n}_z = 0 \\\\ \\bar{r}^{P_3/O}\\cdot\\hat{n}_z = 0 \\\\ \\bar{r}^{P_4/O}\\cdot\\hat{n}_z = 0",
+        "System(Chain(Mul(\\bar { r } ^ { P _ { 1 } / O }, \\hat{n}_z; 1), 0; =), Chain(Mul(\\bar { r } ^ { P _ { 2 } / O }, \\hat{n}_z; 1), 0; =), Chain(Mul(\\bar { r } ^ { P _ { 3 } / O }, \\hat{n}_z; 1), 0; =), Chain(Mul(\\bar { r } ^ { P _ { 4 } / O }, \\hat{n}_z; 1), 0; =))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "\\mathbf{q}_\\mathrm{acc} = \\begin{bmatrix}\\sqrt{\\frac{a_z+1}{2}} & -\\frac{a_y}{\\sqrt{2(a_z+1)}} & \\frac{a_x}{\\sqrt{2(a_z+1)}} & 0\\end{bmatrix}^T",
+        "Chain(\\mathbf{q}_{acc}, Transpose(MatrixOf(Sqrt(Div(Add(a_z, 1); 2)), Neg(Div(a_y; Sqrt(Mul(2, Add(a_z, 1))))), Div(a_x; Sqrt(Mul(2, Add(a_z, 1)))), 0)); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "G(u_*) = \\frac{1}{54}\\left[(\\beta^2+12)^{\\frac32}+36\\beta-\\beta^3\\right]-\\alpha^2 =: f(\\beta)-\\alpha^2",
+        "Chain(Call(G; u_*), Add(Mul(Div(1; 54), Add(Pow(Add(Pow(\\beta; 2), 12); Div(3; 2)), Mul(36, \\beta), Neg(Pow(\\beta; 3)))), Neg(Pow(\\alpha; 2))), Add(Call(f; \\beta), Neg(Pow(\\alpha; 2))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\bar{f}_n(u_1, u_2, u_3, q_3, q_4, q_5) = 0 \\textrm{ where } \\bar{f}_n \\in \\mathbb{R}^2",
+        "System(Chain(Call(\\bar{f}_n; u_1, u_2, u_3, q_3, q_4, q_5), 0; =), Chain(Call(\\bar{f}_n), Pow(\\mathbb{R}; 2); \\in))",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "m_{\\text{sc}} \\left[\\tilde{\\bm{c}}\\right]\\ddot{\\bm{r}}_{B/N} + \\left[I_{\\text{sc, }B}\\right]\\,\\dot{\\bm{\\omega}}_{\\cal{B}/\\cal{N}} = - \\left[\\tilde{\\bm{\\omega}}_{\\cal{B}/\\cal{N}}\\right]\\left[I_{\\text{sc, }B}\\right]\\,\\bm{\\omega}_{\\cal{B}/\\cal{N}} + \\bm{L}_{B} + \\sum_{j=1}^{N}\\bm{L}_{B_{\\text{thr}_j}}",
+        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c , } B } ], Call(\\dot { \\bm { \\omega } } _ { \\cal B / \\cal N }))), Add(Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\cal B / \\cal N } ], [ I _ { \\text { s c , } B } ], Call(\\bm{\\omega}_{\\cal B/\\cal N}))), \\bm{L}_B, BigSum(j; 1; N; \\bm{L}_{B_thr_j})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\ddot{\\bm r}_{B/N} - [\\tilde{\\bm{c}}]\\dot{\\bm \\omega} + \\frac{1}{m_{\\text{sc}}} \\sum\\limits_{i=1}^{N}\\bm{u}_{r_i}\\ddot{\\gamma}_i + \\frac{1}{m_{\\text{sc}}} \\sum\\limits_{i=1}^{N}\\bm{v}_{r_i}\\dot{\\Omega}_i = \\ddot{\\bm r}_{C/N} - 2[\\tilde{\\bm{\\omega}}]\\bm{c}' - [\\tilde{\\bm{\\omega}}]^2\\bm{c} - \\frac{1}{m_{\\text{sc}}} \\sum\\limits_{i=1}^{N}\\bm{k}_{r_i}",
+        "Chain(Add(Call(\\ddot{\\bm{r}}_{B/N}), Neg(Mul([ \\tilde { \\bm { c } } ], Call(\\dot{\\bm{\\omega}}))), Mul(Div(1; m_{sc}), BigSum(i; 1; N; Mul(\\bm{u}_{r_i}, Call(\\ddot{\\gamma}_i)))), Mul(Div(1; m_{sc}), BigSum(i; 1; N; Mul(\\bm{v}_{r_i}, Call(\\dot{\\Omega}_i))))), Add(Call(\\ddot{\\bm{r}}_{C/N}), Neg(Mul(2, [ \\tilde { \\bm { \\omega } } ], \\bm{c}')), Neg(Mul(Pow([ \\tilde { \\bm { \\omega } } ]; 2), \\bm{c})), Neg(Mul(Div(1; m_{sc}), BigSum(i; 1; N; \\bm{k}_{r_i})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/VSCMGs/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\boldsymbol{M} = \\prod_{i=1}^\\infty \\boldsymbol{M}_i(\\varepsilon_i,G_i),\\quad \\varepsilon_i \\to 0",
+        "System(Chain(\\boldsymbol{M}, BigProduct(i; 1; Infinity(); Call(\\boldsymbol{M}_i; \\varepsilon_i, G_i)); =), Chain(\\varepsilon_i, 0; \\to))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\rho = \\sqrt{(x_{robot} - x_{target})^2 + (y_{robot} - y_{target})^2}.",
+        "Chain(\\rho, Sqrt(Add(Pow(Add(x_{robot}, Neg(x_{target})); 2), Pow(Add(y_{robot}, Neg(y_{target})); 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/move_to_a_pose/move_to_a_pose_main.rst",
+    ),
+    (
+        "B = \\frac{520}{\\Gamma G_{tp}^{0.5}}",
+        "Chain(B, Div(520; Mul(\\varGamma, Pow(G_{tp}; 0.5))); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\dot{e}_t = V \\sin(\\theta_{t-1})",
+        "Chain(Call(\\dot{e}_t), Mul(V, Call(sin; \\theta_{t-1})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\vec{x}_p = X(t)\\, \\vec{u}(t) ,",
+        "Chain(\\vec{x}_p, Mul(Call(X; t), Call(\\vec{u}; t)); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "b_i^{\\text{new}} = b_i^{\\text{old}} + \\alpha (f_c + f_r),",
+        "Chain(b _ { i } ^ { \\text { n e w } }, Add(b _ { i } ^ { \\text { o l d } }, Mul(\\alpha, Add(f_c, f_r))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/elastic_bands/elastic_bands_main.rst",
+    ),
+    (
+        "T = \\frac{1}{\\sqrt{2g}} \\int_a^b \\sqrt{\\frac{1+y'^2}{y}} \\mathrm{d} x",
+        "Chain(T, Mul(Div(1; Sqrt(Mul(2, g))), Integral(Sqrt(Div(Add(1, Pow(y'; 2)); y)); x; a; b)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\boldsymbol{u} = \\big[ \\, \\delta_\\mathrm{T}, \\, \\delta_\\mathrm{a}, \\, \\delta_\\mathrm{e}, \\, \\delta_\\mathrm{r} \\,\\big]",
+        "Chain(\\boldsymbol{u}, Tuple(\\delta_T, \\delta_a, \\delta_e, \\delta_r; []); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/user/concepts/flight-control-and-systems-modeling.md",
+    ),
+    (
+        "\\bar{u} = \\mathbf{I} \\dot{\\bar{q}}",
+        "Chain(\\bar{u}, Mul(\\mathbf{I}, Call(\\dot{\\bar{q}})); =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "\\bm\\omega_{R_{0}/N} = \\dot f \\hat{\\bm\\imath}_{h}",
+        "Chain(\\bm{\\omega}_{R_0/N}, Mul(Call(\\dot{f}), \\hat{\\bm{\\imath}}_h); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/hillPoint/_Documentation/hillPoint.tex",
+    ),
+    (
+        "\\mathbf{p}(\\tau) = \\frac{\\sin\\!\\bigl((1-\\tau)\\,\\theta\\bigr)}{\\sin\\theta}\\,\\mathbf{p}_s + \\frac{\\sin(\\tau\\,\\theta)}{\\sin\\theta}\\,\\mathbf{p}_e",
+        "Chain(Call(\\mathbf{p}; \\tau), Add(Mul(Div(Call(sin; Mul(Add(1, Neg(\\tau)), \\theta)); Call(sin; \\theta)), \\mathbf{p}_s), Mul(Div(Call(sin; Mul(\\tau, \\theta)); Call(sin; \\theta)), \\mathbf{p}_e)); =)",
+        "AVSLab/basilisk/src/simulation/environment/stripLocation/stripLocation.rst",
+    ),
+    (
+        "\\begin{bmatrix}\\cos\\psi \\\\ \\sin\\psi \\end{bmatrix} = \\begin{bmatrix}M_x & M_y \\\\ -My & M_x \\end{bmatrix} \\begin{bmatrix}N_x \\\\ N_y \\end{bmatrix}",
+        "Chain(MatrixOf(Call(cos; \\psi), Call(sin; \\psi)), Mul(MatrixOf(M_x, M_y, Neg(Mul(M, y)), M_x), MatrixOf(N_x, N_y)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "G_{2k}(\\tau) = \\sum_{m^2 + n^2 \\ne 0} \\frac{1}{(m+n\\tau )^{2k}}",
+        "Chain(Call(G_{2k}; \\tau), Limiting(sum; _{ m ^ { 2 } + n ^ { 2 } \\ne 0 }; Div(1; Pow(Add(m, Mul(n, \\tau)); Mul(2, k)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "\\mathbf{q} = \\begin{bmatrix}\\cos\\theta \\\\ \\mathbf{v}\\sin\\theta\\end{bmatrix}",
+        "Chain(\\mathbf{q}, MatrixOf(Call(cos; \\theta), Mul(\\mathbf{v}, Call(sin; \\theta))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\bm{r}_{S_{c,{i1}}/B} = \\bm{r}_{H_{i1}/B} -d_{i1} \\bm{\\hat{s}}_{i1,1}",
+        "Chain(\\bm{r}_{S_c,i1/B}, Add(\\bm{r}_{H_i1/B}, Neg(Mul(d_{i1}, \\bm{\\hat{s}}_{i1,1}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "A = \\begin{pmatrix} 1 \\\\ 0 \\\\ 0 \\end{pmatrix}, \\qquad L = \\begin{pmatrix} 0 \\\\ 1 \\\\ 0 \\end{pmatrix}, \\qquad V = \\begin{pmatrix} 0 \\\\ 0 \\\\ 1 \\end{pmatrix},",
+        "System(Chain(A, MatrixOf(1, 0, 0); =), Chain(L, MatrixOf(0, 1, 0); =), Chain(V, MatrixOf(0, 0, 1); =))",
+        "sympy/sympy/doc/src/modules/physics/units/philosophy.rst",
+    ),
+    (
+        "c_k(z) = \\frac{1}{k!} - \\frac{z}{\\left(k + 2\\right)!} + \\frac{z^2}{\\left(k + 4\\right)!} - \\cdots = \\sum_{i=0}^{\\infty}\\frac{\\left(-1\\right)^{i} z^i}{\\left(k + 2i\\right)!}",
+        "Chain(Call(c_k; z), Add(Div(1; Factorial(k)), Neg(Div(z; Factorial(Add(k, 2)))), Div(Pow(z; 2); Factorial(Add(k, 4))), Neg(Dots())), BigSum(i; 0; Infinity(); Div(Mul(Pow(Neg(1); i), Pow(z; i)); Factorial(Add(k, Mul(2, i))))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "{\\bf x}(0) = - \\int_0^{t_f} e^{-{\\bf A}\\tau}{\\bf B} {\\bf u}(\\tau) d\\tau.",
+        "Chain(Call(\\mathbf{x}; 0), Neg(Integral(Mul(Pow(e; Neg(Mul(\\mathbf{A}, \\tau))), \\mathbf{B}, Call(\\mathbf{u}; \\tau)); \\tau; 0; t_f)); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "p_w(w) = \\frac{1}{\\sqrt{2 \\pi \\sigma_w^2}} e^{-\\frac{(w-\\mu)^2}{2\\sigma_w^2}}.",
+        "Chain(Call(p_w; w), Mul(Div(1; Sqrt(Mul(2, \\pi, Pow(\\sigma_w; 2)))), Pow(e; Neg(Div(Pow(Add(w, Neg(\\mu)); 2); Mul(2, Pow(\\sigma_w; 2)))))); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "\\phi_{lo}^2 = (1-x)^2 + 2.87x^2\\left(\\frac{P}{P_c}\\right)^{-1} + 1.68x^{0.8}(1-x)^{0.25}\\left(\\frac{P}{P_c}\\right)^{-1.64}",
+        "Chain(Pow(\\phi_{lo}; 2), Add(Pow(Add(1, Neg(x)); 2), Mul(2.87, Pow(x; 2), Pow(Div(P; P_c); Neg(1))), Mul(1.68, Pow(x; 0.8), Pow(Add(1, Neg(x)); 0.25), Pow(Div(P; P_c); Neg(1.64)))); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "g x'' - (fg + gp + g') x' + (fgp - g^{2} h + f g' - f' g) x = 0",
+        "Chain(Add(Mul(g, x''), Neg(Mul(Add(Mul(f, g), Mul(g, p), g'), x')), Mul(Add(Mul(f, g, p), Neg(Mul(Pow(g; 2), h)), Mul(f, g'), Neg(Mul(f', g))), x)), 0; =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\dot{\\Phi}(k+1,k) = A_{k+1}\\Phi(k+1,k)",
+        "Chain(Call(\\dot{\\Phi}; Add(k, 1), k), Mul(A_{k+1}, Call(\\Phi; Add(k, 1), k)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavEKF/smallBodyNavEKF.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{x}' &=& \\mathbf{C}(\\hat{\\mathbf{q}})\\mathbf{x} \\\\ &=& \\begin{bmatrix} \\hat{q}_w^2 + \\hat{q}_x^2 - \\hat{q}_y^2 - \\hat{q}_z^2 & 2(\\hat{q}_x\\hat{q}_y-\\hat{q}_w\\hat{q}_z) & 2(\\hat{q}_x\\hat{q}_z+\\hat{q}_w\\hat{q}_y) \\\\ 2(\\hat{q}_x\\hat{q}_y+\\hat{q}_w\\hat{q}_z) & \\hat{q}_w^2 - \\hat{q}_x^2 + \\hat{q}_y^2 - \\hat{q}_z^2 & 2(\\hat{q}_y\\hat{q}_z-\\hat{q}_w\\hat{q}_x) \\\\ 2(\\hat{q}_x\\hat{q}_z-\\hat{q}_w\\hat{q}_y) & 2(\\hat{q}_w\\hat{q}_x+\\hat{q}_y\\hat{q}_z) & \\hat{q}_w^2 - \\hat{q}_x^2 - \\hat{q}_y^2 + \\hat{q}_z^2 \\end{bmatrix} \\begin{bmatrix}x_1 \\\\ x_2 \\\\ x_3 \\end{bmatrix} \\end{array}",
+        "Chain(\\mathbf{x}', Mul(Call(\\mathbf{C}; \\hat{\\mathbf{q}}), \\mathbf{x}), Mul(MatrixOf(Add(Pow(\\hat{q}_w; 2), Pow(\\hat{q}_x; 2), Neg(Pow(\\hat{q}_y; 2)), Neg(Pow(\\hat{q}_z; 2))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_y), Neg(Mul(\\hat{q}_w, \\hat{q}_z)))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_z), Mul(\\hat{q}_w, \\hat{q}_y))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_y), Mul(\\hat{q}_w, \\hat{q}_z))), Add(Pow(\\hat{q}_w; 2), Neg(Pow(\\hat{q}_x; 2)), Pow(\\hat{q}_y; 2), Neg(Pow(\\hat{q}_z; 2))), Mul(2, Add(Mul(\\hat{q}_y, \\hat{q}_z), Neg(Mul(\\hat{q}_w, \\hat{q}_x)))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_z), Neg(Mul(\\hat{q}_w, \\hat{q}_y)))), Mul(2, Add(Mul(\\hat{q}_w, \\hat{q}_x), Mul(\\hat{q}_y, \\hat{q}_z))), Add(Pow(\\hat{q}_w; 2), Neg(Pow(\\hat{q}_x; 2)), Neg(Pow(\\hat{q}_y; 2)), Pow(\\hat{q}_z; 2))), MatrixOf(x_1, x_2, x_3)); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\boldsymbol{v} = v_r\\boldsymbol{\\hat{u}}_r + v_{\\perp}\\boldsymbol{\\hat{u}}_{\\perp}",
+        "Chain(\\boldsymbol{v}, Add(Mul(v_r, \\boldsymbol{\\hat{u}}_r), Mul(v_\\perp, \\boldsymbol{\\hat{u}}_\\perp)); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "\\Delta v = \\lvert v_p - v_{\\text{pahking}}\\rvert",
+        "Chain(\\Delta v, Bars(Add(v_p, Neg(v_{pahking}))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "W = \\int p\\mathrm{d} x = \\sqrt{km} \\int \\sqrt{\\frac{2E}{k}-x^2}\\mathrm{d} x = \\sqrt{km} \\int \\sqrt{\\frac{2J}{\\sqrt{km}}-x^2}\\mathrm{d} x",
+        "Chain(W, Antiderivative(p; x), Mul(Sqrt(Mul(k, m)), Antiderivative(Sqrt(Add(Div(Mul(2, E); k), Neg(Pow(x; 2)))); x)), Mul(Sqrt(Mul(k, m)), Antiderivative(Sqrt(Add(Div(Mul(2, J); Sqrt(Mul(k, m))), Neg(Pow(x; 2)))); x)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\Delta E = v\\Delta v \\cos\\Delta\\phi + \\frac{1}{2}\\Delta v^2",
+        "Chain(\\Delta E, Add(Mul(v, \\Delta v, Call(cos; \\Delta \\phi)), Mul(Div(1; 2), Pow(\\Delta v; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "\\frac{\\Delta P_{tp}}{\\Delta P_{lo}} = \\phi_{tp}^2",
+        "Chain(Div(\\Delta P _ { t p }; \\Delta P _ { l o }), Pow(\\phi_{tp}; 2); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\big(\\frac{dF}{dx}\\big)_{x_{0}} \\approx \\frac{F_{i+1} - F_{i}}{h} + O(h)",
+        "Chain(Marked(Derivative(Call(F); x, 1); _{ x _ { 0 } }), Add(Div(Add(F_{i+1}, Neg(F_i)); h), Call(O; h)); \\approx)",
+        "sympy/sympy/doc/src/explanation/special_topics/finite_diff_derivatives.rst",
+    ),
+    (
+        "\\frac{d^2\\boldsymbol{B}}{dt^2} = \\left.\\frac{d^2\\boldsymbol{B}}{dt^2}\\right)_{\\text{rel}} + \\dot{\\boldsymbol{\\Omega}}\\times\\boldsymbol{B} + \\boldsymbol{\\Omega}\\times\\left(\\boldsymbol{\\Omega}\\times\\boldsymbol{B}\\right) + 2\\boldsymbol{\\Omega}\\times\\left.\\frac{d\\boldsymbol{B}}{dt}\\right)_{\\text{rel}}",
+        "Chain(Derivative(Call(\\boldsymbol{B}); t, 2), Add(Marked(Derivative(Call(\\boldsymbol{B}); t, 2); _{ \\text { r e l } }), Cross(Call(\\dot{\\boldsymbol{\\Omega}}); Call(\\boldsymbol{B})), Cross(Call(\\boldsymbol{\\Omega}); Cross(Call(\\boldsymbol{\\Omega}); Call(\\boldsymbol{B}))), Cross(Mul(2, Call(\\boldsymbol{\\Omega})); Marked(Derivative(Call(\\boldsymbol{B}); t, 1); _{ \\text { r e l } }))); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "\\gamma = \\frac{0.71 + 2.35\\left(\\frac{\\rho_g}{\\rho_l}\\right)} {1 + \\frac{1-x}{x} \\cdot \\frac{\\rho_g}{\\rho_l}}",
+        "Chain(\\gamma, Div(Add(0.71, Mul(2.35, Div(\\rho_g; \\rho_l))); Add(1, Mul(Div(Add(1, Neg(x)); x), Div(\\rho_g; \\rho_l)))); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "t = \\frac{M_e}{2\\pi} T",
+        "Chain(t, Mul(Div(M_e; Mul(2, \\pi)), T); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "T^+-T^- = \\boldsymbol{S}^{(e)}\\cdot \\frac{\\boldsymbol{v}_C^+-\\boldsymbol{v}_C^-}{2} + \\boldsymbol{K}_C^{(e)}\\cdot \\frac{\\boldsymbol{\\omega}^+-\\boldsymbol{\\omega}^-}{2}",
+        "Chain(Add(T ^ { + }, Neg(T ^ { - })), Add(Mul(\\boldsymbol { S } ^ { ( e ) }, Div(Add(\\boldsymbol { v } _ { C } ^ { + }, Neg(\\boldsymbol { v } _ { C } ^ { - })); 2)), Mul(\\boldsymbol { K } _ { C } ^ { ( e ) }, Div(Add(\\boldsymbol { \\omega } ^ { + }, Neg(\\boldsymbol { \\omega } ^ { - })); 2))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "K_Q := \\frac{1}{2}m\\left|{}^N\\bar{v}^{Q}\\right|^2 = \\frac{1}{2}m {}^N\\bar{v}^{Q} \\cdot {}^N\\bar{v}^{Q}",
+        "Chain(K_Q, Mul(Div(1; 2), m, Pow(Bars(\\prescript { N } { } { \\bar { v } } ^ { Q }); 2)), Mul(Div(1; 2), m, \\prescript { N } { } { \\bar { v } } ^ { Q }, \\prescript { N } { } { \\bar { v } } ^ { Q }; 3); =, =)",
+        "moorepants/learn-multibody-dynamics/energy.rst",
+    ),
+    (
+        "r = a\\frac{1 - e^2}{1 + e\\cos\\nu}",
+        "Chain(r, Mul(a, Div(Add(1, Neg(Pow(e; 2))); Add(1, Mul(e, Call(cos; \\nu))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\begin{array}{c} f_{g,b}( \\mathbf{q}, \\,^S\\mathbf{a}, \\,^E\\mathbf{b}, \\,^S\\mathbf{m})= \\begin{bmatrix}f_g( \\mathbf{q}, \\,^S\\mathbf{a}) \\\\ f_b( \\mathbf{q}, \\,^E\\mathbf{b}, \\,^S\\mathbf{m})\\end{bmatrix}\\\\ \\\\ J_{g,b}( \\mathbf{q}, \\,^E\\mathbf{b})= \\begin{bmatrix}J_g^T( \\mathbf{q}) \\\\ J_b^T( \\mathbf{q}, \\,^E\\mathbf{b})\\end{bmatrix} \\end{array}",
+        "System(Chain(Call(f_{g,b}; \\mathbf{q}, \\prescript { S } { } { \\mathbf { a } }, \\prescript { E } { } { \\mathbf { b } }, \\prescript { S } { } { \\mathbf { m } }), MatrixOf(Call(f_g; \\mathbf{q}, \\prescript { S } { } { \\mathbf { a } }), Call(f_b; \\mathbf{q}, \\prescript { E } { } { \\mathbf { b } }, \\prescript { S } { } { \\mathbf { m } })); =), Chain(Call(J_{g,b}; \\mathbf{q}, \\prescript { E } { } { \\mathbf { b } }), MatrixOf(Transpose(Call(J_g; \\mathbf{q})), Transpose(Call(J_b; \\mathbf{q}, \\prescript { E } { } { \\mathbf { b } }))); =))",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "a_0 = \\frac{2}{L} \\int_{0}^L f(t) \\, dt .",
+        "Chain(a_0, Mul(Div(2; L), Integral(Call(f; t); t; 0; L)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\bar{v} = \\sum_{r=1}^n \\bar{v}_r u_r + \\bar{v}_t \\\\ \\bar{\\omega} = \\sum_{r=1}^n \\bar{\\omega}_r u_r + \\bar{\\omega}_t",
+        "System(Chain(\\bar{v}, Add(BigSum(r; 1; n; Mul(\\bar{v}_r, u_r)), \\bar{v}_t); =), Chain(\\bar{\\omega}, Add(BigSum(r; 1; n; Mul(\\bar{\\omega}_r, u_r)), \\bar{\\omega}_t); =))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "u_x(0,t) = 0 \\quad \\text{and} \\quad u_x(L,t) = 0 \\quad \\text{for } \\; t > 0 .",
+        "Implies(Chain(t, 0; >); System(Chain(Call(u_x; 0, t), 0; =), Chain(Call(u_x; L, t), 0; =)))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "M = \\left|\\frac{R-h}{R}\\right|",
+        "Chain(M, Bars(Div(Add(R, Neg(h)); R)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\tan\\frac{\\nu}{2} = z - \\frac{1}{z}",
+        "Chain(Call(tan; Div(\\nu; 2)), Add(z, Neg(Div(1; z))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/parabolic-trajectories.md",
+    ),
+    (
+        "{\\bf f}(\\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}}) = \\begin{pmatrix} f(\\sigma_{1})\\\\ f(\\sigma_{2})\\\\ f(\\sigma_{3}) \\end{pmatrix}",
+        "Chain(Call(\\mathbf{f}; \\pmb{\\sigma}_{\\mathcal B/\\mathcal R}), MatrixOf(Call(f; \\sigma_1), Call(f; \\sigma_2), Call(f; \\sigma_3)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "y = y_c + y_p",
+        "Chain(y, Add(y_c, y_p); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\bar{\\mathbf E}(\\mbox{\\boldmath $\\chi$}) = \\mathbf E^{-1}(\\mbox{\\boldmath $\\chi$}) = \\begin{bmatrix} \\dfrac{\\cos(z)\\sin(y)}{\\cos(y)} & \\dfrac{\\sin(y)\\sin(z)}{\\cos(y)} & 1 \\\\ -\\sin(z) & \\cos(z) & 0 \\\\ \\dfrac{\\cos(z)}{\\cos(y)} & \\dfrac{\\sin(z)}{\\cos(y)} & 0 \\end{bmatrix}",
+        "Chain(Call(\\bar{\\mathbf{E}}; \\boldsymbol{\\chi}), Pow(Call(\\mathbf{E}; \\boldsymbol{\\chi}); Neg(1)), MatrixOf(Div(Mul(Call(cos; z), Call(sin; y)); Call(cos; y)), Div(Mul(Call(sin; y), Call(sin; z)); Call(cos; y)), 1, Neg(Call(sin; z)), Call(cos; z), 0, Div(Call(cos; z); Call(cos; y)), Div(Call(sin; z); Call(cos; y)), 0); =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\frac{{}^Ad}{dt} {}^A\\bar{\\omega}^B & = \\frac{{}^Bd}{dt} {}^A\\bar{\\omega}^B + {}^A\\bar{\\omega}^B \\times {}^A\\bar{\\omega}^B",
+        "Chain(Marked(Derivative(Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }); t, 1); _{ A }), Add(Marked(Derivative(Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }); t, 1); _{ B }), Cross(Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }); Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }))); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\hat{\\bf v}_{LP/R} = [RN] \\, \\hat{\\bf v}_{LP/N}",
+        "Chain(\\hat{\\mathbf{v}}_{LP/R}, Mul([ R N ], \\hat{\\mathbf{v}}_{LP/N}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/locationPointing/locationPointing.rst",
+    ),
+    (
+        "{}^A\\bar{\\omega}^B := \\left(\\frac{{}^A d\\hat{b}_y}{dt} \\cdot \\hat{b}_z\\right) \\hat{b}_x + \\left(\\frac{{}^A d\\hat{b}_z}{dt} \\cdot \\hat{b}_x\\right) \\hat{b}_y + \\left(\\frac{{}^A d\\hat{b}_x}{dt} \\cdot \\hat{b}_y\\right) \\hat{b}_z \\textrm{.}",
+        "Chain(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, Add(Mul(Mul(Marked(Derivative(Call(\\hat{b}_y); t, 1); _{ A }), Call(\\hat{b}_z)), Call(\\hat{b}_x)), Mul(Mul(Marked(Derivative(Call(\\hat{b}_z); t, 1); _{ A }), Call(\\hat{b}_x)), Call(\\hat{b}_y)), Mul(Mul(Marked(Derivative(Call(\\hat{b}_x); t, 1); _{ A }), Call(\\hat{b}_y)), Call(\\hat{b}_z))); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "f_v = \\frac{\\Delta P d_p^2}{\\mu v_s L}\\frac{\\epsilon^3}{(1-\\epsilon)^2}",
+        "Chain(f_v, Mul(Div(Mul(\\Delta P, Pow(d_p; 2)); Mul(\\mu, v_s, L)), Div(Pow(\\epsilon; 3); Pow(Add(1, Neg(\\epsilon)); 2))); =)",
+        "CalebBell/fluids/fluids/packed_bed.py",
+    ),
+    (
+        "\\boldsymbol{r}_{C/P} = \\rho \\boldsymbol{\\hat{u}}_{n}",
+        "Chain(\\boldsymbol{r}_{C/P}, Mul(\\rho, \\boldsymbol{\\hat{u}}_n); =)",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "\\begin{bmatrix} a_1 & a_2 & a_3 \\end{bmatrix} \\cdot \\begin{bmatrix} b_1 \\\\ b_2 \\\\ b_3 \\end{bmatrix} = a_1 b_1 + a_2 b_2 + a_3 b_3 .",
+        "Chain(Mul(MatrixOf(a_1, a_2, a_3), MatrixOf(b_1, b_2, b_3)), Add(Mul(a_1, b_1), Mul(a_2, b_2), Mul(a_3, b_3)); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\sum_{n=M+1}^{\\infty} \\zeta(2n, N) = \\sum_{n=M+1}^{\\infty} \\sum_{k=0}^{\\infty} (k+N)^{-2n} \\le \\sum_{n=M+1}^{\\infty} \\left( N^{-2n} + \\int_0^{\\infty} (t+N)^{-2n} dt \\right)",
+        "Chain(BigSum(n; Add(M, 1); Infinity(); Call(\\zeta; Mul(2, n), N)), BigSum(n; Add(M, 1); Infinity(); BigSum(k; 0; Infinity(); Pow(Add(k, N); Neg(Mul(2, n))))), BigSum(n; Add(M, 1); Infinity(); Add(Pow(N; Neg(Mul(2, n))), Integral(Pow(Add(t, N); Neg(Mul(2, n))); t; 0; Infinity()))); =, \\le)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "\\mathbf{A}\\bar{x} = \\bar{b}",
+        "Chain(Mul(\\mathbf{A}, \\bar{x}), \\bar{b}; =)",
+        "moorepants/learn-multibody-dynamics/sympy.rst",
+    ),
+    (
+        "\\mathscr{J}_\\alpha = \\sum_{i=1}^n \\left(\\int_{t_0}^{t_0+\\tau} \\boldsymbol{F}_i\\mathrm{d} t\\right) \\cdot \\frac{\\partial \\boldsymbol{r}_i}{\\partial q_\\alpha}",
+        "Chain(\\mathscr{J}_\\alpha, BigSum(i; 1; n; Mul(Integral(\\boldsymbol{F}_i; t; t_0; Add(t_0, \\tau)), Derivative(Call(\\boldsymbol{r}_i); q_\\alpha, 1; True))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "T = L V^{-1}, \\qquad M = A V^{-2},\\\\ T = \\begin{pmatrix} 0 \\\\ 1 \\\\ -1 \\end{pmatrix}, \\qquad M = \\begin{pmatrix} 1 \\\\ 0 \\\\ -2 \\end{pmatrix}.",
+        "System(Chain(T, Mul(L, Pow(V; Neg(1))); =), Chain(M, Mul(A, Pow(V; Neg(2))); =), Chain(T, MatrixOf(0, 1, Neg(1)); =), Chain(M, MatrixOf(1, 0, Neg(2)); =))",
+        "sympy/sympy/doc/src/modules/physics/units/philosophy.rst",
+    ),
+    (
+        "{\\bf u}^* = -\\frac{1}{2}{\\bf R}^{-1}f_2^T({\\bf x}) \\frac{\\partial J}{\\partial {\\bf x}}^T.",
+        "Chain(\\mathbf { u } ^ { * }, Neg(Mul(Div(1; 2), Pow(\\mathbf{R}; Neg(1)), Transpose(Call(f_2; \\mathbf{x})), Transpose(Derivative(Call(J); \\mathbf{x}, 1; True)))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "a \\frac{\\partial f(x,y)}{\\partial x} + b \\frac{\\partial f(x,y)}{\\partial y} + c f(x,y) = G(x,y)",
+        "Chain(Add(Mul(a, Derivative(Call(f; x, y); x, 1; True)), Mul(b, Derivative(Call(f; x, y); y, 1; True)), Mul(c, Call(f; x, y))), Call(G; x, y); =)",
+        "sympy/sympy/sympy/solvers/pde.py",
+    ),
+    (
+        "V_f = \\frac{\\pi h^2}{4}\\left(2a + \\frac{D^2}{2a} - \\frac{4h}{3}\\right),\\; h < a",
+        "System(Chain(V_f, Mul(Div(Mul(\\pi, Pow(h; 2)); 4), Add(Mul(2, a), Div(Pow(D; 2); Mul(2, a)), Neg(Div(Mul(4, h); 3)))); =), Chain(h, a; <))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\frac{\\mu}{h^3}t = \\frac{1}{\\left(1 - e^2\\right)^{3/2}}\\left[2\\tan^{-1}\\left(\\sqrt{\\frac{1 - e}{1 + e}}\\tan\\frac{\\nu}{2}\\right)-\\frac{e\\sqrt{1 - e^2}\\sin \\nu}{1 + e \\cos \\nu}\\right]",
+        "Chain(Mul(Div(\\mu; Pow(h; 3)), t), Mul(Div(1; Pow(Add(1, Neg(Pow(e; 2))); Div(3; 2))), Add(Mul(2, Call(arctan; Mul(Sqrt(Div(Add(1, Neg(e)); Add(1, e))), Call(tan; Div(\\nu; 2))))), Neg(Div(Mul(e, Sqrt(Add(1, Neg(Pow(e; 2)))), Call(sin; \\nu)); Add(1, Mul(e, Call(cos; \\nu))))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "H_{geo} = \\frac{C_{geo}-A_{geo}}{C_{geo}}",
+        "Chain(H_{geo}, Div(Add(C_{geo}, Neg(A_{geo})); C_{geo}); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "U^{*}(a,b,z) = \\sum_{k=0}^{n-1} \\frac{(a)_k (a-b+1)_k}{k! (-z)^k} + \\varepsilon_n(z).",
+        "Chain(Call(U ^ { * }; a, b, z), Add(BigSum(k; 0; Add(n, Neg(1)); Div(Mul(Marked(a; _{ k }), Marked(Add(a, Neg(b), 1); _{ k })); Mul(Factorial(k), Pow(Neg(z); k)))), Call(\\varepsilon_n; z)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "r = fD",
+        "Chain(r, Mul(f, D); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "L_n^{m}(z)=\\frac{(m+1)_n}{\\Gamma(n+1)} {}_1F_1\\left(-n,m+1,z\\right).",
+        "Chain(Call(L _ { n } ^ { m }; z), Mul(Div(Marked(Add(m, 1); _{ n }); Call(Gamma; Add(n, 1))), Call(\\prescript { } { 1 } { F } _ { 1 }; Neg(n), Add(m, 1), z)); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "[A] = \\Big\\{m_{\\text{sc}}[I_{3\\times3}] -\\sum_{j=1}^{N_{P}}m_j l_j \\bigg[ \\Big(\\sin(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1}-\\cos(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}\\Big)\\bm a_{\\varphi_j}^T \\\\ +\\Big(\\cos(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1}+\\sin(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}+\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,3}\\Big)\\bm a_{\\vartheta_j}^T \\bigg]\\Big\\}",
+        "Chain([ A ], Tuple(Add(Mul(m_{sc}, [ I _ { 3 \\times 3 } ]), Neg(BigSum(j; 1; N_P; Mul(m_j, l_j, Add(Mul(Add(Mul(Call(sin; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Neg(Mul(Call(cos; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}))), Transpose(\\bm{a}_{\\varphi_j})), Mul(Add(Mul(Call(cos; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Mul(Call(sin; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}), Mul(Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,3})), Transpose(\\bm{a}_{\\vartheta_j}))))))); {}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "x'' + \\lambda x = 0, \\quad x'(a) = 0, \\quad x'(b) = 0 ,",
+        "System(Chain(Add(Call(x''), Mul(\\lambda, Call(x))), 0; =), Chain(Call(x'; a), 0; =), Chain(Call(x'; b), 0; =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "[E] = \\begin{bmatrix} \\bm e_{i1}^T\\\\ \\bm e_{i2}^T \\end{bmatrix}",
+        "Chain([ E ], MatrixOf(Transpose(\\bm{e}_{i1}), Transpose(\\bm{e}_{i2})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "y_p = Ax + B .",
+        "Chain(y_p, Add(Mul(A, x), B); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "F_0 = 2 \\tanh^{-1}\\left(\\sqrt{\\frac{e - 1}{e + 1}}\\tan\\frac{\\nu_0}{2}\\right)",
+        "Chain(F_0, Mul(2, Call(artanh; Mul(Sqrt(Div(Add(e, Neg(1)); Add(e, 1))), Call(tan; Div(\\nu_0; 2))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "x' = (a-by)x = ax - byx .",
+        "Chain(x', Mul(Add(a, Neg(Mul(b, y))), x), Add(Mul(a, x), Neg(Mul(b, y, x))); =, =)",
+        "jirilebl/diffyqs/ch-nonlin-systems.tex",
+    ),
+    (
+        "\\dot{q}_1 + \\dot{q}_2 r = 0",
+        "Chain(Add(Call(\\dot{q}_1), Mul(Call(\\dot{q}_2), r)), 0; =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "\\hat{a}_x = (\\hat{a}_x \\cdot \\hat{n}_x) \\hat{n}_x + (\\hat{a}_x \\cdot \\hat{n}_y) \\hat{n}_y + (\\hat{a}_x \\cdot \\hat{n}_z) \\hat{n}_z \\\\ \\hat{a}_y = (\\hat{a}_y \\cdot \\hat{n}_x) \\hat{n}_x + (\\hat{a}_y \\cdot \\hat{n}_y) \\hat{n}_y + (\\hat{a}_y \\cdot \\hat{n}_z) \\hat{n}_z \\\\ \\hat{a}_x = (\\hat{a}_z \\cdot \\hat{n}_x) \\hat{n}_x + (\\hat{a}_z \\cdot \\hat{n}_y) \\hat{n}_y + (\\hat{a}_z \\cdot \\hat{n}_z) \\hat{n}_z",
+        "System(Chain(\\hat{a}_x, Add(Mul(Mul(\\hat{a}_x, \\hat{n}_x; 1), \\hat{n}_x), Mul(Mul(\\hat{a}_x, \\hat{n}_y; 1), \\hat{n}_y), Mul(Mul(\\hat{a}_x, \\hat{n}_z; 1), \\hat{n}_z)); =), Chain(\\hat{a}_y, Add(Mul(Mul(\\hat{a}_y, \\hat{n}_x; 1), \\hat{n}_x), Mul(Mul(\\hat{a}_y, \\hat{n}_y; 1), \\hat{n}_y), Mul(Mul(\\hat{a}_y, \\hat{n}_z; 1), \\hat{n}_z)); =), Chain(\\hat{a}_x, Add(Mul(Mul(\\hat{a}_z, \\hat{n}_x; 1), \\hat{n}_x), Mul(Mul(\\hat{a}_z, \\hat{n}_y; 1), \\hat{n}_y), Mul(Mul(\\hat{a}_z, \\hat{n}_z; 1), \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "\\begin{aligned} \\mu_1 &= G m_1 & \\mu_2 &= G m_2 \\end{aligned}",
+        "System(Chain(\\mu_1, Mul(G, m_1); =), Chain(\\mu_2, Mul(G, m_2); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "[C] = m_{\\text{sc}} + [C_{\\text{contr}}]",
+        "Chain([ C ], Add(m_{sc}, [ C _ { \\text { c o n t r } } ]); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/NHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "Y_{\\nu}(z) = \\frac{\\cos(\\nu \\pi) J_{\\nu}(z) - J_{-\\nu}(z)}{\\sin(\\nu \\pi)}",
+        "Chain(Call(Y_\\nu; z), Div(Add(Mul(Call(cos; Mul(\\nu, \\pi)), Call(J_\\nu; z)), Neg(Call(J_{-\\nu}; z))); Call(sin; Mul(\\nu, \\pi))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "y' = \\frac{xy}{y^2+1} .",
+        "Chain(y', Div(Mul(x, y); Add(Pow(y; 2), 1)); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\lvert f(t) \\rvert \\leq M e^{ct} ,",
+        "Chain(Bars(Call(f; t)), Mul(M, Pow(e; Mul(c, t))); \\le)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "|\\varepsilon_n(z)| \\le 2 \\alpha C_n \\left|\\frac{(a)_n (a-b+1)_n}{n! z^n} \\right| \\exp(2 \\alpha \\rho C_1 / |z|)",
+        "Chain(Bars(Call(\\varepsilon_n; z)), Mul(2, \\alpha, C_n, Bars(Div(Mul(Marked(a; _{ n }), Marked(Add(a, Neg(b), 1); _{ n })); Mul(Factorial(n), Pow(z; n)))), Call(exp; Div(Mul(2, \\alpha, \\rho, C_1); Bars(z)))); \\le)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "b = 52.8 - 434.2\\beta + 1571.2\\beta^2 - 2460.9\\beta^3 + 1420.2\\beta^4",
+        "Chain(b, Add(52.8, Neg(Mul(434.2, \\beta)), Mul(1571.2, Pow(\\beta; 2)), Neg(Mul(2460.9, Pow(\\beta; 3))), Mul(1420.2, Pow(\\beta; 4))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\mathbf{C} = \\begin{bmatrix}\\mathbf{P}_1\\mathbf{q} & \\mathbf{P}_2\\mathbf{q} & \\mathbf{P}_3\\mathbf{q}\\end{bmatrix}",
+        "Chain(\\mathbf{C}, MatrixOf(Mul(\\mathbf{P}_1, \\mathbf{q}), Mul(\\mathbf{P}_2, \\mathbf{q}), Mul(\\mathbf{P}_3, \\mathbf{q})); =)",
+        "Mayitzin/ahrs/ahrs/filters/oleq.py",
+    ),
+    (
+        "{}^N\\bar{v}^R = {}^B\\bar{v}^R + {}^N\\bar{v}^T",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { R }, Add(\\prescript { B } { } { \\bar { v } } ^ { R }, \\prescript { N } { } { \\bar { v } } ^ { T }); =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "|f(x+a) - f(x)| \\le \\min(2 C_0, C_1 |a|)",
+        "Chain(Bars(Add(Call(f; Add(x, a)), Neg(Call(f; x)))), Call(min; Mul(2, C_0), Mul(C_1, Bars(a))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\ddot{{\\bf q}} = {\\bf f}({\\bf q},\\dot{{\\bf q}},{\\bf u},t),",
+        "Chain(Call(\\ddot{\\mathbf{q}}), Call(\\mathbf{f}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}}), \\mathbf{u}, t); =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "E_\\mathrm{tr} = \\frac{1}{2}\\mathrm{tr}(\\mathbf{I}_3-\\tilde{\\mathbf{R}})",
+        "Chain(E_{tr}, Mul(Div(1; 2), Call(tr; Add(\\mathbf{I}_3, Neg(\\tilde{\\mathbf{R}})))); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\mathbf{W}_m = \\begin{bmatrix} m_z & m_y & -m_x & 0 \\\\ m_y & -m_z & 0 & m_x \\\\ -m_x & 0 & -m_z & m_y \\\\ 0 & m_x & m_y & m_z \\end{bmatrix}",
+        "Chain(\\mathbf{W}_m, MatrixOf(m_z, m_y, Neg(m_x), 0, m_y, Neg(m_z), 0, m_x, Neg(m_x), 0, Neg(m_z), m_y, 0, m_x, m_y, m_z); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "\\boldsymbol{a} = \\boldsymbol{a}_C + \\dot{\\boldsymbol{\\Omega}}\\times\\boldsymbol{r}_{\\text{rel}} + \\boldsymbol{\\Omega}\\times\\left(\\boldsymbol{\\Omega}\\times\\boldsymbol{r}_{\\text{rel}}\\right) + 2\\boldsymbol{\\Omega}\\times\\boldsymbol{v}_{\\text{rel}} + \\boldsymbol{a}_{\\text{rel}}",
+        "Chain(\\boldsymbol{a}, Add(\\boldsymbol{a}_C, Cross(Call(\\dot{\\boldsymbol{\\Omega}}); \\boldsymbol{r}_{rel}), Cross(Call(\\boldsymbol{\\Omega}); Cross(Call(\\boldsymbol{\\Omega}); \\boldsymbol{r}_{rel})), Cross(Mul(2, Call(\\boldsymbol{\\Omega})); \\boldsymbol{v}_{rel}), \\boldsymbol{a}_{rel}); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "\\operatorname{Ci}(z) = -\\tfrac{z^2}{4} {}_2F_3(1, 1; 2, 2, \\tfrac{3}{2}; -\\tfrac{z^2}{4}) + \\log(z) + \\gamma",
+        "Chain(Call(\\text{Ci}; z), Add(Neg(Mul(Div(Pow(z; 2); 4), Call(\\prescript { } { 2 } { F } _ { 3 }; Given(1, 1; Given(2, 2, Div(3; 2); Neg(Div(Pow(z; 2); 4)); ;); ;)))), Call(log; z), \\gamma); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\exp(A) = \\sum_{k=0}^{\\infty} \\frac{A^k}{k!}.",
+        "Chain(Call(exp; A), BigSum(k; 0; Infinity(); Div(Pow(A; k); Factorial(k))); =)",
+        "fredrik-johansson/arb/doc/source/acb_mat.rst",
+    ),
+    (
+        "\\text{Stk} = \\frac{\\rho_p V D_p^2}{18\\mu_f D}",
+        "Chain(\\text{Stk}, Div(Mul(\\rho_p, V, Pow(D_p; 2)); Mul(18, \\mu_f, D)); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "\\mathcal{Y} = f(\\mathcal{X})",
+        "Chain(\\mathcal{Y}, Call(f; \\mathcal{X}); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\dot{{\\bf x}} = (U({\\bf x})-1) {\\bf R}(\\theta) \\frac{\\partial U}{\\partial {\\bf x}}^T,",
+        "Chain(Call(\\dot{\\mathbf{x}}), Mul(Add(Call(U; Call(\\mathbf{x})), Neg(1)), Call(\\mathbf{R}; \\theta), Transpose(Derivative(Call(U); \\mathbf{x}, 1; True))); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\Phi = \\frac{1}{2} \\omega^2(u^2+E^2)\\cos^2\\beta",
+        "Chain(\\Phi, Mul(Div(1; 2), Pow(\\omega; 2), Add(Pow(u; 2), Pow(E; 2)), Pow(Call(cos; \\beta); 2)); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "\\nabla f( \\mathbf{q}_k, \\,^E\\mathbf{d}, \\,^S\\mathbf{s}) = J( \\mathbf{q}_k, \\,^E\\mathbf{d})^T f( \\mathbf{q}_k, \\,^E\\mathbf{d}, \\,^S\\mathbf{s})",
+        "Chain(Call(\\nabla f; \\mathbf{q}_k, \\prescript { E } { } { \\mathbf { d } }, \\prescript { S } { } { \\mathbf { s } }), Mul(Transpose(Call(J; \\mathbf{q}_k, \\prescript { E } { } { \\mathbf { d } })), Call(f; \\mathbf{q}_k, \\prescript { E } { } { \\mathbf { d } }, \\prescript { S } { } { \\mathbf { s } })); =)",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "\\begin{array}{rcl} \\hat{\\mathbf{q}}_t &=& \\Bigg(\\mathbf{I}_4 + \\frac{1}{2}\\boldsymbol\\Omega_t\\Delta t + \\frac{1}{2!}\\Big(\\frac{1}{2}\\boldsymbol\\Omega_t\\Delta t\\Big)^2 + \\frac{1}{3!}\\Big(\\frac{1}{2}\\boldsymbol\\Omega_t\\Delta t\\Big)^3 + \\cdots\\Bigg)\\mathbf{q}_{t-1} \\\\ && \\qquad{} + \\frac{1}{4}\\dot{\\boldsymbol\\Omega}_t\\Delta t^2\\mathbf{q}_{t-1} + \\Big[\\frac{1}{12}\\dot{\\boldsymbol\\Omega}_t\\boldsymbol\\Omega_t + \\frac{1}{24}\\boldsymbol\\Omega_t\\dot{\\boldsymbol\\Omega}_t + \\frac{1}{12}\\ddot{\\boldsymbol\\Omega}_t\\Big]\\Delta t^3\\mathbf{q}_{t-1} + \\cdots \\end{array}",
+        "Chain(\\hat{\\mathbf{q}}_t, Add(Mul(Add(\\mathbf{I}_4, Mul(Div(1; 2), Call(\\boldsymbol{\\Omega}_t), \\Delta t), Mul(Div(1; Factorial(2)), Pow(Mul(Div(1; 2), Call(\\boldsymbol{\\Omega}_t), \\Delta t); 2)), Mul(Div(1; Factorial(3)), Pow(Mul(Div(1; 2), Call(\\boldsymbol{\\Omega}_t), \\Delta t); 3)), Dots()), \\mathbf{q}_{t-1}), Mul(Div(1; 4), Call(\\dot{\\boldsymbol{\\Omega}}_t), Pow(\\Delta t; 2), \\mathbf{q}_{t-1}), Mul(Add(Mul(Div(1; 12), Call(\\dot{\\boldsymbol{\\Omega}}_t), Call(\\boldsymbol{\\Omega}_t)), Mul(Div(1; 24), Call(\\boldsymbol{\\Omega}_t), Call(\\dot{\\boldsymbol{\\Omega}}_t)), Mul(Div(1; 12), Call(\\ddot{\\boldsymbol{\\Omega}}_t))), Pow(\\Delta t; 3), \\mathbf{q}_{t-1}), Dots()); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "[A_\\text{contr}] = [0_{3 \\times 3}]",
+        "Chain([ A _ { \\text { c o n t r } } ], Marked(0; _{ 3 \\times 3 }); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/reactionWheels/_Documentation/RWJitterBackSubstitution/Basilisk-RWJitterBackSub-20161221.tex",
+    ),
+    (
+        "\\Delta v = 2 \\left\\lvert v_a - v_i \\right\\rvert",
+        "Chain(\\Delta v, Mul(2, Bars(Add(v_a, Neg(v_i)))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/phasing-maneuvers.md",
+    ),
+    (
+        "\\frac{1}{2} y^2 + \\frac{1}{2} x^2 - \\frac{1}{3} x^3 = C .",
+        "Chain(Add(Mul(Div(1; 2), Pow(y; 2)), Mul(Div(1; 2), Pow(x; 2)), Neg(Mul(Div(1; 3), Pow(x; 3)))), C; =)",
+        "jirilebl/diffyqs/ch-nonlin-systems.tex",
+    ),
+    (
+        "\\int_{\\tau_0}^{\\tau_1} \\delta \\varLambda \\mathrm{d} \\tau = 0",
+        "Chain(Integral(\\delta \\varLambda; \\tau; \\tau_0; \\tau_1), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\hat{\\bm\\imath}_{n} = \\hat{\\bm\\imath}_{v} \\times \\hat{\\bm\\imath}_{h}",
+        "Chain(\\hat{\\bm{\\imath}}_n, Cross(\\hat{\\bm{\\imath}}_v; \\hat{\\bm{\\imath}}_h); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/velocityPoint/_Documentation/velocityPoint.tex",
+    ),
+    (
+        "\\mathbf{x} = \\begin{bmatrix} \\ddot{\\mathbf{q}} \\\\ \\mathbf{\\lambda} \\end{bmatrix}",
+        "Chain(\\mathbf{x}, MatrixOf(Call(\\ddot{\\mathbf{q}}), \\mathbf{\\lambda}); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/lagrange.rst",
+    ),
+    (
+        "U^{*}(a,b,z) \\sim {}_2F_0(a, a-b+1, -1/z)",
+        "Chain(Call(U ^ { * }; a, b, z), Call(\\prescript { } { 2 } { F } _ { 0 }; a, Add(a, Neg(b), 1), Neg(Div(1; z))); \\sim)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "- \\left(\\frac{\\Delta P}{\\Delta z}\\right)_{acc} = 0.5\\rho_i v_i^2 - 0.5\\rho_o v_o^2",
+        "Chain(Neg(Marked(Div(\\Delta P; \\Delta z); _{ a c c })), Add(Mul(0.5, \\rho_i, Pow(v_i; 2)), Neg(Mul(0.5, \\rho_o, Pow(v_o; 2)))); =)",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "\\dot{\\bm{H}}_{\\text{sc},B} = [I_{\\text{sc},B}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} + [I'_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} \\\\+ \\sum\\limits_{j=1}^{N_P}\\biggl[m_j \\bm r_{P_{c,j}/B}\\times\\bm{r}''_{P_{c,j}/B} + m_j \\bm\\omega_{\\cal B/N} \\times \\Bigl(\\bm{r}_{P_{c,j}/B} \\times \\bm{r}'_{P_{c,j}/B}\\Bigr)\\biggr]",
+        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), BigSum(j; 1; N_P; Add(Cross(Mul(m_j, \\bm{r}_{P_c,j/B}); \\bm{r}_{P_c,j/B}''), Cross(Mul(m_j, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); Cross(\\bm{r}_{P_c,j/B}; \\bm{r}_{P_c,j/B}'))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\Pr(x_{n+1} = x | b_n, h_n, u_n) = \\Pr(x_{n+1} = x | b_n, u_n).",
+        "Chain(Call(Pr; Given(Chain(x_{n+1}, x; =); b_n, h_n, u_n; |)), Call(Pr; Given(Chain(x_{n+1}, x; =); b_n, u_n; |)); =)",
+        "RussTedrake/underactuated/book/belief.html",
+    ),
+    (
+        "K = f\\alpha\\frac{r}{d} + (0.10 + 2.4f)\\sin(\\alpha/2) + \\frac{6.6f(\\sqrt{\\sin(\\alpha/2)}+\\sin(\\alpha/2))} {(r/d)^{\\frac{4\\alpha}{\\pi}}}",
+        "Chain(K, Add(Mul(f, \\alpha, Div(r; d)), Mul(Add(0.10, Mul(2.4, f)), Call(sin; Div(\\alpha; 2))), Div(Mul(6.6, f, Add(Sqrt(Call(sin; Div(\\alpha; 2))), Call(sin; Div(\\alpha; 2)))); Pow(Div(r; d); Div(Mul(4, \\alpha); \\pi)))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\dot x = f(x) = - x^3 + 4x^2 +11x - 30.",
+        "Chain(Call(\\dot{x}), Call(f; Call(x)), Add(Neg(Pow(Call(x); 3)), Mul(4, Pow(Call(x); 2)), Mul(11, Call(x)), Neg(30)); =, =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "E_1 Z_1 + E_2 Z_2 = (E_1 + E_2)/x + E_1 \\tilde Z_1 + E_2 \\tilde Z_2.",
+        "Chain(Add(Mul(E_1, Z_1), Mul(E_2, Z_2)), Add(Div(Add(E_1, E_2); x), Mul(E_1, \\tilde{Z}_1), Mul(E_2, \\tilde{Z}_2)); =)",
+        "fredrik-johansson/arb/doc/source/polylogarithms.rst",
+    ),
+    (
+        "R_M = \\frac{a(1-e^2)}{(1-e^2\\sin^2\\phi)^{\\frac{3}{2}}}",
+        "Chain(R_M, Div(Mul(a, Add(1, Neg(Pow(e; 2)))); Pow(Add(1, Neg(Mul(Pow(e; 2), Pow(Call(sin; \\phi); 2)))); Div(3; 2))); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "y^{(4)}+\\lambda y = 0, \\quad y(0) = 0, \\quad y'(0) = 0, \\quad y(1) = 0, \\quad y'(1) = 0 .",
+        "System(Chain(Add(y ^ { ( 4 ) }, Mul(\\lambda, Call(y))), 0; =), Chain(Call(y; 0), 0; =), Chain(Call(y'; 0), 0; =), Chain(Call(y; 1), 0; =), Chain(Call(y'; 1), 0; =))",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "f_{1, C_1,z}^{B_{c_1}} \\ge 0,",
+        "Chain(f _ { 1 , C _ { 1 } , z } ^ { B _ { c _ { 1 } } }, 0; \\ge)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "{ {\\boldsymbol{y}}}^* = \\left(\\begin{array}{ccccc} t_1^*\\quad & & \\cdots\\quad & & t_M^* \\end{array}\\right)^\\mathrm{T}",
+        "Chain(\\boldsymbol { y } ^ { * }, Transpose(MatrixOf(t _ { 1 } ^ { * }, Blank(), Dots(), Blank(), t _ { M } ^ { * })); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\mathbf{C}\\,^r\\mathbf{a}=\\,^b\\mathbf{a}",
+        "Chain(Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { a } }), \\prescript { b } { } { \\mathbf { a } }; =)",
+        "Mayitzin/ahrs/ahrs/filters/saam.py",
+    ),
+    (
+        "\\bar{L} = T-W = T + \\sum_{j=1}^l \\lambda_j \\bar{f}_j (\\boldsymbol{q},t)",
+        "Chain(\\bar{L}, Add(T, Neg(W)), Add(T, BigSum(j; 1; l; Mul(\\lambda_j, Call(\\bar{f}_j; \\boldsymbol{q}, t)))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\frac{\\pi}{4 K(z^2)} = \\tfrac{1}{2} - \\tfrac{1}{8} z^2 - \\tfrac{5}{128} z^4 - \\tfrac{11}{512} z^6 - \\tfrac{469}{32768} z^8 + \\ldots",
+        "Chain(Div(\\pi; Mul(4, Call(K; Pow(z; 2)))), Add(Div(1; 2), Neg(Mul(Div(1; 8), Pow(z; 2))), Neg(Mul(Div(5; 128), Pow(z; 4))), Neg(Mul(Div(11; 512), Pow(z; 6))), Neg(Mul(Div(469; 32768), Pow(z; 8))), Dots()); =)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "\\frac{dx}{ds} = a, \\qquad \\frac{dt}{ds} = b .",
+        "System(Chain(Derivative(Call(x); s, 1), a; =), Chain(Derivative(Call(t); s, 1), b; =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\begin{aligned} \\Delta v &= \\lvert v_f - v_{t,a}\\rvert + \\lvert v_i - v_{t,p}\\rvert & \\text{If $r_i < r_f$} \\\\ \\Delta v &= \\lvert v_f - v_{t,p}\\rvert + \\lvert v_i - v_{t,a}\\rvert & \\text{If $r_f < r_i$} \\end{aligned}",
+        "System(Chain(\\Delta v, Add(Bars(Add(v_f, Neg(v_{t,a}))), Bars(Add(v_i, Neg(v_{t,p})))); =), Words(\\text{If$r_{i}<r_{f}$}), Chain(\\Delta v, Add(Bars(Add(v_f, Neg(v_{t,p}))), Bars(Add(v_i, Neg(v_{t,a})))); =), Words(\\text{If$r_{f}<r_{i}$}))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/hohmann-transfer.md",
+    ),
+    (
+        "V_1 = \\int_0^{\\sqrt{2kDh - h^2}} \\left[n^2\\sin^{-1}\\frac{\\sqrt {n^2-w^2}}{n} - w\\sqrt{n^2-w^2}\\right]dx",
+        "Chain(V_1, Integral(Add(Mul(Pow(n; 2), Call(arcsin; Div(Sqrt(Add(Pow(n; 2), Neg(Pow(w; 2)))); n))), Neg(Mul(w, Sqrt(Add(Pow(n; 2), Neg(Pow(w; 2))))))); x; 0; Sqrt(Add(Mul(2, k, D, h), Neg(Pow(h; 2))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "y = \\frac{2\\sqrt{2}}{3} \\omega_0 h \\sqrt{\\frac{h}{g}} \\cos \\lambda",
+        "Chain(y, Mul(Div(Mul(2, Sqrt(2)); 3), \\omega_0, h, Sqrt(Div(h; g)), Call(cos; \\lambda)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "\\bm{v}_{P2} = \\bm{R}_{P1} \\times \\bm{a}_{P1}",
+        "Chain(\\bm{v}_{P2}, Cross(\\bm{R}_{P1}; \\bm{a}_{P1}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/celestialTwoBodyPoint/_Documentation/celestialTwoBodyPoint.tex",
+    ),
+    (
+        "\\operatorname{Chi}(x) = \\gamma + \\log{x} + \\int_0^x \\frac{\\cosh{t} - 1}{t} \\mathrm{d}t,",
+        "Chain(Call(\\text{Chi}; x), Add(\\gamma, Call(log; x), Integral(Div(Add(Call(cosh; t), Neg(1)); t); t; 0; x)); =)",
+        "sympy/sympy/sympy/functions/special/error_functions.py",
+    ),
+    (
+        "[Q] = \\begin{bmatrix} D_0 & D \\end{bmatrix}",
+        "Chain([ Q ], MatrixOf(D_0, D); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/vscmgVelocitySteering/vscmgVelocitySteering.rst",
+    ),
+    (
+        "L = L_2+L_1+L_0",
+        "Chain(L, Add(L_2, L_1, L_0); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\find_{{\\bf w},{\\bf z}} \\quad \\textrm{subject to} \\quad & {\\bf w} = {\\bf q} + {\\bf M} {\\bf z}, \\\\ & {\\bf w} \\ge 0, {\\bf z} \\ge 0, {\\bf w}^T{\\bf z} = 0.",
+        "System(Words(\\text{find}_{\\mathbf w,\\mathbf z}), Words(\\text{subject~to}), Chain(\\mathbf{w}, Add(\\mathbf{q}, Mul(\\mathbf{M}, \\mathbf{z})); =), Chain(\\mathbf{w}, 0; \\ge), Chain(\\mathbf{z}, 0; \\ge), Chain(Mul(Transpose(\\mathbf{w}), \\mathbf{z}), 0; =))",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "k(\\tau) &=& \\lim_{f \\to 0}\\, \\frac{1}{2}\\,S_0\\,\\omega_0\\, \\left[\\left(1+1/f\\right)\\,e^{-\\omega_0\\,(1-f)\\,\\tau} + \\left(1-1/f\\right)\\,e^{-\\omega_0\\,(1+f)\\,\\tau} \\right] \\\\ &=& S_0\\,\\omega_0\\,e^{-\\omega_0\\,\\tau}\\,[1+\\omega_0\\,\\tau]",
+        "Chain(Call(k; \\tau), Limiting(lim; _{ f \\to 0 }; Mul(Div(1; 2), S_0, \\omega_0, Add(Mul(Add(1, Div(1; f)), Pow(e; Neg(Mul(\\omega_0, Add(1, Neg(f)), \\tau)))), Mul(Add(1, Neg(Div(1; f))), Pow(e; Neg(Mul(\\omega_0, Add(1, f), \\tau))))))), Mul(S_0, \\omega_0, Pow(e; Neg(Mul(\\omega_0, \\tau))), Add(1, Mul(\\omega_0, \\tau))); =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "f(t) = \\frac{a_0}{2} + \\sum_{n=1}^\\infty a_n \\cos (n t) ,",
+        "Chain(Call(f; t), Add(Div(a_0; 2), BigSum(n; 1; Infinity(); Mul(a_n, Call(cos; Mul(n, t))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "-2 z (z^2-1) c_2 = (3z^2-1) c_1 + z c_0,",
+        "Chain(Neg(Mul(2, z, Add(Pow(z; 2), Neg(1)), c_2)), Add(Mul(Add(Mul(3, Pow(z; 2)), Neg(1)), c_1), Mul(z, c_0)); =)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "P_1 = \\frac{F_{F} F_{L}^{2} P_{sat} - P_{2}}{F_{L}^{2} - 1}",
+        "Chain(P_1, Div(Add(Mul(F_F, Pow(F_L; 2), P_{sat}), Neg(P_2)); Add(Pow(F_L; 2), Neg(1))); =)",
+        "CalebBell/fluids/fluids/control_valve.py",
+    ),
+    (
+        "\\dot{m}_\\text{fuel} = - 4\\pi\\rho\\,h\\,r\\,\\dot{r}",
+        "Chain(Call(\\dot{m}_{fuel}), Neg(Mul(4, \\pi, \\rho, h, Call(r), Call(\\dot{r}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\left|\\sum_{k=N}^{\\infty} c_k z^k\\right| \\le \\frac{C D^N}{1-D}, \\quad D = \\left|\\frac{r}{R}\\right|.",
+        "System(Chain(Bars(BigSum(k; N; Infinity(); Mul(c_k, Pow(z; k)))), Div(Mul(C, Pow(D; N)); Add(1, Neg(D))); \\le), Chain(D, Bars(Div(r; R)); =))",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\theta(t) = \\pm \\ddot{\\theta}_{\\text{max}} \\left( \\frac{(t - t_{b1})^2}{2} - \\frac{(t - t_{b1})^4}{4 t_{\\text{smooth}}^2} - \\frac{(t - t_{b1})^5}{10 t_{\\text{smooth}}^3} \\right) + \\dot{\\theta}(t_{b1})(t - t_{b1}) + \\theta(t_{b1})",
+        "Chain(Call(\\theta; t), Add(PlusMinus(Mul(\\ddot { \\theta } _ { \\text { m a x } }, Add(Div(Pow(Add(t, Neg(t_{b1})); 2); 2), Neg(Div(Pow(Add(t, Neg(t_{b1})); 4); Mul(4, Pow(t_{smooth}; 2)))), Neg(Div(Pow(Add(t, Neg(t_{b1})); 5); Mul(10, Pow(t_{smooth}; 3))))))), Mul(Call(\\dot{\\theta}; t_{b1}), Add(t, Neg(t_{b1}))), Call(\\theta; t_{b1})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "\\bar{L} = \\frac12 m(\\dot{r}^2+r^2 \\dot{\\theta}) - mgr\\cos \\theta + \\lambda(r-R)",
+        "Chain(\\bar{L}, Add(Mul(Div(1; 2), m, Add(Pow(Call(\\dot{r}); 2), Mul(Pow(Call(r); 2), Call(\\dot{\\theta})))), Neg(Mul(m, g, Call(r), Call(cos; Call(\\theta)))), Mul(\\lambda, Add(Call(r), Neg(R)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "m \\ddot{z} = k_p (z_d - z) + k_d (\\dot{z}_d - \\dot{z}).",
+        "Chain(Mul(m, Call(\\ddot{z})), Add(Mul(k_p, Add(Call(z_d), Neg(Call(z)))), Mul(k_d, Add(Call(\\dot{z}_d), Neg(Call(\\dot{z}))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\exp(-\\pi i \\tau/12) \\eta(\\tau) = \\sum_{n=-\\infty}^{\\infty} (-1)^n q^{(3n^2-n)/2}",
+        "Chain(Mul(Call(exp; Neg(Div(Mul(\\pi, i, \\tau); 12))), Call(\\eta; \\tau)), BigSum(n; Neg(Infinity()); Infinity(); Mul(Pow(Neg(1); n), Pow(q; Div(Add(Mul(3, Pow(n; 2)), Neg(n)); 2)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "a(t) = \\int_0^t b(\\tau) d\\tau",
+        "Chain(Call(a; t), Integral(Call(b; \\tau); \\tau; 0; t); =)",
+        "python-control/python-control/doc/examples/template.rst",
+    ),
+    (
+        "z_{k+1}=Az_k+Bu_k +C",
+        "Chain(z_{k+1}, Add(Mul(A, z_k), Mul(B, u_k), C); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\boldsymbol{v}_{xyz} = v_x\\boldsymbol{\\hat{\\imath}} + v_y\\boldsymbol{\\hat{\\jmath}} + v_z\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{v}_{xyz}, Add(Mul(v_x, \\boldsymbol{\\hat{\\imath}}), Mul(v_y, \\boldsymbol{\\hat{\\jmath}}), Mul(v_z, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\bar{\\bf H}^+ = \\bar{\\bf H}^T (\\bar{\\bf H} \\bar{\\bf H}^T)^{-1},",
+        "Chain(\\bar { \\mathbf { H } } ^ { + }, Mul(Transpose(\\bar{\\mathbf{H}}), Pow(Mul(\\bar{\\mathbf{H}}, Transpose(\\bar{\\mathbf{H}})); Neg(1))); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\alpha_2 = f_d - \\sqrt{f_d^2 - 2f_d f_k + f_k - 0.25}",
+        "Chain(\\alpha_2, Add(f_d, Neg(Sqrt(Add(Pow(f_d; 2), Neg(Mul(2, f_d, f_k)), f_k, Neg(0.25))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\omega = \\varpi - \\Omega",
+        "Chain(\\omega, Add(\\varpi, Neg(\\Omega)); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/planetary-ephemeris.md",
+    ),
+    (
+        "g''(z) = \\frac{N+1}{2} \\left( \\frac{\\nu}{1-\\nu z} \\right) g'(z) + \\frac{(N+1)N}{2} \\left( \\frac{\\nu}{1-\\nu z} \\right)^2 g(z)",
+        "Chain(Call(g''; z), Add(Mul(Div(Add(N, 1); 2), Div(\\nu; Add(1, Neg(Mul(\\nu, z)))), Call(g'; z)), Mul(Div(Mul(Add(N, 1), N); 2), Pow(Div(\\nu; Add(1, Neg(Mul(\\nu, z)))); 2), Call(g; z))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{R}^T(^L_G\\mathbf{q})\\,^L\\mathbf{a} &=& \\,^G\\mathbf{g} \\\\ && \\\\ \\mathbf{R}^T(^L_G\\mathbf{q})\\,^L\\mathbf{m} &=& \\,^G\\mathbf{h} \\end{array}",
+        "System(Chain(Mul(Transpose(Call(\\mathbf{R}; \\prescript { L } { G } { \\mathbf { q } })), \\prescript { L } { } { \\mathbf { a } }), \\prescript { G } { } { \\mathbf { g } }; =), Chain(Mul(Transpose(Call(\\mathbf{R}; \\prescript { L } { G } { \\mathbf { q } })), \\prescript { L } { } { \\mathbf { m } }), \\prescript { G } { } { \\mathbf { h } }; =))",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "n_1 = \\frac{{\\ln \\left({{{\\Delta P_{{l}}}/ {\\Delta P_{{lo}}}}} \\right)}}{{\\ln \\left({1 - x} \\right)}}",
+        "Chain(n_1, Div(Call(ln; Div(\\Delta P _ { l }; \\Delta P _ { l o })); Call(ln; Add(1, Neg(x)))); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\boldsymbol{r}_{O'} = \\boldsymbol{r}_O + \\boldsymbol{E}\\boldsymbol{U}\\boldsymbol{x}_{O'}",
+        "Chain(\\boldsymbol{r}_{O'}, Add(\\boldsymbol{r}_O, Mul(\\boldsymbol{E}, \\boldsymbol{U}, \\boldsymbol{x}_{O'})); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\mathrm{g}(\\phi) = \\frac{ag_e \\cos^2\\phi + bg_p\\sin^2\\phi}{\\sqrt{a^2\\cos^2\\phi + b^2\\sin^2\\phi}}",
+        "Chain(Call(\\text{g}; \\phi), Div(Add(Mul(a, g_e, Pow(Call(cos; \\phi); 2)), Mul(b, g_p, Pow(Call(sin; \\phi); 2))); Sqrt(Add(Mul(Pow(a; 2), Pow(Call(cos; \\phi); 2)), Mul(Pow(b; 2), Pow(Call(sin; \\phi); 2))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "{\\vphantom{\\bm\\omega}}^{\\mathcal{B}\\!}{\\bm\\omega}_{R/N} = {\\vphantom{\\hat{\\bm s}}}^{\\mathcal{B}\\!}{\\hat{\\bm s}} \\dot\\theta",
+        "Chain(\\prescript { \\mathcal { B } \\! } { } { \\bm { \\omega } } _ { R / N }, Mul(\\prescript { \\mathcal { B } \\! } { } { \\hat { \\bm { s } } }, Call(\\dot{\\theta})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/sunSafePoint/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "M &\\in \\mathbb{R}^{(n+o+k) \\times (n+o+k)}\\\\ A &\\in \\mathbb{R}^{(n+o+k) \\times (n-l+o-m)}\\\\ B &\\in \\mathbb{R}^{(n+o+k) \\times s}",
+        "System(Chain(M, Pow(\\mathbb{R}; Cross(Add(n, o, k); Add(n, o, k))); \\in), Chain(A, Pow(\\mathbb{R}; Cross(Add(n, o, k); Add(n, Neg(l), o, Neg(m)))); \\in), Chain(B, Pow(\\mathbb{R}; Cross(Add(n, o, k); s)); \\in))",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/linearize.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\hat{\\mathbf{f}} &=& \\begin{bmatrix}\\hat{f}_x & \\hat{f}_y & \\hat{f}_z \\end{bmatrix}^T = \\hat{\\mathbf{q}}^{-1}\\mathbf{g_q}\\hat{\\mathbf{q}} \\\\ && \\\\ \\hat{\\mathbf{h}} &=& \\begin{bmatrix}\\hat{h}_x & \\hat{h}_y & \\hat{h}_z \\end{bmatrix}^T = \\hat{\\mathbf{q}}^{-1}\\mathbf{m_q}\\hat{\\mathbf{q}} \\end{array}",
+        "System(Chain(\\hat{\\mathbf{f}}, Transpose(MatrixOf(\\hat{f}_x, \\hat{f}_y, \\hat{f}_z)), Mul(Pow(\\hat{\\mathbf{q}}; Neg(1)), \\mathbf{g}_q, \\hat{\\mathbf{q}}); =, =), Chain(\\hat{\\mathbf{h}}, Transpose(MatrixOf(\\hat{h}_x, \\hat{h}_y, \\hat{h}_z)), Mul(Pow(\\hat{\\mathbf{q}}; Neg(1)), \\mathbf{m}_q, \\hat{\\mathbf{q}}); =, =))",
+        "Mayitzin/ahrs/ahrs/filters/fourati.py",
+    ),
+    (
+        "\\begin{aligned} u_1' \\cos x \\sin x + u_2' \\sin^2 x & = 0 ,\\\\ -u_1' \\sin x \\cos x + u_2' \\cos^2 x & = \\tan x \\cos x = \\sin x . \\end{aligned}",
+        "System(Chain(Add(Mul(u_1', Call(cos; x), Call(sin; x)), Mul(u_2', Pow(Call(sin; x); 2))), 0; =), Chain(Add(Neg(Mul(u_1', Call(sin; x), Call(cos; x))), Mul(u_2', Pow(Call(cos; x); 2))), Mul(Call(tan; x), Call(cos; x)), Call(sin; x); =, =))",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\zeta(z, \\tau) = \\frac{1}{z} + \\sum_{n^2+m^2 \\ne 0} \\left[ \\frac{1}{z-m-n\\tau} + \\frac{1}{m+n\\tau} + \\frac{z}{(m+n\\tau)^2} \\right]",
+        "Chain(Call(\\zeta; z, \\tau), Add(Div(1; z), Limiting(sum; _{ n ^ { 2 } + m ^ { 2 } \\ne 0 }; Add(Div(1; Add(z, Neg(m), Neg(Mul(n, \\tau)))), Div(1; Add(m, Mul(n, \\tau))), Div(z; Pow(Add(m, Mul(n, \\tau)); 2))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\mathbf{x}_{t+1} = f(\\mathbf{x}_t, \\mathbf{u}_t) = \\mathbf{F}\\mathbf{x}_t + \\mathbf{B}\\mathbf{u}_t",
+        "Chain(\\mathbf{x}_{t+1}, Call(f; \\mathbf{x}_t, \\mathbf{u}_t), Add(Mul(\\mathbf{F}, \\mathbf{x}_t), Mul(\\mathbf{B}, \\mathbf{u}_t)); =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\sigma = \\frac{\\lVert\\boldsymbol{r}*1\\rVert}{r*{12}} \\Rightarrow r_1 = r_{12}",
+        "Implies(Chain(\\sigma, Div(Norm(Mul(\\boldsymbol{r}, 1)); Mul(r, 12)); =); Chain(r_1, r_{12}; =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "E = \\frac{\\mu}{2a}",
+        "Chain(E, Div(\\mu; Mul(2, a)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "[colback=white,colframe=black,boxrule=0.5pt,top=1.5pt,bottom=1.5pt]{~~ u(x,t) = \\sum_{n=1}^\\infty b_n u_n(x,t) = \\sum_{n=1}^\\infty b_n \\sin \\left( \\frac{n \\pi}{L} x \\right) e^{\\frac{-n^2 \\pi^2}{L^2} k t} . ~~}",
+        "Chain(Call(u; x, t), BigSum(n; 1; Infinity(); Mul(b_n, Call(u_n; x, t))), BigSum(n; 1; Infinity(); Mul(b_n, Call(sin; Mul(Div(Mul(n, \\pi); L), x)), Pow(e; Mul(Div(Neg(Mul(Pow(n; 2), Pow(\\pi; 2))); Pow(L; 2)), k, t)))); =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "M_E(q) \\ddot{p}^E + C_E(q,\\dot{q})\\dot{q} + K_p(p^{E} - p^{E_d}) + K_d(\\dot{p}^{E} - \\dot{p}^{E_d}) = f^{B_E}_{ext}.",
+        "Chain(Add(Mul(Call(M_E; Call(q)), Call(\\ddot { p } ^ { E })), Mul(Call(C_E; Call(q), Call(\\dot{q})), Call(\\dot{q})), Mul(K_p, Add(Call(p ^ { E }), Neg(Call(p ^ { E _ { d } })))), Mul(K_d, Add(Call(\\dot { p } ^ { E }), Neg(Call(\\dot { p } ^ { E _ { d } }))))), f _ { e x t } ^ { B _ { E } }; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\mu_t = \\alpha\\|\\,\\dot{\\mathbf{q}}_{\\omega, t}\\|\\Delta t",
+        "Chain(\\mu_t, Mul(\\alpha, Norm(Call(\\dot{\\mathbf{q}}_{\\omega,t})), \\Delta t); =)",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "{\\bf M}({\\bf q})\\ddot{\\bf q} + {\\bf C}({\\bf q},\\dot{\\bf q})\\dot{\\bf q} = {\\bf \\tau}_g(q) + {\\bf B}{\\bf u},",
+        "Chain(Add(Mul(Call(\\mathbf{M}; Call(\\mathbf{q})), Call(\\ddot{\\mathbf{q}})), Mul(Call(\\mathbf{C}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}})), Call(\\dot{\\mathbf{q}}))), Add(Call(\\mathbf{\\tau}_g; Call(q)), Mul(\\mathbf{B}, \\mathbf{u})); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "f(k) := \\frac{\\lambda^{k} e^{- \\lambda}}{k!}",
+        "Chain(Call(f; k), Div(Mul(Pow(\\lambda; k), Pow(e; Neg(\\lambda))); Factorial(k)); =)",
+        "sympy/sympy/sympy/stats/drv_types.py",
+    ),
+    (
+        "|F(k)| \\le \\frac{k (k-D)}{(k-C)(k-2D)} = \\left(1 + \\frac{C}{k-C} \\right) \\left(1 + \\frac{D}{k-2D} \\right).",
+        "Chain(Bars(Call(F; k)), Div(Mul(k, Add(k, Neg(D))); Mul(Add(k, Neg(C)), Add(k, Neg(Mul(2, D))))), Mul(Add(1, Div(C; Add(k, Neg(C)))), Add(1, Div(D; Add(k, Neg(Mul(2, D)))))); \\le, =)",
+        "fredrik-johansson/arb/doc/source/hypgeom.rst",
+    ),
+    (
+        "W = mg",
+        "Chain(W, Mul(m, g); =)",
+        "bryanwweber/orbital-mechanics-notes/intro/mass-force-and-newtons-law-of-gravitation.md",
+    ),
+    (
+        "{\\bf n} {\\bf v}^+ - {\\bf n}{\\bf v}^- = {\\bf n} {\\bf M}^{-1} {\\bf n}^T \\int_{t_c^-}^{t_c^+} \\lambda dt.",
+        "Chain(Add(Mul(\\mathbf{n}, \\mathbf { v } ^ { + }), Neg(Mul(\\mathbf{n}, \\mathbf { v } ^ { - }))), Mul(\\mathbf{n}, Pow(\\mathbf{M}; Neg(1)), Transpose(\\mathbf{n}), Integral(\\lambda; t; t _ { c } ^ { - }; t _ { c } ^ { + })); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "S_n(a,b) = \\sum_{k=a}^{b-1} k^n.",
+        "Chain(Call(S_n; a, b), BigSum(k; a; Add(b, Neg(1)); Pow(k; n)); =)",
+        "fredrik-johansson/arb/doc/source/arb.rst",
+    ),
+    (
+        "e = \\sqrt{1 + \\frac{h^2}{\\mu}\\left(v^2 - \\frac{2\\mu}{r}\\right)}",
+        "Chain(e, Sqrt(Add(1, Mul(Div(Pow(h; 2); \\mu), Add(Pow(v; 2), Neg(Div(Mul(2, \\mu); r)))))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "&= x^{1/k} \\min(1, \\log(1+r/(x-r))/k).",
+        "Chain(Blank(), Mul(Pow(x; Div(1; k)), Call(min; 1, Div(Call(log; Add(1, Div(r; Add(x, Neg(r))))); k))); =)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "{\\vphantom{\\bm v}}^{\\mathcal{N}\\!}{\\bm v}_{C/N} = \\begin{cases} +v \\ {\\vphantom{\\hat{\\bm\\imath}}}^{\\mathcal{N}\\!}{\\hat{\\bm\\imath}}_{r} & 0 \\le E \\le \\pi \\\\ -v \\ {\\vphantom{\\hat{\\bm\\imath}}}^{\\mathcal{N}\\!}{\\hat{\\bm\\imath}}_{r} & -\\pi \\le E \\le 0 \\end{cases}",
+        "Chain(\\prescript { \\mathcal { N } \\! } { } { \\bm { v } } _ { C / N }, Piecewise(Mul(v, \\prescript { \\mathcal { N } \\! } { } { \\hat { \\bm { \\imath } } } _ { r }), Chain(0, E, \\pi; \\le, \\le), Neg(Mul(v, \\prescript { \\mathcal { N } \\! } { } { \\hat { \\bm { \\imath } } } _ { r })), Chain(Neg(\\pi), E, 0; \\le, \\le)); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\mathbf{M}_d = -\\mathbf{T}^T \\mathbf{M} \\mathbf{T}",
+        "Chain(\\mathbf{M}_d, Neg(Mul(Transpose(\\mathbf{T}), \\mathbf{M}, \\mathbf{T})); =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\operatorname{erf}(z) &= \\frac{2z e^{-z^2}}{\\sqrt{\\pi}} {}_1F_1(1, \\tfrac{3}{2}, z^2)",
+        "Chain(Call(erf; z), Mul(Div(Mul(2, z, Pow(e; Neg(Pow(z; 2)))); Sqrt(\\pi)), Call(\\prescript { } { 1 } { F } _ { 1 }; 1, Div(3; 2), Pow(z; 2))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "v_0^2 \\geqslant \\frac{2g \\big[(R_1-R_2)\\cot \\alpha - h\\big]R_1^2}{R_1^2 - (R_2 + h\\tan \\alpha)^2}",
+        "Chain(Pow(v_0; 2), Div(Mul(2, g, Add(Mul(Add(R_1, Neg(R_2)), Call(cot; \\alpha)), Neg(h)), Pow(R_1; 2)); Add(Pow(R_1; 2), Neg(Pow(Add(R_2, Mul(h, Call(tan; \\alpha))); 2)))); \\ge)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "v_{gm} = 0",
+        "Chain(v_{gm}, 0; =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "I_{\\text{V}_{g_i}}(\\hat{\\bm g}_{\\text{g}_i}^T\\dot{\\bm{\\omega}} + \\ddot{\\gamma}_i) = u_{\\text{g}_i} + (I_{\\text{V}_{s_i}}-I_{\\text{V}_{t_i}})\\omega_s\\omega_t + I_{\\text{W}_{s_i}}\\Omega_i\\omega_t",
+        "Chain(Mul(I_{V_g_i}, Add(Mul(Transpose(\\hat{\\bm{g}}_{g_i}), Call(\\dot{\\bm{\\omega}})), Call(\\ddot{\\gamma}_i))), Add(u_{g_i}, Mul(Add(I_{V_s_i}, Neg(I_{V_t_i})), \\omega_s, \\omega_t), Mul(I_{W_s_i}, \\Omega_i, \\omega_t)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/VSCMGs/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "C \\frac{d v_2(t)}{dt} + \\frac{v_2(t) - v_1(t)}{R} = 0",
+        "Chain(Add(Mul(C, Derivative(Call(v_2; t); t, 1)), Div(Add(Call(v_2; t), Neg(Call(v_1; t))); R)), 0; =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "\\sigma(\\theta) = \\frac{b(\\theta)}{\\sin \\theta} |b'(\\theta)| = \\frac{\\left(\\dfrac{\\alpha}{4E}\\right)^2}{\\sin^4 \\dfrac{\\theta}{2}}",
+        "Chain(Call(\\sigma; \\theta), Mul(Div(Call(b; \\theta); Call(sin; \\theta)), Bars(Call(b'; \\theta))), Div(Pow(Div(\\alpha; Mul(4, E)); 2); Pow(Call(sin; Div(\\theta; 2)); 4)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "y_p = A \\cos (2x) + B \\sin (2x) .",
+        "Chain(y_p, Add(Mul(A, Call(cos; Mul(2, x))), Mul(B, Call(sin; Mul(2, x)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\bm F_{\\text{ext}} -m_{\\text{hub}} \\ddot{\\bm r}_{B_c/N} + \\sum\\limits_{i}^{N_S} \\Big( -m_{\\text{sp}_{i1}} \\ddot{\\bm{r}}_{S_{c,{i1}}/N} -m_{\\text{sp}_{i2}} \\ddot{\\bm{r}}_{S_{c,{i2}}/N}\\Big) = 0",
+        "Chain(Add(\\bm{F}_{ext}, Neg(Mul(m_{hub}, Call(\\ddot{\\bm{r}}_{B_c/N}))), Limiting(sum; _{ i }^{ N _ { S } }; Add(Neg(Mul(m_{sp_i1}, Call(\\ddot{\\bm{r}}_{S_c,i1/N}))), Neg(Mul(m_{sp_i2}, Call(\\ddot{\\bm{r}}_{S_c,i2/N})))))), 0; =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "p_{\\text{bMDP}}({\\bf b}'|{\\bf b}, a) = \\sum_{i \\in |O|} p({\\bf b}'| {\\bf b}, a, o_i) p_{o |b,a}(o_i | {\\bf b}, a) = \\sum_{i \\in |O|} p({\\bf b}'| {\\bf b}, a, o_i) {\\bf c}^T(o_i) \\, {\\bf T}(a) \\, {\\bf b},",
+        "Chain(Call(p_{bMDP}; Given(\\mathbf{b}'; \\mathbf{b}, a; |)), Limiting(sum; _{ i \\in | O | }; Mul(Call(p; Given(\\mathbf{b}'; \\mathbf{b}, a, o_i; |)), Call(p_{o|b,a}; Given(o_i; \\mathbf{b}, a; |)))), Limiting(sum; _{ i \\in | O | }; Mul(Call(p; Given(\\mathbf{b}'; \\mathbf{b}, a, o_i; |)), Transpose(Call(\\mathbf{c}; o_i)), Call(\\mathbf{T}; a), \\mathbf{b})); =, =)",
+        "RussTedrake/underactuated/book/output_feedback.html",
+    ),
+    (
+        "\\bar{F} = \\begin{bmatrix} \\bar{R}^{B_{1o}} \\cdot \\hat{n}_x \\\\ \\bar{R}^{B_{1o}} \\cdot \\hat{n}_y \\\\ \\bar{R}^{B_{1o}} \\cdot \\hat{n}_z \\\\ \\bar{T}^{B_1} \\cdot \\hat{n}_x \\\\ \\bar{T}^{B_1} \\cdot \\hat{n}_y \\\\ \\bar{T}^{B_1} \\cdot \\hat{n}_z \\\\ \\vdots \\\\ \\bar{R}^{B_{2o}} \\cdot \\hat{n}_x \\\\ \\bar{R}^{B_{2o}} \\cdot \\hat{n}_y \\\\ \\bar{R}^{B_{2o}} \\cdot \\hat{n}_z \\\\ \\bar{T}^{B_2} \\cdot \\hat{n}_x \\\\ \\bar{T}^{B_2} \\cdot \\hat{n}_y \\\\ \\bar{T}^{B_2} \\cdot \\hat{n}_z \\\\ \\end{bmatrix}",
+        "Chain(\\bar{F}, MatrixOf(Mul(\\bar { R } ^ { B _ { 1 o } }, \\hat{n}_x; 1), Mul(\\bar { R } ^ { B _ { 1 o } }, \\hat{n}_y; 1), Mul(\\bar { R } ^ { B _ { 1 o } }, \\hat{n}_z; 1), Mul(\\bar { T } ^ { B _ { 1 } }, \\hat{n}_x; 1), Mul(\\bar { T } ^ { B _ { 1 } }, \\hat{n}_y; 1), Mul(\\bar { T } ^ { B _ { 1 } }, \\hat{n}_z; 1), Dots(), Mul(\\bar { R } ^ { B _ { 2 o } }, \\hat{n}_x; 1), Mul(\\bar { R } ^ { B _ { 2 o } }, \\hat{n}_y; 1), Mul(\\bar { R } ^ { B _ { 2 o } }, \\hat{n}_z; 1), Mul(\\bar { T } ^ { B _ { 2 } }, \\hat{n}_x; 1), Mul(\\bar { T } ^ { B _ { 2 } }, \\hat{n}_y; 1), Mul(\\bar { T } ^ { B _ { 2 } }, \\hat{n}_z; 1)); =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\left.\\frac{\\mathrm{d}^2 U}{\\mathrm{d} r^2}\\right|_{r=r_m} = \\frac{3(l^2+cm)}{mr_m^4} - \\frac{2k}{r_m^3} = \\frac{l^2+cm}{mr_m^4} > 0",
+        "Chain(Evaluated(Derivative(Call(U); r, 2); r; r_m), Add(Div(Mul(3, Add(Pow(l; 2), Mul(c, m))); Mul(m, Pow(r_m; 4))), Neg(Div(Mul(2, k); Pow(r_m; 3)))), Div(Add(Pow(l; 2), Mul(c, m)); Mul(m, Pow(r_m; 4))), 0; =, =, >)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\overline{r}_{\\nu} = a\\sqrt{1 - e^2} = b = \\sqrt{r_p r_a}",
+        "Chain(\\overline{r}_\\nu, Mul(a, Sqrt(Add(1, Neg(Pow(e; 2))))), b, Sqrt(Mul(r_p, r_a)); =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\langle \\, f(t)\\, , \\, g(t) \\, \\rangle \\overset{\\text{def}}{=} \\int_{-\\pi}^\\pi f(t) \\, g(t) \\, dt .",
+        "Chain(Pair(Call(f; t); Call(g; t)), Integral(Mul(Call(f; t), Call(g; t)); t; Neg(\\pi); \\pi); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "{}^A\\text{v}^C =& {}^A\\text{v}^B + {}^A\\dot{R}^B {}^Bp^C + {}^AR^B {}^B\\text{v}^C \\\\ =& {}^A\\text{v}^B_A + {}^A\\dot{R}^B {}^BR^A {}^Bp^C_A + {}^B\\text{v}^C_A.",
+        "Chain(\\prescript { A } { } { \\text { v } } ^ { C }, Add(\\prescript { A } { } { \\text { v } } ^ { B }, Mul(Call(\\prescript { A } { } { \\dot { R } } ^ { B }), \\prescript { B } { } { p } ^ { C }), Mul(Call(\\prescript { A } { } { R } ^ { B }), \\prescript { B } { } { \\text { v } } ^ { C })), Add(\\prescript { A } { } { \\text { v } } _ { A } ^ { B }, Mul(Call(\\prescript { A } { } { \\dot { R } } ^ { B }), \\prescript { B } { } { R } ^ { A }, \\prescript { B } { } { p } _ { A } ^ { C }), \\prescript { B } { } { \\text { v } } _ { A } ^ { C }); =, =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "& \\dot{x} = Ax + Bu \\\\ & y = Cx + Du",
+        "System(Chain(Call(\\dot{x}), Add(Mul(A, Call(x)), Mul(B, u)); =), Chain(y, Add(Mul(C, Call(x)), Mul(D, u)); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "R_G(x,y,z) = \\frac{1}{4} \\int_0^{\\infty} \\frac{t}{\\sqrt{(t+x)(t+y)(t+z)}} \\left( \\frac{x}{t+x} + \\frac{y}{t+y} + \\frac{z}{t+z}\\right) dt",
+        "Chain(Call(R_G; x, y, z), Mul(Div(1; 4), Integral(Mul(Div(t; Sqrt(Mul(Add(t, x), Add(t, y), Add(t, z)))), Add(Div(x; Add(t, x)), Div(y; Add(t, y)), Div(z; Add(t, z)))); t; 0; Infinity())); =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\Phi(z,s,a) = \\sum_{k=0}^{\\infty} \\frac{z^k}{(k+a)^s}",
+        "Chain(Call(\\Phi; z, s, a), BigSum(k; 0; Infinity(); Div(Pow(z; k); Pow(Add(k, a); s))); =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "\\begin{cases} v_x = C_1 \\mathrm{e}^{-\\frac{t}{\\tau}} \\\\ v_y = C_2 \\mathrm{e}^{-\\frac{t}{\\tau}} \\end{cases}",
+        "System(Chain(v_x, Mul(C_1, Pow(\\text{e}; Neg(Div(t; \\tau)))); =), Chain(v_y, Mul(C_2, Pow(\\text{e}; Neg(Div(t; \\tau)))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "a_2 = kD\\cos\\alpha",
+        "Chain(a_2, Mul(k, D, Call(cos; \\alpha)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "{\\bf x}[1] &= {\\bf A}{\\bf x}_0 + {\\bf B}{\\bf K}_0{\\bf x}_0, \\\\ {\\bf x}[2] &= {\\bf A}({\\bf A} + {\\bf BK}_0){\\bf x}_0 + {\\bf BK}_1({\\bf A} + {\\bf BK}_0){\\bf x}_0 \\\\ {\\bf x}[n] &= \\left( \\prod_{i=0}^{n-1} ({\\bf A} + {\\bf BK}_i) \\right) {\\bf x}_0",
+        "System(Chain(Indexed(\\mathbf{x}; 1), Add(Mul(\\mathbf{A}, \\mathbf{x}_0), Mul(\\mathbf{B}, \\mathbf{K}_0, \\mathbf{x}_0)); =), Chain(Indexed(\\mathbf{x}; 2), Add(Mul(\\mathbf{A}, Add(\\mathbf{A}, Mul(\\mathbf{B}, \\mathbf{K}_0)), \\mathbf{x}_0), Mul(\\mathbf{B}, \\mathbf{K}_1, Add(\\mathbf{A}, Mul(\\mathbf{B}, \\mathbf{K}_0)), \\mathbf{x}_0)); =), Chain(Indexed(\\mathbf{x}; n), Mul(BigProduct(i; 0; Add(n, Neg(1)); Add(\\mathbf{A}, Mul(\\mathbf{B}, \\mathbf{K}_i))), \\mathbf{x}_0); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "T = \\frac{2\\pi r}{\\sqrt{\\mu/r}} = \\frac{2\\pi}{\\sqrt{\\mu}}r^{3/2}",
+        "Chain(T, Div(Mul(2, \\pi, r); Sqrt(Div(\\mu; r))), Mul(Div(Mul(2, \\pi); Sqrt(\\mu)), Pow(r; Div(3; 2))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/circular-orbits.md",
+    ),
+    (
+        "k_j(\\tau) \\, k_i(\\tau) = e^{-\\tilde{c}\\,\\tau}\\,[ \\tilde{a}_+\\,\\cos(\\tilde{d}_+\\,\\tau) + \\tilde{b}_+\\,\\sin(\\tilde{d}_+\\,\\tau) + \\tilde{a}_-\\,\\cos(\\tilde{d}_-\\,\\tau) + \\tilde{b}_-\\,\\sin(\\tilde{d}_-\\,\\tau) ]",
+        "Chain(Mul(Call(k_j; \\tau), Call(k_i; \\tau)), Mul(Pow(e; Neg(Mul(\\tilde{c}, \\tau))), Add(Mul(\\tilde{a}_+, Call(cos; Mul(\\tilde{d}_+, \\tau))), Mul(\\tilde{b}_+, Call(sin; Mul(\\tilde{d}_+, \\tau))), Mul(\\tilde{a}_-, Call(cos; Mul(\\tilde{d}_-, \\tau))), Mul(\\tilde{b}_-, Call(sin; Mul(\\tilde{d}_-, \\tau))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "B = 1 - \\frac{\\pi^2 d_p}{24D_t}\\left(1 - \\frac{0.5d_p}{D_t}\\right)",
+        "Chain(B, Add(1, Neg(Mul(Div(Mul(Pow(\\pi; 2), d_p); Mul(24, D_t)), Add(1, Neg(Div(Mul(0.5, d_p); D_t)))))); =)",
+        "CalebBell/fluids/fluids/packed_bed.py",
+    ),
+    (
+        "h_t = \\sqrt{\\mu r_1 (1 - e)} = \\sqrt{\\mu r_3 (1 + e)}",
+        "Chain(h_t, Sqrt(Mul(\\mu, r_1, Add(1, Neg(e)))), Sqrt(Mul(\\mu, r_3, Add(1, e))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/comparison-of-bielliptic-and-hohmann.md",
+    ),
+    (
+        "x' = A\\sqrt{-\\lambda}\\, \\sinh \\bigl( \\sqrt{-\\lambda}\\, t\\bigr) + B\\sqrt{-\\lambda}\\, \\cosh \\bigl( \\sqrt{-\\lambda}\\, t \\bigr) .",
+        "Chain(x', Add(Mul(A, Sqrt(Neg(\\lambda)), Call(sinh; Mul(Sqrt(Neg(\\lambda)), t))), Mul(B, Sqrt(Neg(\\lambda)), Call(cosh; Mul(Sqrt(Neg(\\lambda)), t)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "P^{-}_{k+1}\\leftarrow P^{-}_{k+1} + P_{proc}",
+        "Chain(P _ { k + 1 } ^ { - }, Add(P _ { k + 1 } ^ { - }, P_{proc}); \\leftarrow)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavUKF/smallBodyNavUKF.rst",
+    ),
+    (
+        "\\begin{bmatrix} x \\\\ y \\end{bmatrix} = \\begin{bmatrix} \\frac{e^{3t}+e^{-t}}{2} & \\frac{e^{3t}-e^{-t}}{2} \\\\ \\frac{e^{3t}-e^{-t}}{2} & \\frac{e^{3t}+e^{-t}}{2} \\end{bmatrix} \\begin{bmatrix} 4 \\\\ 2 \\end{bmatrix} = \\begin{bmatrix} 2e^{3t}+2e^{-t} + e^{3t}-e^{-t} \\\\ 2e^{3t}-2e^{-t} + e^{3t}+e^{-t} \\end{bmatrix} = \\begin{bmatrix} 3e^{3t}+e^{-t} \\\\ 3e^{3t}-e^{-t} \\end{bmatrix} .",
+        "Chain(MatrixOf(x, y), Mul(MatrixOf(Div(Add(Pow(e; Mul(3, t)), Pow(e; Neg(t))); 2), Div(Add(Pow(e; Mul(3, t)), Neg(Pow(e; Neg(t)))); 2), Div(Add(Pow(e; Mul(3, t)), Neg(Pow(e; Neg(t)))); 2), Div(Add(Pow(e; Mul(3, t)), Pow(e; Neg(t))); 2)), MatrixOf(4, 2)), MatrixOf(Add(Mul(2, Pow(e; Mul(3, t))), Mul(2, Pow(e; Neg(t))), Pow(e; Mul(3, t)), Neg(Pow(e; Neg(t)))), Add(Mul(2, Pow(e; Mul(3, t))), Neg(Mul(2, Pow(e; Neg(t)))), Pow(e; Mul(3, t)), Pow(e; Neg(t)))), MatrixOf(Add(Mul(3, Pow(e; Mul(3, t))), Pow(e; Neg(t))), Add(Mul(3, Pow(e; Mul(3, t))), Neg(Pow(e; Neg(t))))); =, =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\nu_{\\infty} = \\cos^{-1}\\left(-1/e\\right)",
+        "Chain(\\nu_\\infty, Call(arccos; Neg(Div(1; e))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\mathrm{sn}\\, x \\to \\sin x",
+        "Chain(Call(sn; x), Call(sin; x); \\to)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/appendixA.tex",
+    ),
+    (
+        "{\\bf m}(s) &= {\\bf M}({\\bf r}(s)){\\bf r}'(s), \\\\ {\\bf c}(s) &= {\\bf M}({\\bf r}(s)){\\bf r}''(s) + {\\bf C}({\\bf r}(s), {\\bf r}'(s)) {\\bf r}'(s), \\\\ \\bar{\\bf \\tau}_g(s) &= {\\bf \\tau}_g({\\bf r}(s)).",
+        "System(Chain(Call(\\mathbf{m}; s), Mul(Call(\\mathbf{M}; Call(\\mathbf{r}; s)), Call(\\mathbf{r}'; s)); =), Chain(Call(\\mathbf{c}; s), Add(Mul(Call(\\mathbf{M}; Call(\\mathbf{r}; s)), Call(\\mathbf{r}''; s)), Mul(Call(\\mathbf{C}; Call(\\mathbf{r}; s), Call(\\mathbf{r}'; s)), Call(\\mathbf{r}'; s))); =), Chain(Call(\\bar{\\mathbf{\\tau}}_g; s), Call(\\mathbf{\\tau}_g; Call(\\mathbf{r}; s)); =))",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = \\left(\\ddot{x} - 2\\varOmega\\dot{y} - \\varOmega^2 x\\right)\\boldsymbol{\\hat{\\imath}} + \\left(\\ddot{y} + 2\\varOmega\\dot{x} - \\varOmega^2 y\\right)\\boldsymbol{\\hat{\\jmath}} + \\ddot{z}\\boldsymbol{\\hat{k}}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Mul(Add(Call(\\ddot{x}), Neg(Mul(2, \\varOmega, Call(\\dot{y}))), Neg(Mul(Pow(\\varOmega; 2), Call(x)))), \\boldsymbol{\\hat{\\imath}}), Mul(Add(Call(\\ddot{y}), Mul(2, \\varOmega, Call(\\dot{x})), Neg(Mul(Pow(\\varOmega; 2), Call(y)))), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\ddot{z}), \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\operatorname{\\textrm{minimize}}_{\\bf z} \\ell({\\bf z}) \\quad \\textrm{subject to} \\quad {\\bf \\phi}({\\bf z}) = 0,",
+        "System(Words(Limiting(min; _{ \\mathbf { z } }; Call(\\ell; \\mathbf{z}))), Words(\\text{subject~to}), Chain(Call(\\mathbf{\\phi}; \\mathbf{z}), 0; =))",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\epsilon = 1 - \\frac{\\frac{m_{mesh}}{\\frac{\\pi}{4}d_{column}^2 L_{mesh}}}{\\rho_{material}}",
+        "Chain(\\epsilon, Add(1, Neg(Div(Div(m_{mesh}; Mul(Div(\\pi; 4), Pow(d_{column}; 2), L_{mesh})); \\rho_{material}))); =)",
+        "CalebBell/fluids/fluids/packed_tower.py",
+    ),
+    (
+        "V_f = A_fL + \\pi a h^2\\left(1 - \\frac{h}{3R}\\right)",
+        "Chain(V_f, Add(Mul(A_f, L), Mul(\\pi, a, Pow(h; 2), Add(1, Neg(Div(h; Mul(3, R)))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "-\\bar{F}^*_r = \\frac{\\mathrm{d}}{\\mathrm{d}t}\\left(\\frac{\\partial K}{\\partial \\dot{q}_r} \\right) - \\frac{\\partial K}{\\partial q_r}",
+        "Chain(Neg(\\bar { F } _ { r } ^ { * }), Add(Derivative(Derivative(Call(K); \\dot{q}_r, 1; True); t, 1), Neg(Derivative(Call(K); q_r, 1; True))); =)",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "{\\mathcal P}_n^m(z) = \\frac{(z+1)^{m/2}}{(z-1)^{m/2}} \\mathbf{F}\\left(-n, n+1, 1-m, \\frac{1-z}{2}\\right).",
+        "Chain(Call(\\mathcal { P } _ { n } ^ { m }; z), Mul(Div(Pow(Add(z, 1); Div(m; 2)); Pow(Add(z, Neg(1)); Div(m; 2))), Call(\\mathbf{F}; Neg(n), Add(n, 1), Add(1, Neg(m)), Div(Add(1, Neg(z)); 2))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\mathrm{adj}(\\mathbf{A}) = \\mathrm{det}(\\mathbf{A})\\mathbf{A}^T",
+        "Chain(Call(adj; \\mathbf{A}), Mul(Call(det; \\mathbf{A}), Transpose(\\mathbf{A})); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "y = \\sum_{k=0}^\\infty a_k x^k = \\sum_{n=0}^\\infty \\left( \\frac{a_0}{(2n)!} \\,x^{2n} + \\frac{a_1}{(2n+1)!} \\,x^{2n+1} \\right) = a_0 \\sum_{n=0}^\\infty \\frac{1}{(2n)!} \\,x^{2n} + a_1 \\sum_{n=0}^\\infty \\frac{1}{(2n+1)!} \\,x^{2n+1} .",
+        "Chain(y, BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; k))), BigSum(n; 0; Infinity(); Add(Mul(Div(a_0; Factorial(Mul(2, n))), Pow(x; Mul(2, n))), Mul(Div(a_1; Factorial(Add(Mul(2, n), 1))), Pow(x; Add(Mul(2, n), 1))))), Add(Mul(a_0, BigSum(n; 0; Infinity(); Mul(Div(1; Factorial(Mul(2, n))), Pow(x; Mul(2, n))))), Mul(a_1, BigSum(n; 0; Infinity(); Mul(Div(1; Factorial(Add(Mul(2, n), 1))), Pow(x; Add(Mul(2, n), 1)))))); =, =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\phi_{ch}^2 = 1 + (\\Gamma^2 -1)\\left\\{B x^{(2-n)/2} (1-x)^{(2-n)/2} + x^{2-n} \\right\\}",
+        "Chain(Pow(\\phi_{ch}; 2), Add(1, Mul(Add(Pow(\\varGamma; 2), Neg(1)), Tuple(Add(Mul(B, Pow(x; Div(Add(2, Neg(n)); 2)), Pow(Add(1, Neg(x)); Div(Add(2, Neg(n)); 2))), Pow(x; Add(2, Neg(n)))); {}))); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "V(\\bm r_{B/P}) = \\frac{\\bm m \\cdot \\bm r_{B/P}}{|\\bm r_{B/P}|^{3}}",
+        "Chain(Call(V; \\bm{r}_{B/P}), Div(Mul(\\bm{m}, \\bm{r}_{B/P}; 1); Pow(Bars(\\bm{r}_{B/P}); 3)); =)",
+        "AVSLab/basilisk/src/simulation/environment/magneticFieldCenteredDipole/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "{}^A\\bar{\\omega}^B = u_1\\hat{b}_x + u_2\\hat{b}_y + u_3\\hat{b}_z",
+        "Chain(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, Add(Mul(u_1, \\hat{b}_x), Mul(u_2, \\hat{b}_y), Mul(u_3, \\hat{b}_z)); =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "T_r = \\frac{1}{2} \\omega \\cdot \\mathbf{I^*} \\cdot \\omega",
+        "Chain(T_r, Mul(Div(1; 2), \\omega, \\mathbf { I } ^ { * }, \\omega); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/masses.rst",
+    ),
+    (
+        "\\frac{1}{2m}\\left[\\left(\\frac{\\partial W}{\\partial x}\\right)^2+ \\left(\\frac{\\partial W}{\\partial y}\\right)^2 + \\left(\\frac{\\partial W}{\\partial z}\\right)^2\\right] - \\frac{\\alpha}{r} = E",
+        "Chain(Add(Mul(Div(1; Mul(2, m)), Add(Pow(Derivative(Call(W); x, 1; True); 2), Pow(Derivative(Call(W); y, 1; True); 2), Pow(Derivative(Call(W); z, 1; True); 2))), Neg(Div(\\alpha; r))), E; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\frac{d f(E)}{d E} = f'(E) = 1 - e\\cos E",
+        "Chain(Derivative(Call(f; E); E, 1), Call(f'; E), Add(1, Neg(Mul(e, Call(cos; E)))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\min_{f^{B_C}_{finger,C}, \\, f^{B_A}_{ground,A}} \\quad& \\left| \\tau^{B_A}_{finger,W_y} - \\text{PID}(\\theta_d, \\hat\\theta) \\right|^2,\\\\ \\textrm{subject to} \\quad & f^{B_C}_{\\text{finger}, C_z} \\ge 0, \\qquad |f^{B_C}_{\\text{finger}, C_x}| \\le \\hat\\mu_C f^{B_C}_{\\text{finger}, C_z}, \\\\ & f^{B_A}_{\\text{ground}, A_z} \\ge 0, \\qquad |f^{B_A}_{\\text{ground}, A_x}| \\le \\hat\\mu_A f^{B_A}_{\\text{ground}, A_z}, \\\\ & f^{B_A}_{\\text{ground}, A} + \\hat{f}^{B_A}_{gravity, A} + f^{B_A}_{finger, A} = 0.",
+        "System(Words(Limiting(min; _{ f _ { f i n g e r , C } ^ { B _ { C } } , \\, f _ { g r o u n d , A } ^ { B _ { A } } }; Pow(Bars(Add(\\tau _ { f i n g e r , W _ { y } } ^ { B _ { A } }, Neg(Call(\\text{PID}; \\theta_d, \\hat{\\theta})))); 2))), Words(\\text{subject~to}), Chain(f _ { \\text { f i n g e r } , C _ { z } } ^ { B _ { C } }, 0; \\ge), Chain(Bars(f _ { \\text { f i n g e r } , C _ { x } } ^ { B _ { C } }), Mul(\\hat{\\mu}_C, f _ { \\text { f i n g e r } , C _ { z } } ^ { B _ { C } }); \\le), Chain(f _ { \\text { g r o u n d } , A _ { z } } ^ { B _ { A } }, 0; \\ge), Chain(Bars(f _ { \\text { g r o u n d } , A _ { x } } ^ { B _ { A } }), Mul(\\hat{\\mu}_A, f _ { \\text { g r o u n d } , A _ { z } } ^ { B _ { A } }); \\le), Chain(Add(f _ { \\text { g r o u n d } , A } ^ { B _ { A } }, \\hat { f } _ { g r a v i t y , A } ^ { B _ { A } }, f _ { f i n g e r , A } ^ { B _ { A } }), 0; =))",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "V(x) = c_0 + c_1x_0 + c_2x_1 + c_3x_0^2 + c_4 x_0x_1 + c_5 x_1^2.",
+        "Chain(Call(V; x), Add(c_0, Mul(c_1, x_0), Mul(c_2, x_1), Mul(c_3, Pow(x_0; 2)), Mul(c_4, x_0, x_1), Mul(c_5, Pow(x_1; 2))); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\gamma_{\\mathrm{noise}} = (\\gamma_{\\textrm{li}} + n + b) f_{\\mathrm{scale}}",
+        "Chain(\\gamma_{noise}, Mul(Add(\\gamma_{li}, n, b), f_{scale}); =)",
+        "AVSLab/basilisk/src/simulation/sensors/coarseSunSensor/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{}^{P} {\\bf r}_{S/P} = [PN] ( {}^{N} {\\bf r}_{S/N} - {}^{N} {\\bf r}_{P/N})",
+        "Chain(\\prescript { P } { } { \\mathbf { r } } _ { S / P }, Mul([ P N ], Add(\\prescript { N } { } { \\mathbf { r } } _ { S / N }, Neg(\\prescript { N } { } { \\mathbf { r } } _ { P / N }))); =)",
+        "AVSLab/basilisk/src/simulation/environment/spacecraftLocation/spacecraftLocation.rst",
+    ),
+    (
+        "\\mathbf{x} := \\begin{bmatrix} \\mathbf{x}_1 \\\\ \\mathbf{x}_2 \\\\ \\vdots \\\\ \\mathbf{x}_N \\end{bmatrix} \\in \\mathbb{R}^{cN}",
+        "Chain(\\mathbf{x}, MatrixOf(\\mathbf{x}_1, \\mathbf{x}_2, Dots(), \\mathbf{x}_N), Pow(\\mathbb{R}; Mul(c, N)); =, \\in)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "\\bar{f}_n(\\bar{u}_s, \\bar{u}_r, \\bar{q}, t) = \\mathbf{M}_n(\\bar{q}, t)\\bar{u}_r + \\bar{g}_n(\\bar{u}_s, \\bar{q}, t) = 0 \\in \\mathbb{R}^m",
+        "Chain(Call(\\bar{f}_n; \\bar{u}_s, \\bar{u}_r, \\bar{q}, t), Add(Mul(Call(\\mathbf{M}_n; \\bar{q}, t), \\bar{u}_r), Call(\\bar{g}_n; \\bar{u}_s, \\bar{q}, t)), 0, Pow(\\mathbb{R}; m); =, =, \\in)",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "\\hat x[k+1] = f(\\hat x[k], u[k], v[k]), \\quad k = 0, \\dots, N-1.",
+        "System(Chain(Indexed(\\hat{x}; Add(k, 1)), Call(f; Indexed(\\hat{x}; k), Indexed(u; k), Indexed(v; k)); =), Values(k; 0, Dots(), Add(N, Neg(1))))",
+        "python-control/python-control/doc/stochastic.rst",
+    ),
+    (
+        "T = \\frac12 \\boldsymbol{\\omega}^{\\mathrm{T}} \\boldsymbol{I} \\boldsymbol{\\omega} = \\frac12 I_n \\omega^2",
+        "Chain(T, Mul(Div(1; 2), Transpose(\\boldsymbol{\\omega}), \\boldsymbol{I}, \\boldsymbol{\\omega}), Mul(Div(1; 2), I_n, Pow(\\omega; 2)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "E({\\bf x}) = \\frac{1}{2}\\dot{\\bf q}^T{\\bf M}\\dot{{\\bf q}} + U({\\bf x}).",
+        "Chain(Call(E; \\mathbf{x}), Add(Mul(Div(1; 2), Transpose(Call(\\dot{\\mathbf{q}})), \\mathbf{M}, Call(\\dot{\\mathbf{q}})), Call(U; \\mathbf{x})); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\frac{\\partial L}{\\partial {\\bf v}'}^T = {\\bf M}({\\bf v}' - {\\bf v}) - h{\\bf \\tau} - {\\bf J}_\\beta^T \\beta = 0.",
+        "Chain(Transpose(Derivative(Call(L); \\mathbf{v}', 1; True)), Add(Mul(\\mathbf{M}, Add(\\mathbf{v}', Neg(\\mathbf{v}))), Neg(Mul(h, \\mathbf{\\tau})), Neg(Mul(Transpose(\\mathbf{J}_\\beta), \\beta))), 0; =, =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\begin{array}{ll} u_t = k u_{xx} & \\qquad \\text{for } \\; 0 < x < L \\text{ and } t > 0, \\\\ u(0,t) = u(L,t) , \\quad u_x(0,t) = u_x(L,t) & \\qquad \\text{for } \\; t > 0, \\\\ u(x,0) = f(x) & \\qquad \\text{for } \\; 0 < x < L . \\end{array}",
+        "System(Implies(System(Chain(0, x, L; <, <), Chain(t, 0; >)); Chain(u_t, Mul(k, u_{xx}); =)), Implies(Chain(t, 0; >); System(Chain(Call(u; 0, t), Call(u; L, t); =), Chain(Call(u_x; 0, t), Call(u_x; L, t); =))), Implies(Chain(0, x, L; <, <); Chain(Call(u; x, 0), Call(f; x); =)))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\lim_{t \\rightarrow \\infty} {\\bf x}(t) = 0.",
+        "Chain(Limiting(lim; _{ t \\rightarrow \\infty }; Call(\\mathbf{x}; t)), 0; =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\bm d = -K \\Delta\\bm\\Omega",
+        "Chain(\\bm{d}, Neg(Mul(K, \\Delta \\bm { \\Omega })); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "K = K_1 = K_2 = 8f_d",
+        "Chain(K, K_1, K_2, Mul(8, f_d); =, =, =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "t'\\mathrm{d} L = \\sum_{\\alpha=1}^s p'_\\alpha \\mathrm{d} q_\\alpha + \\sum_{\\alpha=1}^s p_\\alpha t' \\mathrm{d} \\dot{q}_\\alpha - H' \\mathrm{d} t",
+        "Chain(Mul(t', Total(L)), Add(BigSum(\\alpha; 1; s; Mul(p'_{\\alpha}, Total(Call(q_{\\alpha})))), BigSum(\\alpha; 1; s; Mul(p_{\\alpha}, t', Total(Call(\\dot{q}_{\\alpha})))), Neg(Mul(H', Total(t)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\lambda_k = k^2 \\qquad \\text{with an eigenfunction} \\qquad x_k = \\sin (k t) \\qquad \\text{for all integers } k \\geq 1 .",
+        "System(Chain(\\lambda_k, Pow(k; 2); =), Words(\\text{with~an~eigenfunction}), Chain(x_k, Call(sin; Mul(k, t)); =), Words(\\text{for~all~integers}), Chain(k, 1; \\ge))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "(mg\\cot \\alpha - 2\\pi T) \\delta x = 0",
+        "Chain(Mul(Add(Mul(m, g, Call(cot; \\alpha)), Neg(Mul(2, \\pi, T))), \\delta x), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "y = \\left[X_1\\ Y_1\\ Z_1\\ X_2\\ Y_2\\ Z_2\\ \\dot{X}_1\\ \\dot{Y}_1\\ \\dot{Z_1}\\ \\dot{X}_2\\ \\dot{Y}_2\\ \\dot{Z}_2\\right]",
+        "Chain(y, Tuple(Call(X_1), Call(Y_1), Call(Z_1), Call(X_2), Call(Y_2), Call(Z_2), Call(\\dot{X}_1), Call(\\dot{Y}_1), Call(\\dot{Z}_1), Call(\\dot{X}_2), Call(\\dot{Y}_2), Call(\\dot{Z}_2); []); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-numerical-solution.md",
+    ),
+    (
+        "a_n(x) y^{(n)} + \\cdots + a_1(x)y' + a_0(x) y + B(x) = 0",
+        "Chain(Add(Mul(Call(a_n; x), y ^ { ( n ) }), Dots(), Mul(Call(a_1; x), y'), Mul(Call(a_0; x), y), Call(B; x)), 0; =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "\\operatorname{Ci}(x) = \\gamma + \\log{x} + \\int_0^x \\frac{\\cos{t} - 1}{t} \\mathrm{d}t = -\\int_x^\\infty \\frac{\\cos{t}}{t} \\mathrm{d}t,",
+        "Chain(Call(\\text{Ci}; x), Add(\\gamma, Call(log; x), Integral(Div(Add(Call(cos; t), Neg(1)); t); t; 0; x)), Neg(Integral(Div(Call(cos; t); t); t; x; Infinity())); =, =)",
+        "sympy/sympy/sympy/functions/special/error_functions.py",
+    ),
+    (
+        "\\mathbf{M}_b = \\begin{bmatrix} \\mathbf{q}_b & \\mathbf{r}_b & \\mathbf{s}_b \\end{bmatrix}",
+        "Chain(\\mathbf{M}_b, MatrixOf(\\mathbf{q}_b, \\mathbf{r}_b, \\mathbf{s}_b); =)",
+        "Mayitzin/ahrs/ahrs/filters/triad.py",
+    ),
+    (
+        "K_{conv,2} = 0.0696[1+C_B(\\sin(\\alpha/2)-1)](1-\\beta^5)\\lambda^2 + (\\lambda-1)^2",
+        "Chain(K_{conv,2}, Add(Mul(0.0696, Add(1, Mul(C_B, Add(Call(sin; Div(\\alpha; 2)), Neg(1)))), Add(1, Neg(Pow(\\beta; 5))), Pow(\\lambda; 2)), Pow(Add(\\lambda, Neg(1)); 2)); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "f(x) := \\alpha (x-\\beta)^2",
+        "Chain(Call(f; x), Mul(\\alpha, Pow(Add(x, Neg(\\beta)); 2)); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "p = |r_m| = \\frac{l^2}{\\mu |\\alpha|},\\quad e = Ap",
+        "System(Chain(p, Bars(r_m), Div(Pow(l; 2); Mul(\\mu, Bars(\\alpha))); =, =), Chain(e, Mul(A, p); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\frac{{}^Ad\\hat{b}_x}{dt} = \\left| {}^A\\bar{\\omega}^B \\right| \\left( {}^A\\hat{\\omega}^B \\times \\hat{b}_x \\right)",
+        "Chain(Marked(Derivative(Call(\\hat{b}_x); t, 1); _{ A }), Mul(Bars(\\prescript { A } { } { \\bar { \\omega } } ^ { B }), Cross(\\prescript { A } { } { \\hat { \\omega } } ^ { B }; Call(\\hat{b}_x))); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "{\\bf J}({\\bf \\alpha}_B) := \\begin{bmatrix} {\\bf \\Sigma}_B & {\\bf h}_B \\\\ {\\bf h}_B^T & m_B \\end{bmatrix} \\succ 0.",
+        "Chain(Call(\\mathbf{J}; \\mathbf{\\alpha}_B), MatrixOf(\\mathbf{\\Sigma}_B, \\mathbf{h}_B, Transpose(\\mathbf{h}_B), m_B), 0; =, \\succ)",
+        "RussTedrake/underactuated/book/sysid.html",
+    ),
+    (
+        "\\begin{bmatrix} 2 & 0 \\\\ 0 & 1 \\end{bmatrix} {\\vec{x}}'' = \\begin{bmatrix} -2 & 2 \\\\ 2 & -2 \\end{bmatrix} \\vec{x} ,",
+        "Chain(Mul(MatrixOf(2, 0, 0, 1), \\vec{x}''), Mul(MatrixOf(Neg(2), 2, 2, Neg(2)), \\vec{x}); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\Delta v^2 = \\Delta\\boldsymbol{v}\\cdot\\Delta\\boldsymbol{v} = \\left(v_{r,2} - v_{r,1}\\right)^2 + v_{\\perp,2}^2 + v_{\\perp,1}^2 - 2v_{\\perp,1}v_{\\perp,2}\\left(\\boldsymbol{\\hat{u}}_{\\perp,1}\\cdot\\boldsymbol{\\hat{u}}_{\\perp,2}\\right)",
+        "Chain(Pow(\\Delta v; 2), Mul(\\Delta \\boldsymbol { v }, \\Delta \\boldsymbol { v }; 1), Add(Pow(Add(v_{r,2}, Neg(v_{r,1})); 2), Pow(v_{\\perp,2}; 2), Pow(v_{\\perp,1}; 2), Neg(Mul(2, v_{\\perp,1}, v_{\\perp,2}, Mul(\\boldsymbol{\\hat{u}}_{\\perp,1}, \\boldsymbol{\\hat{u}}_{\\perp,2}; 1)))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
+    ),
+    (
+        "m_{\\text{sc}}[\\tilde{\\bm{c}}]\\ddot{\\bm r}_{B/N}+[I_{\\text{sc},B}] \\dot{\\bm\\omega}_{\\cal B/N} +\\sum\\limits_{i}^{N}\\biggl\\lbrace I_{s_i,2}\\bm{\\hat{h}}_{i,2}+m_{\\text{sp}_i}d_i [\\tilde{\\bm{r}}_{S_i/B}] \\bm{\\hat{s}}_{i,3}\\biggr\\rbrace\\ddot{\\theta}_i = \\\\ -[\\bm{\\tilde{\\omega}}_{\\cal B/N}] [I_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - [I'_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - \\sum\\limits_{i}^{N}\\biggl\\lbrace\\dot{\\theta}_i [\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\left(I_{s_i,2} \\bm{\\hat{h}}_{i,2}+m_{\\text{sp}_i} d_i [\\tilde{\\bm{r}}_{S_i/B}] \\hat{\\bm s}_{i,3}\\right)\\\\ +m_{\\text{sp}_i}d_i\\dot{\\theta}_i^2[\\tilde{\\bm{r}}_{S_i/B}] \\bm{\\hat{s}}_{i,1} \\biggr\\rbrace + \\bm{L}_B",
+        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Limiting(sum; _{ i }^{ N }; Mul(Tuple(Add(Mul(I_{s_i,2}, \\bm{\\hat{h}}_{i2}), Mul(m_{sp_i}, d_i, [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\bm{\\hat{s}}_{i3})); {}), Call(\\ddot{\\theta}_i)))), Add(Neg(Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Limiting(sum; _{ i }^{ N }; Tuple(Add(Mul(Call(\\dot{\\theta}_i), [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], Add(Mul(I_{s_i,2}, \\bm{\\hat{h}}_{i2}), Mul(m_{sp_i}, d_i, [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\hat{\\bm{s}}_{i3}))), Mul(m_{sp_i}, d_i, Pow(Call(\\dot{\\theta}_i); 2), [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\bm{\\hat{s}}_{i1})); {}))), \\bm{L}_B); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "L = \\frac12 m\\sigma^2 (\\xi^2-\\eta^2)\\left(\\frac{\\dot{\\xi}^2}{\\xi^2-1} + \\frac{\\dot{\\eta}^2}{1-\\eta^2}\\right) + \\frac12 m\\sigma^2(\\xi^2-1)(1-\\eta^2)\\dot{\\phi}^2 - V(\\xi,\\eta,\\phi)",
+        "Chain(L, Add(Mul(Div(1; 2), m, Pow(\\sigma; 2), Add(Pow(Call(\\xi); 2), Neg(Pow(Call(\\eta); 2))), Add(Div(Pow(Call(\\dot{\\xi}); 2); Add(Pow(Call(\\xi); 2), Neg(1))), Div(Pow(Call(\\dot{\\eta}); 2); Add(1, Neg(Pow(Call(\\eta); 2)))))), Mul(Div(1; 2), m, Pow(\\sigma; 2), Add(Pow(Call(\\xi); 2), Neg(1)), Add(1, Neg(Pow(Call(\\eta); 2))), Pow(Call(\\dot{\\phi}); 2)), Neg(Call(V; Call(\\xi), Call(\\eta), Call(\\phi)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "R = \\begin{bmatrix} \\cos(\\theta) & -\\sin(\\theta) & 0 \\\\ \\sin(\\theta) & \\cos(\\theta) & 0 \\\\ 0 & 0 & 1 \\end{bmatrix}",
+        "Chain(R, MatrixOf(Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta), 0, 0, 0, 1); =)",
+        "sympy/sympy/sympy/matrices/dense.py",
+    ),
+    (
+        "p = 2*r_{p}",
+        "Chain(p, Mul(2, r_p); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\ddot{x} = g \\frac{(x - x_{cp})}{(z - z_{cp})}.",
+        "Chain(Call(\\ddot{x}), Mul(g, Div(Add(Call(x), Neg(x_{cp})); Add(z, Neg(z_{cp})))); =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "y' + y^2 = a(x)",
+        "Chain(Add(y', Pow(y; 2)), Call(a; x); =)",
+        "sympy/sympy/sympy/solvers/ode/riccati.py",
+    ),
+    (
+        "^{\\mathbf{A}}\\mathbf{C}^{\\mathbf{B}} = \\begin{bmatrix} \\cos(\\theta) & - \\sin(\\theta) & 0\\\\ \\sin(\\theta) & \\cos(\\theta) & 0\\\\ 0 & 0 & 1\\\\ \\end{bmatrix}",
+        "Chain(\\prescript { \\mathbf { A } } { } { \\mathbf { C } } ^ { \\mathbf { B } }, MatrixOf(Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta), 0, 0, 0, 1); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\hat{\\bm r}_{1} &= \\frac{{\\bm R}_{P1}} {|{\\bm R}_{P1}|} \\\\ \\hat{\\bm r}_{3} &= \\frac{{\\bm R}_{n}}{|{\\bm R}_{n}|} \\\\ \\hat{\\bm r}_{2} &= \\hat{\\bm r}_{3} \\times \\hat{\\bm r}_{1}",
+        "System(Chain(\\hat{\\bm{r}}_1, Div(\\bm{R}_{P1}; Bars(\\bm{R}_{P1})); =), Chain(\\hat{\\bm{r}}_3, Div(\\bm{R}_n; Bars(\\bm{R}_n)); =), Chain(\\hat{\\bm{r}}_2, Cross(\\hat{\\bm{r}}_3; \\hat{\\bm{r}}_1); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/celestialTwoBodyPoint/_Documentation/celestialTwoBodyPoint.tex",
+    ),
+    (
+        "\\boldsymbol{a}(t) = \\frac{d v_x}{dt} \\boldsymbol{\\hat{\\imath}} + \\frac{d v_y}{dt} \\boldsymbol{\\hat{\\jmath}} + \\frac{d v_z}{dt} \\boldsymbol{\\hat{k}} = a_x \\boldsymbol{\\hat{imath}} + a_y \\boldsymbol{\\hat{\\jmath}} + a_z \\boldsymbol{\\hat{k}}",
+        "Chain(Call(\\boldsymbol{a}; t), Add(Mul(Derivative(Call(v_x); t, 1), \\boldsymbol{\\hat{\\imath}}), Mul(Derivative(Call(v_y); t, 1), \\boldsymbol{\\hat{\\jmath}}), Mul(Derivative(Call(v_z); t, 1), \\boldsymbol{\\hat{k}})), Add(Mul(a_x, \\boldsymbol{\\hat{\\imath}}), Mul(a_y, \\boldsymbol{\\hat{\\jmath}}), Mul(a_z, \\boldsymbol{\\hat{k}})); =, =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "m_{\\text{fuel}}=\\rho_{\\text{fuel}}\\mathcal{V}(\\theta^*) \\quad \\Rightarrow \\quad \\dot{m}_{\\text{fuel}}=\\rho_{\\text{fuel}}\\dot{\\mathcal{V}}(\\theta^*)",
+        "Implies(Chain(Call(m_{fuel}), Mul(\\rho_{fuel}, Call(\\mathcal{V}; \\theta ^ { * })); =); Chain(Call(\\dot{m}_{fuel}), Mul(\\rho_{fuel}, Call(\\dot{\\mathcal{V}}; \\theta ^ { * })); =))",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\dot{\\mbox{\\boldmath $\\chi$}} = \\bar{\\mathbf E}(\\mbox{\\boldmath $\\chi$}) \\cdot \\mathbf C_{I\\!B} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B}",
+        "Chain(Call(\\dot{\\boldsymbol{\\chi}}), Mul(Call(\\bar{\\mathbf{E}}; Call(\\boldsymbol{\\chi})), \\mathbf{C}_{I\\!B}, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }); =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "f(x):= e^{-a_1 -a_2}\\sum_{j=0}^{\\left \\lfloor x/2 \\right \\rfloor} \\frac{a_{1}^{x-2j}a_{2}^{j}}{(x-2j)!j!}",
+        "Chain(Call(f; x), Mul(Pow(e; Add(Neg(a_1), Neg(a_2))), BigSum(j; 0; Call(floor; Div(x; 2)); Div(Mul(Pow(a_1; Add(x, Neg(Mul(2, j)))), Pow(a_2; j)); Mul(Factorial(Add(x, Neg(Mul(2, j)))), Factorial(j))))); =)",
+        "sympy/sympy/sympy/stats/drv_types.py",
+    ),
+    (
+        "\\dot{{\\bf x}} = {\\bf A}(t){\\bf x} + {\\bf B(t)}{\\bf u}.",
+        "Chain(Call(\\dot{\\mathbf{x}}), Add(Mul(Call(\\mathbf{A}; t), Call(\\mathbf{x})), Mul(Call(\\mathbf{B}; t), \\mathbf{u})); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "u_n(x,t) = X_n(x)T_n(t) = \\sin \\left( \\frac{n \\pi}{L} x \\right) e^{\\frac{-n^2 \\pi^2}{L^2} k t} .",
+        "Chain(Call(u_n; x, t), Mul(Call(X_n; x), Call(T_n; t)), Mul(Call(sin; Mul(Div(Mul(n, \\pi); L), x)), Pow(e; Mul(Div(Neg(Mul(Pow(n; 2), Pow(\\pi; 2))); Pow(L; 2)), k, t))); =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\frac{1}{\\omega_0^2}\\dot{u}^2 = (1-u^2)(\\beta-2u)-\\alpha^2 =: G(u)",
+        "Chain(Mul(Div(1; Pow(\\omega_0; 2)), Pow(Call(\\dot{u}); 2)), Add(Mul(Add(1, Neg(Pow(Call(u); 2))), Add(\\beta, Neg(Mul(2, Call(u))))), Neg(Pow(\\alpha; 2))), Call(G; Call(u)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\mathbf{q} = w + v",
+        "Chain(\\mathbf{q}, Add(w, v); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\dot{m} = \\frac{F}{g I_{sp}}",
+        "Chain(Call(\\dot{m}), Div(F; Mul(g, I_{sp})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/Thrusters/thrusterDynamicEffector/_Documentation/secTest.tex",
+    ),
+    (
+        "\\bm{r}'_{Tc/B} = 0 \\qquad\\qquad \\bm{r}''_{Tc/B}=0",
+        "System(Chain(\\bm{r}_{Tc/B}', 0; =), Chain(\\bm{r}_{Tc/B}'', 0; =))",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "y(x) = C_1 y_1(x) + C_2 y_2(x) ,",
+        "Chain(Call(y; x), Add(Mul(C_1, Call(y_1; x)), Mul(C_2, Call(y_2; x))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\mu_m = \\rho_m\\left(x\\nu_g + (1-x)\\nu_l + 2\\sqrt{x(1-x)\\nu_g\\nu_l} \\right)",
+        "Chain(\\mu_m, Mul(\\rho_m, Add(Mul(x, \\nu_g), Mul(Add(1, Neg(x)), \\nu_l), Mul(2, Sqrt(Mul(x, Add(1, Neg(x)), \\nu_g, \\nu_l))))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "ml^2 \\ddot\\theta + b \\dot\\theta + mgl\\sin\\theta = \\tau.",
+        "Chain(Add(Mul(m, Pow(l; 2), Call(\\ddot{\\theta})), Mul(b, Call(\\dot{\\theta})), Mul(m, g, l, Call(sin; Call(\\theta)))), \\tau; =)",
+        "RussTedrake/underactuated/book/sysid.html",
+    ),
+    (
+        "\\boldsymbol{n}\\times \\boldsymbol{q} = \\frac{\\cos\\theta}{\\cos\\theta_0}\\left(\\cos\\theta_0\\sin\\varOmega\\boldsymbol{e}_1-\\cos\\theta_0\\cos\\varOmega\\boldsymbol{e}_2+\\sin\\theta_0\\boldsymbol{e}_3\\right)",
+        "Chain(Cross(\\boldsymbol{n}; \\boldsymbol{q}), Mul(Div(Call(cos; \\theta); Call(cos; \\theta_0)), Add(Mul(Call(cos; \\theta_0), Call(sin; \\varOmega), \\boldsymbol{e}_1), Neg(Mul(Call(cos; \\theta_0), Call(cos; \\varOmega), \\boldsymbol{e}_2)), Mul(Call(sin; \\theta_0), \\boldsymbol{e}_3))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boldsymbol{R}_{\\mathrm{COG}} = \\frac{m_1 \\boldsymbol{R}_1 + m_2 \\boldsymbol{R}_2}{m_1 + m_2}",
+        "Chain(\\boldsymbol{R}_{COG}, Div(Add(Mul(m_1, \\boldsymbol{R}_1), Mul(m_2, \\boldsymbol{R}_2)); Add(m_1, m_2)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/motion-of-the-barycenter.md",
+    ),
+    (
+        "I = \\frac{P}{V \\cdot \\text{PF} \\sqrt{3}}",
+        "Chain(I, Div(P; Mul(V, \\text{PF}, Sqrt(3))); =)",
+        "CalebBell/fluids/fluids/pump.py",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{a}_x \\\\ \\hat{a}_y \\\\ \\hat{a}_z \\end{bmatrix} = \\begin{bmatrix} \\cos{\\theta} & \\sin{\\theta} & 0 \\\\ -\\sin{\\theta} & \\cos{\\theta} & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\begin{bmatrix} \\hat{n}_x \\\\ \\hat{n}_y \\\\ \\hat{n}_z \\end{bmatrix}",
+        "Chain(MatrixOf(\\hat{a}_x, \\hat{a}_y, \\hat{a}_z), Mul(MatrixOf(Call(cos; \\theta), Call(sin; \\theta), 0, Neg(Call(sin; \\theta)), Call(cos; \\theta), 0, 0, 0, 1), MatrixOf(\\hat{n}_x, \\hat{n}_y, \\hat{n}_z)); =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "D = \\prod_{i=1}^n d_i^{a_i}, \\qquad a_i \\in \\mathbf{Z}.",
+        "System(Chain(D, BigProduct(i; 1; n; Pow(d_i; a_i)); =), Chain(a_i, \\mathbf{Z}; \\in))",
+        "sympy/sympy/doc/src/modules/physics/units/philosophy.rst",
+    ),
+    (
+        "r_2 = \\frac{p}{1-e\\cos \\xi}",
+        "Chain(r_2, Div(p; Add(1, Neg(Mul(e, Call(cos; \\xi))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\bar{F}_r + \\bar{F}_r^* = \\bar{f}_d(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, t) = \\begin{bmatrix} \\bar{f}_{ds}(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, t) \\\\ \\bar{f}_{dr}(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, t) \\\\ \\end{bmatrix} = 0 \\in \\mathbb{R}^n",
+        "Chain(Add(\\bar{F}_r, \\bar { F } _ { r } ^ { * }), Call(\\bar{f}_d; Call(\\dot{\\bar{u}}), Call(\\bar{u}), \\bar{q}, t), MatrixOf(Call(\\bar{f}_{ds}; Call(\\dot{\\bar{u}}), Call(\\bar{u}), \\bar{q}, t), Call(\\bar{f}_{dr}; Call(\\dot{\\bar{u}}), Call(\\bar{u}), \\bar{q}, t)), 0, Pow(\\mathbb{R}; n); =, =, =, \\in)",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "\\mathbf{r} = \\begin{bmatrix} r_x \\\\ r_y \\\\ r_z \\end{bmatrix}",
+        "Chain(\\mathbf{r}, MatrixOf(r_x, r_y, r_z); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\Gamma(x) = \\int_0^\\infty t^{x-1} e^{-t} \\, dt .",
+        "Chain(Call(Gamma; x), Integral(Mul(Pow(t; Add(x, Neg(1))), Pow(e; Neg(t))); t; 0; Infinity()); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\boldsymbol{r}(t) = x(t)\\boldsymbol{\\hat{\\imath}} + y(t)\\boldsymbol{\\hat{\\jmath}} + z(t)\\boldsymbol{\\hat{k}}",
+        "Chain(Call(\\boldsymbol{r}; t), Add(Mul(Call(x; t), \\boldsymbol{\\hat{\\imath}}), Mul(Call(y; t), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(z; t), \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "\\phi(t+T)=\\phi(t)+\\Delta \\phi,\\quad \\psi(t+T)=\\psi(t)+\\Delta\\psi",
+        "System(Chain(Call(\\phi; Add(t, T)), Add(Call(\\phi; t), \\Delta \\phi); =), Chain(Call(\\psi; Add(t, T)), Add(Call(\\psi; t), \\Delta \\psi); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\mu = GM = G\\left(m_1 + m_2\\right)",
+        "Chain(\\mu, Mul(G, M), Mul(G, Add(m_1, m_2)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "R_n = A r^n + B r^{-n} .",
+        "Chain(R_n, Add(Mul(A, Pow(r; n)), Mul(B, Pow(r; Neg(n)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "s = (kD\\sin\\alpha)^2",
+        "Chain(s, Pow(Mul(k, D, Call(sin; \\alpha)); 2); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "q'(t) = q(t)+\\alpha \\eta(t)",
+        "Chain(Call(q'; t), Add(Call(q; t), Mul(\\alpha, Call(\\eta; t))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\ddot{\\theta}(t) = \\mp \\ddot{\\theta}_{\\text{max}}",
+        "Chain(Call(\\ddot{\\theta}; t), PlusMinus(\\ddot { \\theta } _ { \\text { m a x } }; True); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "d(\\mathbf{q}_1, \\mathbf{q}_2) = \\mathrm{min} \\{ \\|\\mathbf{q}_1-\\mathbf{q}_2\\|, \\|\\mathbf{q}_1+\\mathbf{q}_2\\|\\}",
+        "Chain(Call(d; \\mathbf{q}_1, \\mathbf{q}_2), Call(min; Norm(Add(\\mathbf{q}_1, Neg(\\mathbf{q}_2))), Norm(Add(\\mathbf{q}_1, \\mathbf{q}_2))); =)",
+        "Mayitzin/ahrs/ahrs/utils/metrics.py",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{r} &= \\left[1 - \\frac{\\chi^2}{r_0}C\\left(\\alpha\\chi^2\\right)\\right]\\boldsymbol{r}_0 + \\left[\\left(t - t_0\\right) - \\frac{\\chi^3}{\\sqrt{\\mu}}S\\left(\\alpha\\chi^2\\right)\\right]\\boldsymbol{v}_0\\\\\\boldsymbol{v} &= \\frac{\\chi\\sqrt{\\mu}}{r r_0}\\left[\\alpha\\chi^2S\\left(\\alpha\\chi^2\\right) - 1\\right]\\boldsymbol{r}_0 + \\left[1 - \\frac{\\chi^2}{r}C\\left(\\alpha\\chi^2\\right)\\right]\\boldsymbol{v}_0\\end{aligned}",
+        "System(Chain(\\boldsymbol{r}, Add(Mul(Add(1, Neg(Mul(Div(Pow(\\chi; 2); r_0), Call(C; Mul(\\alpha, Pow(\\chi; 2)))))), \\boldsymbol{r}_0), Mul(Add(Add(t, Neg(t_0)), Neg(Mul(Div(Pow(\\chi; 3); Sqrt(\\mu)), Call(S; Mul(\\alpha, Pow(\\chi; 2)))))), \\boldsymbol{v}_0)); =), Chain(\\boldsymbol{v}, Add(Mul(Div(Mul(\\chi, Sqrt(\\mu)); Mul(r, r_0)), Add(Mul(\\alpha, Pow(\\chi; 2), Call(S; Mul(\\alpha, Pow(\\chi; 2)))), Neg(1)), \\boldsymbol{r}_0), Mul(Add(1, Neg(Mul(Div(Pow(\\chi; 2); r), Call(C; Mul(\\alpha, Pow(\\chi; 2)))))), \\boldsymbol{v}_0)); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "v_r = \\boldsymbol{v} \\cdot \\frac{\\boldsymbol{r}}{r}",
+        "Chain(v_r, Mul(\\boldsymbol{v}, Div(\\boldsymbol{r}; r); 1); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{v}_t &=& \\mathbf{z}_t - \\mathbf{H}\\hat{\\mathbf{x}}_t \\\\ \\mathbf{S}_t &=& \\mathbf{H} \\hat{\\mathbf{P}}_t \\mathbf{H}^T + \\mathbf{R} \\\\ \\mathbf{K}_t &=& \\hat{\\mathbf{P}}_t \\mathbf{H}^T \\mathbf{S}_t^{-1} \\\\ \\mathbf{x}_t &=& \\hat{\\mathbf{x}}_t + \\mathbf{K}_t \\mathbf{v}_t \\\\ \\mathbf{P}_t &=& \\hat{\\mathbf{P}}_t - \\mathbf{K}_t \\mathbf{S}_t \\mathbf{K}_t^T \\end{array}",
+        "System(Chain(\\mathbf{v}_t, Add(\\mathbf{z}_t, Neg(Mul(\\mathbf{H}, \\hat{\\mathbf{x}}_t))); =), Chain(\\mathbf{S}_t, Add(Mul(\\mathbf{H}, \\hat{\\mathbf{P}}_t, Transpose(\\mathbf{H})), \\mathbf{R}); =), Chain(\\mathbf{K}_t, Mul(\\hat{\\mathbf{P}}_t, Transpose(\\mathbf{H}), Pow(\\mathbf{S}_t; Neg(1))); =), Chain(\\mathbf{x}_t, Add(\\hat{\\mathbf{x}}_t, Mul(\\mathbf{K}_t, \\mathbf{v}_t)); =), Chain(\\mathbf{P}_t, Add(\\hat{\\mathbf{P}}_t, Neg(Mul(\\mathbf{K}_t, \\mathbf{S}_t, Transpose(\\mathbf{K}_t)))); =))",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "G(z) = -\\sum_{j=1}^w (F_j(z) + R_j(z)),",
+        "Chain(Call(G; z), Neg(BigSum(j; 1; w; Add(Call(F_j; z), Call(R_j; z)))); =)",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "k_{ {\\boldsymbol{\\alpha}}}(\\tau_{nm}) = \\sigma_n^2\\,\\delta_{nm} + \\sum_{j=1}^J &&\\left[ a_j\\,\\exp\\left(-c_j\\,\\tau_{nm}\\right)\\,\\cos\\left(d_j\\,\\tau_{nm}\\right) \\right. \\\\ &&+ \\left. b_j\\,\\exp\\left(-c_j\\,\\tau_{nm}\\right)\\,\\sin\\left(d_j\\,\\tau_{nm}\\right) \\right] \\quad.",
+        "Chain(Call(k_{\\boldsymbol\\alpha}; \\tau_{nm}), Add(Mul(Pow(\\sigma_n; 2), \\delta_{nm}), BigSum(j; 1; J; Add(Mul(a_j, Call(exp; Neg(Mul(c_j, \\tau_{nm}))), Call(cos; Mul(d_j, \\tau_{nm}))), Mul(b_j, Call(exp; Neg(Mul(c_j, \\tau_{nm}))), Call(sin; Mul(d_j, \\tau_{nm})))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\alpha = \\frac{1}{a} = \\frac{2}{r_0} - \\frac{v_0^2}{\\mu}",
+        "Chain(\\alpha, Div(1; a), Add(Div(2; r_0), Neg(Div(Pow(v_0; 2); \\mu))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "{\\bf M}({\\bf q})\\ddot{\\bf q} + {\\bf C}({\\bf q},\\dot{\\bf q})\\dot{\\bf q} = {\\bf \\tau}_g({\\bf q}) + {\\bf B}{\\bf u},",
+        "Chain(Add(Mul(Call(\\mathbf{M}; Call(\\mathbf{q})), Call(\\ddot{\\mathbf{q}})), Mul(Call(\\mathbf{C}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}})), Call(\\dot{\\mathbf{q}}))), Add(Call(\\mathbf{\\tau}_g; Call(\\mathbf{q})), Mul(\\mathbf{B}, \\mathbf{u})); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\ddot{x} = -\\frac{\\ddot\\theta + s}{c} \\\\ \\ddot\\theta(c - \\frac{2}{c}) - 2 \\tan\\theta - \\dot\\theta^2 s = f_x",
+        "System(Chain(Call(\\ddot{x}), Neg(Div(Add(Call(\\ddot{\\theta}), s); c)); =), Chain(Add(Mul(Call(\\ddot{\\theta}), Add(c, Neg(Div(2; c)))), Neg(Mul(2, Call(tan; Call(\\theta)))), Neg(Mul(Pow(Call(\\dot{\\theta}); 2), s))), f_x; =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "{\\bf x}(t) = \\begin{bmatrix} q_0 + t\\dot{q}_0 \\\\ \\dot{q}_0 \\end{bmatrix} + \\sum_{i=0}^k \\left(\\frac{t^{i+1}}{i+1}\\begin{bmatrix} 0 \\\\ c_i \\end{bmatrix} + \\frac{t^{i+2}}{i+2}\\begin{bmatrix} c_i \\\\ 0 \\end{bmatrix}\\right).",
+        "Chain(Call(\\mathbf{x}; t), Add(MatrixOf(Add(q_0, Mul(t, \\dot { q } _ { 0 })), \\dot { q } _ { 0 }), BigSum(i; 0; k; Add(Mul(Div(Pow(t; Add(i, 1)); Add(i, 1)), MatrixOf(0, c_i)), Mul(Div(Pow(t; Add(i, 2)); Add(i, 2)), MatrixOf(c_i, 0))))); =)",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{\\mathbf{b}}_1 \\\\ \\hat{\\mathbf{b}}_2 \\\\ \\hat{\\mathbf{b}}_3 \\end{bmatrix} = {}^B\\mathbf{C}^A \\begin{bmatrix} \\hat{\\mathbf{a}}_1 \\\\ \\hat{\\mathbf{a}}_2 \\\\ \\hat{\\mathbf{a}}_3 \\end{bmatrix}.",
+        "Chain(MatrixOf(\\hat{\\mathbf{b}}_1, \\hat{\\mathbf{b}}_2, \\hat{\\mathbf{b}}_3), Mul(\\prescript { B } { } { \\mathbf { C } } ^ { A }, MatrixOf(\\hat{\\mathbf{a}}_1, \\hat{\\mathbf{a}}_2, \\hat{\\mathbf{a}}_3)); =)",
+        "sympy/sympy/sympy/physics/vector/frame.py",
+    ),
+    (
+        "e_{out} = e_{main} + e_{off}",
+        "Chain(e_{out}, Add(e_{main}, e_{off}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/orbitControl/orbElemOffset/orbElemOffset.rst",
+    ),
+    (
+        "\\begin{aligned} e_t &= \\frac{r_B - r_A}{r_A + r_B} \\\\ p_t &= \\frac{2 r_A r_B}{r_A - r_B} \\end{aligned}",
+        "System(Chain(e_t, Div(Add(r_B, Neg(r_A)); Add(r_A, r_B)); =), Chain(p_t, Div(Mul(2, r_A, r_B); Add(r_A, Neg(r_B))); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "x[n+1] = a x[n] + w[n].",
+        "Chain(Indexed(x; Add(n, 1)), Add(Mul(a, Indexed(x; n)), Indexed(w; n)); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "\\dot{\\bf x} = \\begin{bmatrix} c \\dot\\theta \\\\ -s \\dot\\theta \\\\ -\\frac{1}{m l^2} \\left( b \\dot\\theta + mgls \\right) \\end{bmatrix}.",
+        "Chain(Call(\\dot{\\mathbf{x}}), MatrixOf(Mul(c, Call(\\dot{\\theta})), Neg(Mul(s, Call(\\dot{\\theta}))), Neg(Mul(Div(1; Mul(m, Pow(l; 2))), Add(Mul(b, Call(\\dot{\\theta})), Mul(m, g, l, s))))); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "K = K_1 = K_2 = 340 f_d",
+        "Chain(K, K_1, K_2, Mul(340, f_d); =, =, =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "I = I_3 = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & 1 & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} .",
+        "Chain(I, I_3, MatrixOf(1, 0, 0, 0, 1, 0, 0, 0, 1); =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "R(z) = \\sum_{r=0}^{l_u - 1} res_{s = r + b}.",
+        "Chain(Call(R; z), BigSum(r; 0; Add(l_u, Neg(1)); \\text{res}_{s=r+b}); =)",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "R = \\frac{h_2^2}{\\mu_{\\text{sun}}} \\frac{1}{1 + e_2 \\cos\\nu_2}",
+        "Chain(R, Mul(Div(Pow(h_2; 2); \\mu_{sun}), Div(1; Add(1, Mul(e_2, Call(cos; \\nu_2))))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "K_N = \\frac{0.02764P_1-1000}{0.03324P_1-1061}",
+        "Chain(K_N, Div(Add(Mul(0.02764, P_1), Neg(1000)); Add(Mul(0.03324, P_1), Neg(1061))); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "\\frac{1}{2} \\left(v^*\\right)^2 = \\frac{1}{2}\\left[\\left(\\dot{x}^*\\right)^2 + \\left(\\dot{y}^*\\right)^2\\right]",
+        "Chain(Mul(Div(1; 2), Pow(v ^ { * }; 2)), Mul(Div(1; 2), Add(Pow(Call(\\dot { x } ^ { * }); 2), Pow(Call(\\dot { y } ^ { * }); 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/jacobi-constant.md",
+    ),
+    (
+        "a_k = \\frac{4 (k+\\nicefrac{1}{2}-1) + 2}{4 (k+\\nicefrac{1}{2})\\,(k+\\nicefrac{1}{2}-1) + 1} \\, a_{k-1} = \\frac{1}{k} \\, a_{k-1} .",
+        "Chain(a_k, Mul(Div(Add(Mul(4, Add(k, Div(1; 2), Neg(1))), 2); Add(Mul(4, Add(k, Div(1; 2)), Add(k, Div(1; 2), Neg(1))), 1)), a_{k-1}), Mul(Div(1; k), a_{k-1}); =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{a}(t) &= \\frac{dv_x(t)}{dt}\\boldsymbol{\\hat{\\imath}} + \\frac{dv_y(t)}{dt}\\boldsymbol{\\hat{\\jmath}} + \\frac{dv_z(t)}{dt}\\boldsymbol{\\hat{k}} \\\\ &= a_x\\boldsymbol{\\hat{\\imath}} + a_y\\boldsymbol{\\hat{\\jmath}} + a_z\\boldsymbol{\\hat{k}} \\\\ &= \\dot{\\boldsymbol{v}} = \\ddot{\\boldsymbol{r}}\\end{aligned}",
+        "Chain(Call(\\boldsymbol{a}; t), Add(Mul(Derivative(Call(v_x; t); t, 1), \\boldsymbol{\\hat{\\imath}}), Mul(Derivative(Call(v_y; t); t, 1), \\boldsymbol{\\hat{\\jmath}}), Mul(Derivative(Call(v_z; t); t, 1), \\boldsymbol{\\hat{k}})), Add(Mul(a_x, \\boldsymbol{\\hat{\\imath}}), Mul(a_y, \\boldsymbol{\\hat{\\jmath}}), Mul(a_z, \\boldsymbol{\\hat{k}})), Call(\\dot{\\boldsymbol{v}}), Call(\\ddot{\\boldsymbol{r}}); =, =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "R = \\begin{bmatrix} a & -b \\\\ b & a\\end{bmatrix}.",
+        "Chain(R, MatrixOf(a, Neg(b), b, a); =)",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "\\frac12 mvc = I_u\\omega",
+        "Chain(Mul(Div(1; 2), m, v, c), Mul(I_u, \\omega); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\dot{\\bm{H}}_{\\text{sc},B} = [I_{\\text{hub},B_c}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N} + m_{\\text{\\text{hub}}}\\bm{r}_{B_{c}/B} \\times \\ddot{\\bm{r}}_{B_{c}/B}\\\\ + \\sum\\limits_{j=1}^{N_P}m_j \\bm r_{P_{c,j}/B}\\times \\Bigl[\\bm{r}''_{P_{c,j}/B} +2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{P_{c,j}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{P_{c,j}/B} +\\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{P_{c,j}/B})\\Bigr]",
+        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\ddot{\\bm{r}}_{B_c/B})), BigSum(j; 1; N_P; Cross(Mul(m_j, \\bm{r}_{P_c,j/B}); Add(\\bm{r}_{P_c,j/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{P_c,j/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{P_c,j/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{P_c,j/B})))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\operatorname{Wigner6j}(j_1,j_2,j_3,j_4,j_5,j_6) =(-1)^{j_1+j_2+j_4+j_5} W(j_1,j_2,j_5,j_4,j_3,j_6)",
+        "Chain(Call(\\text{Wigner6j}; j_1, j_2, j_3, j_4, j_5, j_6), Mul(Pow(Neg(1); Add(j_1, j_2, j_4, j_5)), Call(W; j_1, j_2, j_5, j_4, j_3, j_6)); =)",
+        "sympy/sympy/sympy/physics/wigner.py",
+    ),
+    (
+        "K^* &=& K({ {\\boldsymbol{t}}}^*,\\,{ {\\boldsymbol{t}}}^*) - K({ {\\boldsymbol{t}}}^*,\\,{ {\\boldsymbol{t}}})\\,{K({ {\\boldsymbol{t}}},\\,{ {\\boldsymbol{t}}})}^{-1}\\, K({ {\\boldsymbol{t}}},\\,{ {\\boldsymbol{t}}}^*)",
+        "Chain(K ^ { * }, Add(Call(K; \\boldsymbol { t } ^ { * }, \\boldsymbol { t } ^ { * }), Neg(Mul(Call(K; \\boldsymbol { t } ^ { * }, \\boldsymbol{t}), Pow(Call(K; \\boldsymbol{t}, \\boldsymbol{t}); Neg(1)), Call(K; \\boldsymbol{t}, \\boldsymbol { t } ^ { * })))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\bar{\\mathbf{q}}^T\\bar{\\mathbf{q}} = |\\mathbf{Q}|^2 + q^2 = 1",
+        "Chain(Mul(Transpose(\\bar{\\mathbf{q}}), \\bar{\\mathbf{q}}), Add(Pow(Bars(\\mathbf{Q}); 2), Pow(q; 2)), 1; =, =)",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "z = S(s,1,n) \\sum_{k=1}^n \\frac{1}{k^{s+t}}",
+        "Chain(z, Mul(Call(S; s, 1, n), BigSum(k; 1; n; Div(1; Pow(k; Add(s, t))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_poly.rst",
+    ),
+    (
+        "u^* = -q - \\sqrt{3} \\dot{q},",
+        "Chain(u ^ { * }, Add(Neg(Call(q)), Neg(Mul(Sqrt(3), Call(\\dot{q})))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "K_{SB} = \\sqrt{\\frac{(\\rho_p-\\rho_f)}{\\rho_f}} = \\sqrt{\\frac{4 g d_p}{3 C_D}}",
+        "Chain(K_{SB}, Sqrt(Div(Add(\\rho_p, Neg(\\rho_f)); \\rho_f)), Sqrt(Div(Mul(4, g, d_p); Mul(3, C_D))); =, =)",
+        "CalebBell/fluids/fluids/separator.py",
+    ),
+    (
+        "f(k) := \\frac{1}{k^s \\zeta{(s)}}",
+        "Chain(Call(f; k), Div(1; Mul(Pow(k; s), Call(\\zeta; s))); =)",
+        "sympy/sympy/sympy/stats/drv_types.py",
+    ),
+    (
+        "\\mathnormal{\\Lambda} (\\boldsymbol{q},t,\\boldsymbol{q}',t') = L \\left(\\boldsymbol{q}, \\frac{\\boldsymbol{q}'}{t'},t\\right) t'",
+        "Chain(Call(\\Lambda; \\boldsymbol{q}, t, \\boldsymbol{q}', t'), Mul(Call(L; \\boldsymbol{q}, Div(\\boldsymbol{q}'; t'), t), t'); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\dim S = k .",
+        "Chain(Call(dim; S), k; =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "W = zRT\\ln\\left(\\frac{P_2}{P_1}\\right) = P_1 V_1 \\ln\\left(\\frac{P_2} {P_1}\\right) = P_2 V_2 \\ln\\left(\\frac{P_2}{P_1}\\right)",
+        "Chain(W, Mul(z, R, T, Call(ln; Div(P_2; P_1))), Mul(P_1, V_1, Call(ln; Div(P_2; P_1))), Mul(P_2, V_2, Call(ln; Div(P_2; P_1))); =, =, =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\begin{bmatrix} T^3 & T^4 & T^5 \\\\ 3T^2 & 4T^3 & 5T^4 \\\\ 6T & 12T^2 & 20T^3 \\end{bmatrix}\\begin{bmatrix} a_3\\\\ a_4\\\\ a_5\\end{bmatrix}=\\begin{bmatrix} x_e-x_s-v_sT-0.5a_sT^2\\\\ v_e-v_s-a_sT\\\\ a_e-a_s\\end{bmatrix}",
+        "Chain(Mul(MatrixOf(Pow(T; 3), Pow(T; 4), Pow(T; 5), Mul(3, Pow(T; 2)), Mul(4, Pow(T; 3)), Mul(5, Pow(T; 4)), Mul(6, T), Mul(12, Pow(T; 2)), Mul(20, Pow(T; 3))), MatrixOf(a_3, a_4, a_5)), MatrixOf(Add(x_e, Neg(x_s), Neg(Mul(v_s, T)), Neg(Mul(0.5, a_s, Pow(T; 2)))), Add(v_e, Neg(v_s), Neg(Mul(a_s, T))), Add(a_e, Neg(a_s))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{a}_x \\\\ \\hat{a}_y \\\\ \\hat{a}_z \\end{bmatrix} = {}^A\\mathbf{C}^B \\begin{bmatrix} \\hat{b}_x \\\\ \\hat{b}_y \\\\ \\hat{b}_z \\end{bmatrix}",
+        "Chain(MatrixOf(\\hat{a}_x, \\hat{a}_y, \\hat{a}_z), Mul(\\prescript { A } { } { \\mathbf { C } } ^ { B }, MatrixOf(\\hat{b}_x, \\hat{b}_y, \\hat{b}_z)); =)",
+        "moorepants/learn-multibody-dynamics/notation.rst",
+    ),
+    (
+        "\\omega = \\frac{\\partial W}{\\partial J} = \\frac{\\partial W}{\\partial k_2} \\frac{\\partial k_2}{\\partial J}",
+        "Chain(\\omega, Derivative(Call(W); J, 1; True), Mul(Derivative(Call(W); k_2, 1; True), Derivative(Call(k_2); J, 1; True)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\left.v_{\\perp}\\right)_0 = \\sqrt{v_0^2 - v_{r,0}^2}",
+        "Chain(Marked(v_\\perp; _{ 0 }), Sqrt(Add(Pow(v_0; 2), Neg(Pow(v_{r,0}; 2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "\\boldsymbol{v}_{\\text{rel}} = \\dot{x}\\boldsymbol{\\hat{\\imath}} + \\dot{y}\\boldsymbol{\\hat{\\jmath}} + \\dot{z}\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{v}_{rel}, Add(Mul(Call(\\dot{x}), \\boldsymbol{\\hat{\\imath}}), Mul(Call(\\dot{y}), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\dot{z}), \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "h_2 = R V_{\\perp,2}",
+        "Chain(h_2, Mul(R, V_{\\perp,2}); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "X(t) = \\begin{bmatrix} e^t & 0 \\\\ \\frac{1}{2} e^t & e^{-t} \\end{bmatrix} .",
+        "Chain(Call(X; t), MatrixOf(Pow(e; t), 0, Mul(Div(1; 2), Pow(e; t)), Pow(e; Neg(t))); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "{\\bf A}_{\\bf y} = {\\bf P}{\\bf A}_{\\bf x}{\\bf P}^T, \\qquad {\\bf B}_{\\bf y} = {\\bf P}{\\bf B}_{\\bf x}, \\qquad {\\bf Q}_{\\bf y} = {\\bf P}{\\bf Q}_{\\bf x}{\\bf P}^T",
+        "System(Chain(\\mathbf{A}_{\\mathbf y}, Mul(\\mathbf{P}, \\mathbf{A}_{\\mathbf x}, Transpose(\\mathbf{P})); =), Chain(\\mathbf{B}_{\\mathbf y}, Mul(\\mathbf{P}, \\mathbf{B}_{\\mathbf x}); =), Chain(\\mathbf{Q}_{\\mathbf y}, Mul(\\mathbf{P}, \\mathbf{Q}_{\\mathbf x}, Transpose(\\mathbf{P})); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "R = \\begin{bmatrix} 1 & 0 & 0 \\\\ 0 & \\cos(\\theta) & \\sin(\\theta) \\\\ 0 & -\\sin(\\theta) & \\cos(\\theta) \\end{bmatrix}",
+        "Chain(R, MatrixOf(1, 0, 0, 0, Call(cos; \\theta), Call(sin; \\theta), 0, Neg(Call(sin; \\theta)), Call(cos; \\theta)); =)",
+        "sympy/sympy/sympy/matrices/dense.py",
+    ),
+    (
+        "a_n = \\frac{-4}{n^2 \\pi^2 (2 - n^2 \\pi^2)} .",
+        "Chain(a_n, Div(Neg(4); Mul(Pow(n; 2), Pow(\\pi; 2), Add(2, Neg(Mul(Pow(n; 2), Pow(\\pi; 2)))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\xi = \\cos(\\phi) \\cos(\\lambda) + j \\cos(\\phi) \\sin(\\lambda) = \\frac{x}{r} + j \\frac{y}{r} = s + j t",
+        "Chain(\\xi, Add(Mul(Call(cos; \\phi), Call(cos; \\lambda)), Mul(j, Call(cos; \\phi), Call(sin; \\lambda))), Add(Div(x; r), Mul(j, Div(y; r))), Add(s, Mul(j, t)); =, =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "h = \\lVert\\boldsymbol{r}_0 \\times\\boldsymbol{v}_0\\rVert",
+        "Chain(h, Norm(Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\sigma_t = \\int_0^\\pi 2\\pi \\sigma(\\theta) \\sin \\theta \\mathrm{d} \\theta \\to +\\infty",
+        "Chain(\\sigma_t, Integral(Mul(2, \\pi, Call(\\sigma; \\theta), Call(sin; \\theta)); \\theta; 0; \\pi), Infinity(); =, \\to)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "Z = \\frac12 \\sum_{i=1}^nm_i\\left(\\boldsymbol{a}_i-\\frac{\\boldsymbol{F}_i}{m_i}\\right)^2",
+        "Chain(Z, Mul(Div(1; 2), BigSum(i; 1; n; Mul(m_i, Pow(Add(\\boldsymbol{a}_i, Neg(Div(\\boldsymbol{F}_i; m_i))); 2)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\lambda_{\\mathbf{K},1} &=& \\sqrt{(1-w)^2+w^2+2w(1-w)(\\alpha m_D+V)} \\\\ && \\\\ \\lambda_{\\mathbf{K},2} &=& \\sqrt{(1-w)^2+w^2+2w(1-w)(\\alpha m_D-V)} \\\\ && \\\\ \\lambda_{\\mathbf{K},3} &=& -\\sqrt{(1-w)^2+w^2+2w(1-w)(\\alpha m_D-V)} \\\\ && \\\\ \\lambda_{\\mathbf{K},4} &=& -\\sqrt{(1-w)^2+w^2+2w(1-w)(\\alpha m_D+V)} \\end{array}",
+        "System(Chain(\\lambda_{\\mathbf K,1}, Sqrt(Add(Pow(Add(1, Neg(w)); 2), Pow(w; 2), Mul(2, w, Add(1, Neg(w)), Add(Mul(\\alpha, m_D), V)))); =), Chain(\\lambda_{\\mathbf K,2}, Sqrt(Add(Pow(Add(1, Neg(w)); 2), Pow(w; 2), Mul(2, w, Add(1, Neg(w)), Add(Mul(\\alpha, m_D), Neg(V))))); =), Chain(\\lambda_{\\mathbf K,3}, Neg(Sqrt(Add(Pow(Add(1, Neg(w)); 2), Pow(w; 2), Mul(2, w, Add(1, Neg(w)), Add(Mul(\\alpha, m_D), Neg(V)))))); =), Chain(\\lambda_{\\mathbf K,4}, Neg(Sqrt(Add(Pow(Add(1, Neg(w)); 2), Pow(w; 2), Mul(2, w, Add(1, Neg(w)), Add(Mul(\\alpha, m_D), V))))); =))",
+        "Mayitzin/ahrs/ahrs/filters/saam.py",
+    ),
+    (
+        "\\left[ {}^Bp^{\\text{ZMP}}_W \\times f^{\\text{ZMP}}_{net,W} \\right]_y = {}^Bp^{\\text{ZMP}}_{W_z} f^{\\text{ZMP}}_{net,W_x} - {}^Bp^{\\text{ZMP}}_{W_x} f^{\\text{ZMP}}_{net,W_z} = \\sum_i \\left[ {}^Bp^{B_i}_W \\times f^{B_i}_W \\right]_y.",
+        "Chain(Marked(Cross(\\prescript { B } { } { p } _ { W } ^ { \\text { Z M P } }; f _ { n e t , W } ^ { \\text { Z M P } }); _{ y }), Add(Mul(\\prescript { B } { } { p } _ { W _ { z } } ^ { \\text { Z M P } }, f _ { n e t , W _ { x } } ^ { \\text { Z M P } }), Neg(Mul(\\prescript { B } { } { p } _ { W _ { x } } ^ { \\text { Z M P } }, f _ { n e t , W _ { z } } ^ { \\text { Z M P } }))), BigSum(i; Marked(Cross(\\prescript { B } { } { p } _ { W } ^ { B _ { i } }; f _ { W } ^ { B _ { i } }); _{ y })); =, =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\dot{\\tilde{E}}({\\bf x}) =& \\dot{E}({\\bf x}) = \\dot\\theta \\ddot\\theta + \\dot\\theta s \\\\ =& \\dot\\theta [ -uc - s] + \\dot\\theta s \\\\ =& - u\\dot\\theta \\cos\\theta.",
+        "Chain(Call(\\dot{\\tilde{E}}; \\mathbf{x}), Call(\\dot{E}; \\mathbf{x}), Add(Mul(Call(\\dot{\\theta}), Call(\\ddot{\\theta})), Mul(Call(\\dot{\\theta}), s)), Add(Mul(Call(\\dot{\\theta}), Add(Neg(Mul(u, c)), Neg(s))), Mul(Call(\\dot{\\theta}), s)), Neg(Mul(u, Call(\\dot{\\theta}), Call(cos; Call(\\theta)))); =, =, =, =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "[R_cN] = [B_cN]^T [RN]",
+        "Chain([ R _ { c } N ], Mul(Transpose([ B _ { c } N ]), [ R N ]); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/attRefCorrection/attRefCorrection.rst",
+    ),
+    (
+        "(\\mathbf{a} \\times \\mathbf{b} ) \\times \\mathbf{c} \\neq \\mathbf{a} \\times (\\mathbf{b} \\times \\mathbf{c})",
+        "Chain(Cross(Cross(\\mathbf{a}; \\mathbf{b}); \\mathbf{c}), Cross(\\mathbf{a}; Cross(\\mathbf{b}; \\mathbf{c})); \\ne)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\dot{\\rho}(t) = \\pm \\ddot{\\rho}_{\\text{max}} (t - t_{s1}) + \\dot{\\rho}(t_{s1})",
+        "Chain(Call(\\dot{\\rho}; t), Add(PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(t, Neg(t_{s1})))), Call(\\dot{\\rho}; t_{s1})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\bar{v}(\\bar{u}, \\bar{q}, t) = \\begin{bmatrix} {}^N\\bar{v}^{B_{1o}} \\cdot \\hat{n}_x \\\\ {}^N\\bar{v}^{B_{1o}} \\cdot \\hat{n}_y \\\\ {}^N\\bar{v}^{B_{1o}} \\cdot \\hat{n}_z \\\\ {}^N\\bar{\\omega}^{B_1} \\cdot \\hat{n}_x \\\\ {}^N\\bar{\\omega}^{B_1} \\cdot \\hat{n}_y \\\\ {}^N\\bar{\\omega}^{B_1} \\cdot \\hat{n}_z \\\\ \\vdots \\\\ {}^N\\bar{v}^{B_{\\nu o}} \\cdot \\hat{n}_x \\\\ {}^N\\bar{v}^{B_{\\nu o}} \\cdot \\hat{n}_y \\\\ {}^N\\bar{v}^{B_{\\nu o}} \\cdot \\hat{n}_z \\\\ {}^N\\bar{\\omega}^{B_\\nu} \\cdot \\hat{n}_x \\\\ {}^N\\bar{\\omega}^{B_\\nu} \\cdot \\hat{n}_y \\\\ {}^N\\bar{\\omega}^{B_\\nu} \\cdot \\hat{n}_z \\\\ \\end{bmatrix} \\in \\mathbb{R}^{6\\nu}",
+        "Chain(Call(\\bar{v}; \\bar{u}, \\bar{q}, t), MatrixOf(Mul(\\prescript { N } { } { \\bar { v } } ^ { B _ { 1 o } }, \\hat{n}_x; 1), Mul(\\prescript { N } { } { \\bar { v } } ^ { B _ { 1 o } }, \\hat{n}_y; 1), Mul(\\prescript { N } { } { \\bar { v } } ^ { B _ { 1 o } }, \\hat{n}_z; 1), Mul(\\prescript { N } { } { \\bar { \\omega } } ^ { B _ { 1 } }, \\hat{n}_x; 1), Mul(\\prescript { N } { } { \\bar { \\omega } } ^ { B _ { 1 } }, \\hat{n}_y; 1), Mul(\\prescript { N } { } { \\bar { \\omega } } ^ { B _ { 1 } }, \\hat{n}_z; 1), Dots(), Mul(\\prescript { N } { } { \\bar { v } } ^ { B _ { \\nu o } }, \\hat{n}_x; 1), Mul(\\prescript { N } { } { \\bar { v } } ^ { B _ { \\nu o } }, \\hat{n}_y; 1), Mul(\\prescript { N } { } { \\bar { v } } ^ { B _ { \\nu o } }, \\hat{n}_z; 1), Mul(\\prescript { N } { } { \\bar { \\omega } } ^ { B _ { \\nu } }, \\hat{n}_x; 1), Mul(\\prescript { N } { } { \\bar { \\omega } } ^ { B _ { \\nu } }, \\hat{n}_y; 1), Mul(\\prescript { N } { } { \\bar { \\omega } } ^ { B _ { \\nu } }, \\hat{n}_z; 1)), Pow(\\mathbb{R}; Mul(6, \\nu)); =, \\in)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "t_s = t_0 + \\frac{\\Delta t}{2}",
+        "Chain(t_s, Add(t_0, Div(\\Delta t; 2)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/prescribedRot2DOF/prescribedRot2DOF.rst",
+    ),
+    (
+        "\\mathbf{q} = \\begin{pmatrix} \\cos\\frac{\\beta}{2} \\\\ u_x\\sin\\frac{\\beta}{2} \\\\ u_y\\sin\\frac{\\beta}{2} \\\\ u_z\\sin\\frac{\\beta}{2} \\end{pmatrix}",
+        "Chain(\\mathbf{q}, MatrixOf(Call(cos; Div(\\beta; 2)), Mul(u_x, Call(sin; Div(\\beta; 2))), Mul(u_y, Call(sin; Div(\\beta; 2))), Mul(u_z, Call(sin; Div(\\beta; 2)))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "L_B = m\\mathbf{v^*}",
+        "Chain(L_B, Mul(m, \\mathbf { v } ^ { * }); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/masses.rst",
+    ),
+    (
+        "k = \\frac{b\\mathrm{g}_p - a\\mathrm{g}_e}{a\\mathrm{g}_e} = \\frac{b\\mathrm{g}_p}{a\\mathrm{g}_e}-1",
+        "Chain(k, Div(Add(Mul(b, \\text{g}_p), Neg(Mul(a, \\text{g}_e))); Mul(a, \\text{g}_e)), Add(Div(Mul(b, \\text{g}_p); Mul(a, \\text{g}_e)), Neg(1)); =, =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "{\\bf x}[n+1] = {\\bf A}{\\bf x}[n] + {\\bf B}{\\bf u}[n] + {\\bf w}[n], \\\\ \\mathbb{X}_{n+1} = ({\\bf A}\\mathbb{X}_n + {\\bf B}{\\bf u}_n) \\oplus \\mathbb{W}.",
+        "System(Chain(Indexed(\\mathbf{x}; Add(n, 1)), Add(Mul(\\mathbf{A}, Indexed(\\mathbf{x}; n)), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; n)), Indexed(\\mathbf{w}; n)); =), Chain(\\mathbb{X}_{n+1}, Operated(\\oplus; Add(Mul(\\mathbf{A}, \\mathbb{X}_n), Mul(\\mathbf{B}, \\mathbf{u}_n)); \\mathbb{W}); =))",
+        "RussTedrake/underactuated/book/robust.html",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{R}_1 &= X_1\\boldsymbol{\\hat{I}} + Y_1\\boldsymbol{\\hat{J}} + Z_1\\boldsymbol{\\hat{K}}\\\\ \\boldsymbol{R}_2 &= X_2\\boldsymbol{\\hat{I}} + Y_2\\boldsymbol{\\hat{J}} + Z_2\\boldsymbol{\\hat{K}} \\end{aligned}",
+        "System(Chain(\\boldsymbol{R}_1, Add(Mul(X_1, \\boldsymbol{\\hat{I}}), Mul(Y_1, \\boldsymbol{\\hat{J}}), Mul(Z_1, \\boldsymbol{\\hat{K}})); =), Chain(\\boldsymbol{R}_2, Add(Mul(X_2, \\boldsymbol{\\hat{I}}), Mul(Y_2, \\boldsymbol{\\hat{J}}), Mul(Z_2, \\boldsymbol{\\hat{K}})); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "K_{branch} = C\\left[1 + D\\left(\\frac{Q_{branch}}{Q_{comb}\\cdot \\beta_{branch}^2}\\right)^2 - E\\left(1 - \\frac{Q_{branch}}{Q_{comb}} \\right)^2 - \\frac{F}{\\beta_{branch}^2} \\left(\\frac{Q_{branch}} {Q_{comb}}\\right)^2\\right]",
+        "Chain(K_{branch}, Mul(C, Add(1, Mul(D, Pow(Div(Q_{branch}; Mul(Q_{comb}, Pow(\\beta_{branch}; 2))); 2)), Neg(Mul(E, Pow(Add(1, Neg(Div(Q_{branch}; Q_{comb}))); 2))), Neg(Mul(Div(F; Pow(\\beta_{branch}; 2)), Pow(Div(Q_{branch}; Q_{comb}); 2))))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "J = \\frac{m_1m_2}{m_1+m_2}(v_1^--v_2^-)",
+        "Chain(J, Mul(Div(Mul(m_1, m_2); Add(m_1, m_2)), Add(v _ { 1 } ^ { - }, Neg(v _ { 2 } ^ { - }))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{aligned} x_1' & = \\frac{r}{V} (x_2-x_1), \\\\ x_2' & = \\frac{r}{V} (x_1-x_2). \\end{aligned}",
+        "System(Chain(x_1', Mul(Div(r; V), Add(x_2, Neg(x_1))); =), Chain(x_2', Mul(Div(r; V), Add(x_1, Neg(x_2))); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "K_{\\nu}(z) = \\frac{1}{2} \\left[ \\left(\\frac{z}{2}\\right)^{-\\nu} \\Gamma(\\nu) {}_0F_1\\left(1-\\nu, \\frac{z^2}{4}\\right) - \\left(\\frac{z}{2}\\right)^{\\nu} \\frac{\\pi}{\\nu \\sin(\\pi \\nu) \\Gamma(\\nu)} {}_0F_1\\left(\\nu+1, \\frac{z^2}{4}\\right) \\right]",
+        "Chain(Call(K_\\nu; z), Mul(Div(1; 2), Add(Mul(Pow(Div(z; 2); Neg(\\nu)), Call(Gamma; \\nu), Call(\\prescript { } { 0 } { F } _ { 1 }; Add(1, Neg(\\nu)), Div(Pow(z; 2); 4))), Neg(Mul(Pow(Div(z; 2); \\nu), Div(\\pi; Mul(\\nu, Call(sin; Mul(\\pi, \\nu)), Call(Gamma; \\nu))), Call(\\prescript { } { 0 } { F } _ { 1 }; Add(\\nu, 1), Div(Pow(z; 2); 4)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "U = U(\\boldsymbol{q},\\dot{\\boldsymbol{q}},t) = U(\\boldsymbol{r}(\\boldsymbol{q},t),\\dot{\\boldsymbol{r}}(\\boldsymbol{q},\\dot{\\boldsymbol{q}},t),t)",
+        "Chain(Call(U), Call(U; Call(\\boldsymbol{q}), Call(\\dot{\\boldsymbol{q}}), t), Call(U; Call(\\boldsymbol{r}; Call(\\boldsymbol{q}), t), Call(\\dot{\\boldsymbol{r}}; Call(\\boldsymbol{q}), Call(\\dot{\\boldsymbol{q}}), t), t); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\dot{x} = A x + B u",
+        "Chain(Call(\\dot{x}), Add(Mul(A, Call(x)), Mul(B, u)); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "h_1 = \\sqrt{\\mu_{\\text{sun}} R_{\\text{Neptune}}\\left(1 - e_1\\right)}",
+        "Chain(h_1, Sqrt(Mul(\\mu_{sun}, R_{Neptune}, Add(1, Neg(e_1)))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "E = \\frac{v^2}{2} - \\frac{\\mu}{r}",
+        "Chain(E, Add(Div(Pow(v; 2); 2), Neg(Div(\\mu; r))); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "\\begin{bmatrix} \\ddot\\theta & \\dot\\theta & \\sin\\theta \\end{bmatrix} \\begin{bmatrix} ml^2 \\\\ b \\\\ mgl \\end{bmatrix} - \\tau = 0.",
+        "Chain(Add(Mul(MatrixOf(Call(\\ddot{\\theta}), Call(\\dot{\\theta}), Call(sin; Call(\\theta))), MatrixOf(Mul(m, Pow(l; 2)), b, Mul(m, g, l))), Neg(\\tau)), 0; =)",
+        "RussTedrake/underactuated/book/sysid.html",
+    ),
+    (
+        "G2 &= \\frac{1}{1 + s}",
+        "Chain(\\text{G2}, Div(1; Add(1, s)); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/control_problems.rst",
+    ),
+    (
+        "{}^N\\bar{v}^S = {}^A\\bar{v}^S + {}^N\\bar{\\omega}^A\\times\\bar{r}^{S/O}",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { S }, Add(\\prescript { A } { } { \\bar { v } } ^ { S }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { A }; \\bar { r } ^ { S / O })); =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "\\frac{\\mu^2}{h^3}t = \\int_{0}^{\\nu}\\frac{d\\nu}{\\left(1 + e\\cos\\nu\\right)^2}",
+        "Chain(Mul(Div(Pow(\\mu; 2); Pow(h; 3)), t), Integral(Div(1; Pow(Add(1, Mul(e, Call(cos; \\nu))); 2)); \\nu; 0; \\nu); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\frac{m_1}{m_2} + \\frac{m_2}{m_1} \\geq 25",
+        "Chain(Add(Div(m_1; m_2), Div(m_2; m_1)), 25; \\ge)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "K = 0.42\\sin(\\alpha/2) + 2.56\\sin^3(\\alpha/2)",
+        "Chain(K, Add(Mul(0.42, Call(sin; Div(\\alpha; 2))), Mul(2.56, Pow(Call(sin; Div(\\alpha; 2)); 3))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "e^{\\frac{\\Delta t}{2}\\boldsymbol\\Omega_t} = \\sum_{k=0}^\\infty \\frac{1}{k!} \\Big(\\frac{\\Delta t}{2}\\boldsymbol\\Omega_t\\Big)^k",
+        "Chain(Pow(e; Mul(Div(\\Delta t; 2), \\boldsymbol{\\Omega}_t)), BigSum(k; 0; Infinity(); Mul(Div(1; Factorial(k)), Pow(Mul(Div(\\Delta t; 2), \\boldsymbol{\\Omega}_t); k))); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\Delta Q_n = Q_n(d_{max}) - Q_n(d_{min})",
+        "Chain(\\Delta Q _ { n }, Add(Call(Q_n; d_{max}), Neg(Call(Q_n; d_{min}))); =)",
+        "CalebBell/fluids/fluids/particle_size_distribution.py",
+    ),
+    (
+        "\\bar{v} = v_x \\hat{a}_x + v_y \\hat{a}_y + v_z \\hat{a}_z",
+        "Chain(\\bar{v}, Add(Mul(v_x, \\hat{a}_x), Mul(v_y, \\hat{a}_y), Mul(v_z, \\hat{a}_z)); =)",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "\\mathrm{d} \\sigma = \\frac{\\mathrm{d}N}{I} = 2\\pi b \\mathrm{d} b = \\frac{b(\\theta)}{\\sin \\theta} |b'(\\theta)| \\mathrm{d} \\omega",
+        "Chain(Total(\\sigma), Div(Total(N); I), Mul(2, \\pi, Call(b), Total(Call(b))), Mul(Div(Call(b; \\theta); Call(sin; \\theta)), Bars(Call(b'; \\theta)), Total(\\omega)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "f(x) = \\sqrt{\\frac{2}{\\pi}} \\int_{0}^\\infty F(k) \\cos(2\\pi x k) \\mathrm{d} k.",
+        "Chain(Call(f; x), Mul(Sqrt(Div(2; \\pi)), Integral(Mul(Call(F; k), Call(cos; Mul(2, \\pi, x, k))); k; 0; Infinity())); =)",
+        "sympy/sympy/sympy/integrals/transforms.py",
+    ),
+    (
+        "^N \\mathbf{H} ^ {B^*/O} = \\mathbf{r^*} \\times m \\mathbf{v^*}",
+        "Chain(\\prescript { N } { } { \\mathbf { H } } ^ { B ^ { * } / O }, Cross(\\mathbf { r } ^ { * }; Mul(m, \\mathbf { v } ^ { * })); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/masses.rst",
+    ),
+    (
+        "\\log\\mathbf{q} = \\begin{bmatrix} \\log\\|\\mathbf{q}\\| \\\\ \\mathbf{u}\\theta \\end{bmatrix}",
+        "Chain(Call(log; \\mathbf{q}), MatrixOf(Call(log; Norm(\\mathbf{q})), Mul(\\mathbf{u}, \\theta)); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "ml^2 \\ddot\\theta = u_0 - mgl \\sin\\theta - b\\dot\\theta,",
+        "Chain(Mul(m, Pow(l; 2), Call(\\ddot{\\theta})), Add(u_0, Neg(Mul(m, g, l, Call(sin; Call(\\theta)))), Neg(Mul(b, Call(\\dot{\\theta})))); =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\lvert y \\rvert = e^{\\frac{x^2}{2} + C} = e^{\\frac{x^2}{2}} e^C = D e^{\\frac{x^2}{2}} ,",
+        "Chain(Bars(y), Pow(e; Add(Div(Pow(x; 2); 2), C)), Mul(Pow(e; Div(Pow(x; 2); 2)), Pow(e; C)), Mul(D, Pow(e; Div(Pow(x; 2); 2))); =, =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = -\\frac{\\mu_1}{r_1^3}\\boldsymbol{r}_1 - \\frac{\\mu_2}{r_2^3}\\boldsymbol{r}_2",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Neg(Mul(Div(\\mu_1; Pow(r_1; 3)), \\boldsymbol{r}_1)), Neg(Mul(Div(\\mu_2; Pow(r_2; 3)), \\boldsymbol{r}_2))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "G_{MSH} = \\Delta P_{lo} + 2\\left[\\Delta P_{go} - \\Delta P_{lo}\\right]x",
+        "Chain(G_{MSH}, Add(\\Delta P _ { l o }, Mul(2, Add(\\Delta P _ { g o }, Neg(\\Delta P _ { l o })), x)); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\text{Velocity of approach} = \\frac{1}{\\sqrt{1 - \\beta^4}}",
+        "Chain(\\text{Velocity~of~approach}, Div(1; Sqrt(Add(1, Neg(Pow(\\beta; 4))))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\bar{r}^{P_4/P_1} \\cdot \\hat{n}_y = 0",
+        "Chain(Mul(\\bar { r } ^ { P _ { 4 } / P _ { 1 } }, \\hat{n}_y; 1), 0; =)",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "T_2 = \\frac{2\\pi}{\\sqrt{\\mu}} a_2^{3/2}",
+        "Chain(T_2, Mul(Div(Mul(2, \\pi); Sqrt(\\mu)), Pow(a_2; Div(3; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/phasing-maneuvers.md",
+    ),
+    (
+        "x_t = [e_t, \\dot{e}_t, \\theta_t, \\dot{\\theta}_t, \\upsilon_t]^T",
+        "Chain(x_t, Transpose(Tuple(Call(e_t), Call(\\dot{e}_t), Call(\\theta_t), Call(\\dot{\\theta}_t), \\upsilon_t; [])); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\dot{\\mathbf{x}}_t = \\frac{d\\mathbf{x}_t}{dt} = \\mathbf{Ax}_t + \\mathbf{Lw}_t",
+        "Chain(Call(\\dot{\\mathbf{x}}_t), Derivative(Call(\\mathbf{x}_t); t, 1), Add(Mul(\\mathbf{A}, Call(\\mathbf{x}_t)), Mul(\\mathbf{L}, \\mathbf{w}_t)); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "{}^N\\bar{v}^S = {}^N\\bar{v}^P + {}^N\\bar{\\omega}^A \\times \\bar{r}^{S/P}",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { S }, Add(\\prescript { N } { } { \\bar { v } } ^ { P }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { A }; \\bar { r } ^ { S / P })); =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "& \\lim_{x \\to 0} ~x \\frac{Q(x)}{P(x)} = \\lim_{x \\to 0} ~x \\frac{x(1+x)}{x^2} = \\lim_{x \\to 0} ~(1+x) = 1 , \\\\ & \\lim_{x \\to 0} ~x^2 \\frac{R(x)}{P(x)} = \\lim_{x \\to 0} ~x^2 \\frac{(\\pi+x^2)}{x^2} = \\lim_{x \\to 0} ~(\\pi+x^2) = \\pi .",
+        "System(Chain(Limiting(lim; _{ x \\to 0 }; Mul(x, Div(Call(Q; x); Call(P; x)))), Limiting(lim; _{ x \\to 0 }; Mul(x, Div(Mul(x, Add(1, x)); Pow(x; 2)))), Limiting(lim; _{ x \\to 0 }; Add(1, x)), 1; =, =, =), Chain(Limiting(lim; _{ x \\to 0 }; Mul(Pow(x; 2), Div(Call(R; x); Call(P; x)))), Limiting(lim; _{ x \\to 0 }; Mul(Pow(x; 2), Div(Add(\\pi, Pow(x; 2)); Pow(x; 2)))), Limiting(lim; _{ x \\to 0 }; Add(\\pi, Pow(x; 2))), \\pi; =, =, =))",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "& \\mathrm{sn}\\,^2x+\\mathrm{cn}\\,^2x=1 \\\\ & \\mathrm{dn}\\,^2x+k^2\\mathrm{sn}\\,^2x=1",
+        "System(Chain(Add(Pow(Call(sn; x); 2), Pow(Call(cn; x); 2)), 1; =), Chain(Add(Pow(Call(dn; x); 2), Mul(Pow(k; 2), Pow(Call(sn; x); 2))), 1; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/appendixA.tex",
+    ),
+    (
+        "K(m) = \\int_0^{\\pi/2} \\frac{dt}{\\sqrt{1-m \\sin^2 t}} = \\int_0^1 \\frac{dt}{\\left(\\sqrt{1-t^2}\\right)\\left(\\sqrt{1-mt^2}\\right)}",
+        "Chain(Call(K; m), Integral(Div(1; Sqrt(Add(1, Neg(Mul(m, Pow(Call(sin; t); 2)))))); t; 0; Div(\\pi; 2)), Integral(Div(1; Mul(Sqrt(Add(1, Neg(Pow(t; 2)))), Sqrt(Add(1, Neg(Mul(m, Pow(t; 2))))))); t; 0; 1); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "S = \\frac12 \\sum_{i=1}^n m_i\\boldsymbol{a}_i^2",
+        "Chain(S, Mul(Div(1; 2), BigSum(i; 1; n; Mul(m_i, Pow(\\boldsymbol{a}_i; 2)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "[\\mathcal{F}\\mathcal{F}_0] = \\text{PRV2C}(\\phi, {}^\\mathcal{F} \\boldsymbol{\\hat{s}})",
+        "Chain([ \\mathcal { F } \\mathcal { F } _ { 0 } ], Call(\\text{PRV2C}; \\phi, \\prescript { \\mathcal { F } } { } { \\boldsymbol { \\hat { s } } }); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/facetSRPDynamicEffector/facetSRPDynamicEffector.rst",
+    ),
+    (
+        "\\boldsymbol{\\hat{\\rho}} = -\\sin\\phi\\boldsymbol{\\hat{\\imath}} + \\cos\\phi \\boldsymbol{\\hat{\\jmath}} + 0 \\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{\\hat{\\rho}}, Add(Neg(Mul(Call(sin; \\phi), \\boldsymbol{\\hat{\\imath}})), Mul(Call(cos; \\phi), \\boldsymbol{\\hat{\\jmath}}), Mul(0, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\dot\\theta_{n+1}^{+} = -\\dot\\theta_n^{+} \\cos(2\\alpha).",
+        "Chain(Call(\\dot { \\theta } _ { n + 1 } ^ { + }), Neg(Mul(Call(\\dot { \\theta } _ { n } ^ { + }), Call(cos; Mul(2, \\alpha)))); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "A({\\bf q}(t)) = \\int_{t_0}^{t_1} T({\\bf q},\\dot{\\bf q})dt,",
+        "Chain(Call(A; Call(\\mathbf{q}; t)), Integral(Call(T; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}})); t; t_0; t_1); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\theta = \\omega_1 t + \\theta_0",
+        "Chain(\\theta, Add(Mul(\\omega_1, t), \\theta_0); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\nu_i = \\alpha \\pm \\cos^{-1}\\left(\\frac{c}{a}\\cos\\alpha\\right)",
+        "Chain(\\nu_i, Add(\\alpha, PlusMinus(Call(arccos; Mul(Div(c; a), Call(cos; \\alpha))))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/apse-line-rotation-example.md",
+    ),
+    (
+        "\\Delta v = \\lvert v_p - v_{\\text{parking}}\\rvert",
+        "Chain(\\Delta v, Bars(Add(v_p, Neg(v_{parking}))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-departure-trajectory.md",
+    ),
+    (
+        "S(\\omega) = \\sqrt{\\frac{2}{\\pi}}\\,\\frac{S_0\\,\\omega_0^4} {(\\omega^2-\\omega_0^2)^2 + \\omega_0^2\\omega^2/Q^2}",
+        "Chain(Call(S; \\omega), Mul(Sqrt(Div(2; \\pi)), Div(Mul(S_0, Pow(\\omega_0; 4)); Add(Pow(Add(Pow(\\omega; 2), Neg(Pow(\\omega_0; 2))); 2), Div(Mul(Pow(\\omega_0; 2), Pow(\\omega; 2)); Pow(Q; 2))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "v_{r,0} = \\boldsymbol{v}\\cdot\\boldsymbol{\\hat{u}}_r = \\boldsymbol{v}\\cdot\\frac{\\boldsymbol{r}}{r}",
+        "Chain(v_{r,0}, Mul(\\boldsymbol{v}, \\boldsymbol{\\hat{u}}_r; 1), Mul(\\boldsymbol{v}, Div(\\boldsymbol{r}; r); 1); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "\\bm {a}_{n} = \\bm{a}_{P1} \\times \\bm{R}_{P2} + \\bm{R}_{P1} \\times \\bm{a}_{P2} + 2 \\bm{v}_{P1} \\times \\bm{v}_{P2}",
+        "Chain(\\bm{a}_n, Add(Cross(\\bm{a}_{P1}; \\bm{R}_{P2}), Cross(\\bm{R}_{P1}; \\bm{a}_{P2}), Cross(Mul(2, \\bm{v}_{P1}); \\bm{v}_{P2})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/celestialTwoBodyPoint/_Documentation/celestialTwoBodyPoint.tex",
+    ),
+    (
+        "b = 7.3 - 15.7\\beta + 170.8\\beta^2 - 399.7\\beta^3 + 332.2\\beta^4",
+        "Chain(b, Add(7.3, Neg(Mul(15.7, \\beta)), Mul(170.8, Pow(\\beta; 2)), Neg(Mul(399.7, Pow(\\beta; 3))), Mul(332.2, Pow(\\beta; 4))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\begin{gathered}\\mu_x = \\mu_p + \\mu_z \\\\ \\sigma_x^2 = \\sigma_z^2+\\sigma_p^2\\, \\end{gathered}",
+        "System(Chain(\\mu_x, Add(\\mu_p, \\mu_z); =), Chain(Pow(\\sigma_x; 2), Add(Pow(\\sigma_z; 2), Pow(\\sigma_p; 2)); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\ddot{\\bf q}_1 = {\\bf M}_{11}^{-1} ({\\bf \\tau}_1 - {\\bf M}_{12} \\ddot{\\bf q}_2)",
+        "Chain(Call(\\ddot{\\mathbf{q}}_1), Mul(Pow(\\mathbf{M}_{11}; Neg(1)), Add(\\mathbf{\\tau}_1, Neg(Mul(\\mathbf{M}_{12}, Call(\\ddot{\\mathbf{q}}_2))))); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\mathbf{W}_a = \\begin{bmatrix} a_z & a_y & -a_x & 0 \\\\ a_y & -a_z & 0 & a_x \\\\ -a_x & 0 & -a_z & a_y \\\\ 0 & a_x & a_y & a_z \\end{bmatrix}",
+        "Chain(\\mathbf{W}_a, MatrixOf(a_z, a_y, Neg(a_x), 0, a_y, Neg(a_z), 0, a_x, Neg(a_x), 0, Neg(a_z), a_y, 0, a_x, a_y, a_z); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "X(t) = e^{A t} ( \\int e^{- A t} b \\,dt + C)",
+        "Chain(Call(X; t), Mul(Pow(e; Mul(A, t)), Add(Antiderivative(Mul(Pow(e; Neg(Mul(A, t))), b); t), C)); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\lambda_{s0}(c_1, c_2) = c_1 (q - p)|\\omega|^{1/(q - p)} \\sin{\\psi} + c_2 (v - u)|\\sigma|^{1/(v - u)} \\sin{\\theta}",
+        "Chain(Call(\\lambda_{s0}; c_1, c_2), Add(Mul(c_1, Add(q, Neg(p)), Pow(Bars(\\omega); Div(1; Add(q, Neg(p)))), Call(sin; \\psi)), Mul(c_2, Add(v, Neg(u)), Pow(Bars(\\sigma); Div(1; Add(v, Neg(u)))), Call(sin; \\theta))); =)",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "F(\\vec{x}) = 2 \\vec{x} .",
+        "Chain(Call(F; \\vec{x}), Mul(2, \\vec{x}); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "m_{\\text{sc}} \\ddot{y}_{B/N}+\\sum_{i}^{N}m_{\\text{sp}_i} d_i \\ddot{\\theta}_i = F_{y}",
+        "Chain(Add(Mul(m_{sc}, Call(\\ddot{y}_{B/N})), Limiting(sum; _{ i }^{ N }; Mul(m_{sp_i}, d_i, Call(\\ddot{\\theta}_i)))), F_y; =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "\\omega = \\sqrt{\\omega_0^2 -\\beta^2} ,\\quad \\phi = \\arctan\\left(\\frac{\\dot{x}_0}{x_0 \\omega} + \\frac{\\beta}{\\omega}\\right),\\quad a = x_0\\left[1+\\left(\\frac{\\dot{x}_0}{x_0\\omega} + \\frac{\\beta}{\\omega}\\right)^2\\right]",
+        "System(Chain(\\omega, Sqrt(Add(Pow(\\omega_0; 2), Neg(Pow(\\beta; 2)))); =), Chain(\\phi, Call(arctan; Add(Div(\\dot { x } _ { 0 }; Mul(x_0, \\omega)), Div(\\beta; \\omega))); =), Chain(a, Mul(x_0, Add(1, Pow(Add(Div(\\dot { x } _ { 0 }; Mul(x_0, \\omega)), Div(\\beta; \\omega)); 2))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{C}_1 &=& \\mathbf{P}_1\\mathbf{q} = \\begin{bmatrix}q_w^2+q_x^2-q_y^2-q_z^2 \\\\ 2(q_xq_y + q_wq_z) \\\\ 2(q_xq_z - q_wq_y) \\end{bmatrix} \\\\ && \\\\ \\mathbf{C}_2 &=& \\mathbf{P}_2\\mathbf{q} = \\begin{bmatrix}2(q_xq_y - q_wq_z) \\\\ q_w^2-q_x^2+q_y^2-q_z^2 \\\\2(q_wq_x + q_yq_z) \\end{bmatrix} \\\\ && \\\\ \\mathbf{C}_3 &=& \\mathbf{P}_3\\mathbf{q} = \\begin{bmatrix}2(q_xq_z + q_wq_y) \\\\ 2(q_yq_z - q_wq_x) \\\\ q_w^2-q_x^2-q_y^2+q_z^2 \\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{C}_1, Mul(\\mathbf{P}_1, \\mathbf{q}), MatrixOf(Add(Pow(q_w; 2), Pow(q_x; 2), Neg(Pow(q_y; 2)), Neg(Pow(q_z; 2))), Mul(2, Add(Mul(q_x, q_y), Mul(q_w, q_z))), Mul(2, Add(Mul(q_x, q_z), Neg(Mul(q_w, q_y))))); =, =), Chain(\\mathbf{C}_2, Mul(\\mathbf{P}_2, \\mathbf{q}), MatrixOf(Mul(2, Add(Mul(q_x, q_y), Neg(Mul(q_w, q_z)))), Add(Pow(q_w; 2), Neg(Pow(q_x; 2)), Pow(q_y; 2), Neg(Pow(q_z; 2))), Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z)))); =, =), Chain(\\mathbf{C}_3, Mul(\\mathbf{P}_3, \\mathbf{q}), MatrixOf(Mul(2, Add(Mul(q_x, q_z), Mul(q_w, q_y))), Mul(2, Add(Mul(q_y, q_z), Neg(Mul(q_w, q_x)))), Add(Pow(q_w; 2), Neg(Pow(q_x; 2)), Neg(Pow(q_y; 2)), Pow(q_z; 2))); =, =))",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "\\mathbf{F} = e^{\\mathbf{A}\\Delta t} = \\mathbf{I} + \\mathbf{A}\\Delta t + \\frac{(\\mathbf{A}\\Delta t)^2}{2!} + \\frac{(\\mathbf{A}\\Delta t)^3}{3!} + \\cdots = \\sum_{k=0}^\\infty\\frac{(\\mathbf{A}\\Delta t)^k}{k!}",
+        "Chain(\\mathbf{F}, Pow(e; Mul(\\mathbf{A}, \\Delta t)), Add(\\mathbf{I}, Mul(\\mathbf{A}, \\Delta t), Div(Pow(Mul(\\mathbf{A}, \\Delta t); 2); Factorial(2)), Div(Pow(Mul(\\mathbf{A}, \\Delta t); 3); Factorial(3)), Dots()), BigSum(k; 0; Infinity(); Div(Pow(Mul(\\mathbf{A}, \\Delta t); k); Factorial(k))); =, =, =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "x &= \\beta(z, \\dot z, \\dots, z^{(q)}) \\\\ u &= \\gamma(z, \\dot z, \\dots, z^{(q)}).",
+        "System(Chain(x, Call(\\beta; Call(z), Call(\\dot{z}), Dots(), z ^ { ( q ) }); =), Chain(u, Call(\\gamma; Call(z), Call(\\dot{z}), Dots(), z ^ { ( q ) }); =))",
+        "python-control/python-control/doc/flatsys.rst",
+    ),
+    (
+        "\\dfrac{\\mathrm{d} v_D}{\\mathrm{d} t}\\boldsymbol{u} + v_D\\dfrac{\\mathrm{d} \\boldsymbol{u}}{\\mathrm{d} t} = -\\frac72kg\\boldsymbol{u}",
+        "Chain(Add(Mul(Derivative(Call(v_D); t, 1), Call(\\boldsymbol{u})), Mul(Call(v_D), Derivative(Call(\\boldsymbol{u}); t, 1))), Neg(Mul(Div(7; 2), k, g, Call(\\boldsymbol{u}))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "T = \\frac{1}{2}I\\dot\\theta^2, \\quad U = -mgl\\cos(\\theta),",
+        "System(Chain(T, Mul(Div(1; 2), I, Pow(Call(\\dot{\\theta}); 2)); =), Chain(U, Neg(Mul(m, g, l, Call(cos; Call(\\theta)))); =))",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\mathrm{cn}\\, x \\to \\cos x,\\quad \\mathrm{dn}\\, x \\to 1",
+        "System(Chain(Call(cn; x), Call(cos; x); \\to), Chain(Call(dn; x), 1; \\to))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/appendixA.tex",
+    ),
+    (
+        "m_j\\bm{l_j}\\times \\bigg[ l_j\\Big(-\\ddot{\\varphi}_j\\sin(\\varphi_j)\\cos(\\vartheta_j)-\\ddot{\\vartheta}_j\\cos(\\varphi_j)\\sin(\\vartheta_j)-\\dot{\\varphi}_j^2\\cos(\\varphi_j)\\cos(\\vartheta_j)-\\dot{\\vartheta}_j^2\\cos(\\varphi_j)\\cos(\\vartheta_j)\\\\+2\\dot{\\varphi}_j\\dot{\\vartheta}_j\\sin(\\varphi_j)\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,1} +l_j\\Big(\\ddot{\\varphi}_j\\cos(\\varphi_j)\\cos(\\vartheta_j)-\\ddot{\\vartheta}_j\\sin(\\varphi_j)\\sin(\\vartheta_j)-\\dot{\\varphi}_j^2\\sin(\\varphi_j)\\cos(\\vartheta_j)\\\\-\\dot{\\vartheta}_j^2\\sin(\\varphi_j)\\cos(\\vartheta_j)-2\\dot{\\varphi}_j\\dot{\\vartheta}_j\\cos(\\varphi_j)\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,2} +l_j\\Big(-\\ddot{\\vartheta}_j\\cos(\\vartheta_j)+\\dot{\\vartheta}_j^2\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,3}\\\\ +\\bm{\\dot{\\omega}}_{B/N}\\times \\bm{l_j} + 2\\bm\\omega_{\\cal B/N}\\times \\bm{l_j'}+\\bm\\omega_{\\cal B/N}\\times(\\bm\\omega_{\\cal B/N}\\times \\bm{l_j})\\bigg]=\\bm{L}_{T,j}+m_{j} \\bm{\\ddot{r}}_{T/N}\\times \\bm{l_j}",
+        "Chain(Cross(Mul(m_j, \\bm{l}_j); Add(Mul(l_j, Add(Neg(Mul(Call(\\ddot{\\varphi}_j), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\varphi}_j); 2), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Mul(2, Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), \\bm{\\hat{p}}_{0_j,1}), Mul(l_j, Add(Mul(Call(\\ddot{\\varphi}_j), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j))), Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\varphi}_j); 2), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(2, Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\bm{\\hat{p}}_{0_j,2}), Mul(l_j, Add(Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(cos; Call(\\vartheta_j)))), Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(sin; Call(\\vartheta_j)))), \\bm{\\hat{p}}_{0_j,3}), Cross(\\bm{\\dot{\\omega}}_{B/N}; \\bm{l}_j), Cross(Mul(2, \\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{l}_j'), Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; \\bm{l}_j)))), Add(\\bm{L}_{T,j}, Cross(Mul(m_j, \\bm{\\ddot{r}}_{T/N}); \\bm{l}_j)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "P = \\rho g \\cdot \\text{head}",
+        "Chain(P, Mul(\\rho, g, \\text{head}); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "I_{aa} = \\sum_{i=1}^\\nu m_i \\left( \\bar{r}^{P_i/O} \\times \\hat{n}_a \\right) \\cdot \\left( \\bar{r}^{P_i/O} \\times \\hat{n}_a \\right)",
+        "Chain(I_{aa}, BigSum(i; 1; \\nu; Mul(m_i, Cross(\\bar { r } ^ { P _ { i } / O }; \\hat{n}_a), Cross(\\bar { r } ^ { P _ { i } / O }; \\hat{n}_a); 2)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "T = \\frac12\\dot{\\psi}^2 ,\\quad V = -\\frac gl\\cos\\psi",
+        "System(Chain(T, Mul(Div(1; 2), Pow(Call(\\dot{\\psi}); 2)); =), Chain(V, Neg(Mul(Div(g; l), Call(cos; Call(\\psi)))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\dot{\\boldsymbol{x}}(t_{k}) = \\boldsymbol{f}\\big( t_k, \\boldsymbol{x}(t_{k}), \\dot{\\boldsymbol{x}}(t_{k-1}), \\boldsymbol{u} \\big)",
+        "Chain(Call(\\dot{\\boldsymbol{x}}; t_k), Call(\\boldsymbol{f}; t_k, Call(\\boldsymbol{x}; t_k), Call(\\dot{\\boldsymbol{x}}; t_{k-1}), \\boldsymbol{u}); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/state-propagation-contract.md",
+    ),
+    (
+        "f^{B_E}_u = -f^{B_E}_g(q) + K_p(p^{E_d} - p^E) + K_d(\\dot{p}^{E_d} - \\dot{p}^E),",
+        "Chain(f _ { u } ^ { B _ { E } }, Add(Neg(Call(f _ { g } ^ { B _ { E } }; q)), Mul(K_p, Add(Call(p ^ { E _ { d } }), Neg(Call(p ^ { E })))), Mul(K_d, Add(Call(\\dot { p } ^ { E _ { d } }), Neg(Call(\\dot { p } ^ { E }))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\begin{bmatrix} [colback=white,colframe=black,boxrule=0.5pt,left=0pt,right=0pt,top=0pt,bottom=0pt]{1} & 2 & 3 & 4 \\\\ 2 & 4 & 5 & 6 \\\\ 3 & 6 & 7 & 8 \\end{bmatrix} \\to \\begin{bmatrix} [colback=white,colframe=black,boxrule=0.5pt,left=0pt,right=0pt,top=0pt,bottom=0pt]{1} & 2 & 3 & 4 \\\\ 0 & 0 & -1 & -2 \\\\ 3 & 6 & 7 & 8 \\end{bmatrix} \\to \\begin{bmatrix} [colback=white,colframe=black,boxrule=0.5pt,left=0pt,right=0pt,top=0pt,bottom=0pt]{1} & 2 & 3 & 4 \\\\ 0 & 0 & -1 & -2 \\\\ 0 & 0 & -2 & -4 \\end{bmatrix} .",
+        "Chain(MatrixOf(1, 2, 3, 4, 2, 4, 5, 6, 3, 6, 7, 8), MatrixOf(1, 2, 3, 4, 0, 0, Neg(1), Neg(2), 3, 6, 7, 8), MatrixOf(1, 2, 3, 4, 0, 0, Neg(1), Neg(2), 0, 0, Neg(2), Neg(4)); \\to, \\to)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\mathbf{Q} = \\begin{bmatrix} \\sigma_d^2 & 0 \\\\ 0 & \\sigma_\\theta^2 \\end{bmatrix}",
+        "Chain(\\mathbf{Q}, MatrixOf(Pow(\\sigma_d; 2), 0, 0, Pow(\\sigma_\\theta; 2)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\mathbf{y}_{k+1}=\\begin{bmatrix} I & 0_{3\\times3} & 0_{3\\times3}\\\\ \\end{bmatrix}\\mathbf{x}_{k+1}",
+        "Chain(\\mathbf{y}_{k+1}, Mul(MatrixOf(I, Marked(0; _{ 3 \\times 3 }), Marked(0; _{ 3 \\times 3 })), \\mathbf{x}_{k+1}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavUKF/smallBodyNavUKF.rst",
+    ),
+    (
+        "^N \\mathbf{H} ^ {P/O} = \\mathbf{r} \\times m\\mathbf{v}",
+        "Chain(\\prescript { N } { } { \\mathbf { H } } ^ { P / O }, Cross(\\mathbf{r}; Mul(m, \\mathbf{v})); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/masses.rst",
+    ),
+    (
+        "r_p = \\frac{h^2}{\\mu}\\frac{1}{1 + e}",
+        "Chain(r_p, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, e))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\mathbf{h}(\\hat{\\mathbf{q}}_t) = 2 \\begin{bmatrix} g_x (q_w^2 + q_x^2 - q_y^2 - q_z^2) + g_y (q_wq_z + q_xq_y) + g_z (q_xq_z - q_wq_y) \\\\ g_x (q_xq_y - q_wq_z) + g_y (q_w^2 - q_x^2 + q_y^2 - q_z^2) + g_z (q_wq_x + q_yq_z) \\\\ g_x (q_wq_y + q_xq_z) + g_y (q_yq_z - q_wq_x) + g_z (q_w^2 - q_x^2 - q_y^2 + q_z^2) \\end{bmatrix}",
+        "Chain(Call(\\mathbf{h}; \\hat{\\mathbf{q}}_t), Mul(2, MatrixOf(Add(Mul(g_x, Add(Pow(q_w; 2), Pow(q_x; 2), Neg(Pow(q_y; 2)), Neg(Pow(q_z; 2)))), Mul(g_y, Add(Mul(q_w, q_z), Mul(q_x, q_y))), Mul(g_z, Add(Mul(q_x, q_z), Neg(Mul(q_w, q_y))))), Add(Mul(g_x, Add(Mul(q_x, q_y), Neg(Mul(q_w, q_z)))), Mul(g_y, Add(Pow(q_w; 2), Neg(Pow(q_x; 2)), Pow(q_y; 2), Neg(Pow(q_z; 2)))), Mul(g_z, Add(Mul(q_w, q_x), Mul(q_y, q_z)))), Add(Mul(g_x, Add(Mul(q_w, q_y), Mul(q_x, q_z))), Mul(g_y, Add(Mul(q_y, q_z), Neg(Mul(q_w, q_x)))), Mul(g_z, Add(Pow(q_w; 2), Neg(Pow(q_x; 2)), Neg(Pow(q_y; 2)), Pow(q_z; 2)))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\bm{F}_{\\text{ext}} - \\int_{\\text{Body}}\\left(\\ddot{\\bm{r}}_{B/N} + \\dot{\\bm{\\omega}}_{\\mathcal{B}/\\mathcal{N}}\\times\\bm{r}_{M/B} + \\bm{\\omega}_{\\mathcal{B}/\\mathcal{N}} \\times\\left(\\bm{\\omega}_{\\mathcal{B}/\\mathcal{N}} \\times\\bm{r}_{M/B}\\right)\\right)\\text{d}m = \\int_{\\mathcal{V}_{\\text{sc}}} \\text{d}\\bm{F}_{\\text{vol}}+\\\\ +\\int_{\\mathcal{A}_{\\text{sc}}} \\text{d}\\bm{F}_{\\text{surf}} - \\int_{\\mathcal{V}_{\\text{sc}}}\\rho\\,\\left(\\ddot{\\bm{r}}_{B/N} + \\dot{\\bm{\\omega}}_{\\mathcal{B}/\\mathcal{N}}\\times\\bm{r}_{M/B} + \\bm{\\omega}_{\\mathcal{B}/\\mathcal{N}} \\times\\left(\\bm{\\omega}_{\\mathcal{B}/\\mathcal{N}} \\times\\bm{r}_{M/B}\\right)\\right)\\text{d}\\mathcal{V}",
+        "Chain(Add(\\bm{F}_{ext}, Neg(Over(\\int; _ { \\text { B o d y } }; Add(Call(\\ddot{\\bm{r}}_{B/N}), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{M/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{M/B}))); m))), Add(Over(\\int; _ { \\mathcal { V } _ { \\text { s c } } }; 1; \\bm{F}_{vol}), Over(\\int; _ { \\mathcal { A } _ { \\text { s c } } }; 1; \\bm{F}_{surf}), Neg(Over(\\int; _ { \\mathcal { V } _ { \\text { s c } } }; Mul(\\rho, Add(Call(\\ddot{\\bm{r}}_{B/N}), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{M/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{M/B})))); \\mathcal{V}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "r_i = \\bm n_i \\cdot \\bm d - \\bm n_i \\cdot \\hat{\\bm d}",
+        "Chain(r_i, Add(Mul(\\bm{n}_i, \\bm{d}; 1), Neg(Mul(\\bm{n}_i, \\hat{\\bm{d}}; 1))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attDetermination/CSSEst/_Documentation/Basilisk-cssWlsEst-20180429.tex",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\begin{bmatrix}Q_{11} & Q_{12} & Q_{13}\\\\Q_{21} & Q_{22} & Q_{23}\\\\Q_{31} & Q_{32} & Q_{33}\\end{bmatrix}",
+        "Chain([ \\mathbf { Q } ], MatrixOf(Q_{11}, Q_{12}, Q_{13}, Q_{21}, Q_{22}, Q_{23}, Q_{31}, Q_{32}, Q_{33}); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\text{Jet pump efficiency} = \\eta = M\\cdot N = \\frac{Q_s(P_5-P_2)}{Q_p(P_1 - P_5)}",
+        "Chain(\\text{Jet~pump~efficiency}, \\eta, Mul(M, N), Div(Mul(Q_s, Add(P_5, Neg(P_2))); Mul(Q_p, Add(P_1, Neg(P_5)))); =, =, =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "\\frac{\\partial R}{\\partial t} = -\\frac{\\partial L}{\\partial t}",
+        "Chain(Derivative(Call(R); t, 1; True), Neg(Derivative(Call(L); t, 1; True)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\tilde{F}^*_r = F_r^* + \\left[ F^*_{p+1} \\ldots F^*_n \\right] \\mathbf{A}_n \\hat{e}_r \\textrm{ for } r=1\\ldots p",
+        "System(Chain(\\tilde { F } _ { r } ^ { * }, Add(F _ { r } ^ { * }, Mul(Tuple(F _ { p + 1 } ^ { * }, Dots(), F _ { n } ^ { * }; []), \\mathbf{A}_n, \\hat{e}_r)); =), Values(r; 1, Dots(), p))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\rho(t) = \\dot{\\rho}(t_{b1}) (t - t_{b1}) + \\rho(t_{b1})",
+        "Chain(Call(\\rho; t), Add(Mul(Call(\\dot{\\rho}; t_{b1}), Add(t, Neg(t_{b1}))), Call(\\rho; t_{b1})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "B = \\frac{55}{G_{tp}^{0.5}} \\text{ for } G_{tp} > 1900",
+        "Implies(Chain(G_{tp}, 1900; >); Chain(B, Div(55; Pow(G_{tp}; 0.5)); =))",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "k(\\tau) = A\\,\\exp\\left(-\\frac{\\tau^2}{2\\,\\ell^2} - \\Gamma\\,\\sin^2\\left(\\frac{\\pi\\,\\tau}{P_\\mathrm{rot}} \\right) \\right)",
+        "Chain(Call(k; \\tau), Mul(A, Call(exp; Add(Neg(Div(Pow(\\tau; 2); Mul(2, Pow(\\ell; 2)))), Neg(Mul(\\varGamma, Pow(Call(sin; Div(Mul(\\pi, \\tau); P_{rot})); 2)))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\text{Oblateness} = \\frac{\\text{Equatorial radius} - \\text{Polar radius}}{\\text{Equatorial radius}}",
+        "Chain(\\text{Oblateness}, Div(Add(\\text{Equatorial~radius}, Neg(\\text{Polar~radius})); \\text{Equatorial~radius}); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/7-effects-of-the-earths-oblateness.md",
+    ),
+    (
+        "M_e = \\frac{2\\pi}{T}t",
+        "Chain(M_e, Mul(Div(Mul(2, \\pi); T), t); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
-    ("C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25", "CalebBell/fluids/fluids/drag.py"),
-    ("E = 0.383Re^{0.356}-0.207Re^{0.396} - \\frac{0.143}{1+(\\log_{10} Re)^2}", "CalebBell/fluids/fluids/drag.py"),
+    (
+        "C_D = \\frac{24}{Re} + \\frac{7.3}{1+Re^{0.5}} + 0.25",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
+    (
+        "E = 0.383Re^{0.356}-0.207Re^{0.396} - \\frac{0.143}{1+(\\log_{10} Re)^2}",
+        "CalebBell/fluids/fluids/drag.py",
+    ),
     (
         "F_{R,3a} = 1 + \\left(\\frac{0.33F_L^{0.5}}{n_2^{0.25}}\\right)\\log_{10} \\left(\\frac{Re_v}{10000}\\right)",
         "CalebBell/fluids/fluids/control_valve.py",
     ),
-    ("Re = \\frac{\\rho v_s d_p}{\\mu}", "CalebBell/fluids/fluids/packed_bed.py"),
-    ("q = f^{-1}_{kin}(X^G),", "RussTedrake/manipulation/book/trajectories.html"),
-    ("y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y'(1) = 0.", "jirilebl/diffyqs/ch-eigenvalue-probs.tex"),
+    (
+        "Re = \\frac{\\rho v_s d_p}{\\mu}",
+        "CalebBell/fluids/fluids/packed_bed.py",
+    ),
+    (
+        "q = f^{-1}_{kin}(X^G),",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
     (
         "\\begin{array}{rcl} \\mathbf{f}_D(\\mathbf{q}) &=& \\mathbf{CD}^r - \\mathbf{D}^b \\\\ &=& \\mathbf{P}_D\\mathbf{q} - \\mathbf{D}^b \\\\ &=& (D_x^r\\mathbf{P}_1 + D_y^r\\mathbf{P}_2 + D_z^r\\mathbf{P}_3)\\mathbf{q} - \\mathbf{D}^b \\\\ &=& D_x^r\\mathbf{C}_1 + D_y^r\\mathbf{C}_2 + D_z^r\\mathbf{C}_3 - \\mathbf{D}^b \\end{array}",
         "Mayitzin/ahrs/ahrs/filters/flae.py",
@@ -2326,5 +5343,25 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\mathcal{T}[b_{m}y^{\\left(m\\right)}+b_{m-1}y^{\\left(m-1\\right)}+\\dots+ b_{1}y^{\\left(1\\right)}+b_{0}y]= \\mathcal{T}[a_{n}x^{\\left(n\\right)}+a_{n-1}x^{\\left(n-1\\right)}+\\dots+ a_{1}x^{\\left(1\\right)}+a_{0}x]",
         "sympy/sympy/sympy/physics/control/lti.py",
+    ),
+    (
+        "f_{curved} = f_{\\text{straight,laminar}} \\left[1 - \\left(1-\\left( \\frac{11.6}{De}\\right)^{0.45}\\right)^{\\frac{1}{0.45}}\\right]^{-1}",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "L_\\mathrm{FSPL}\\,\\mathrm{[dB]} = 20 \\cdot \\log_{10}\\left(\\frac{4 \\pi d}{\\lambda}\\right)",
+        "AVSLab/basilisk/src/simulation/communication/linkBudget/linkBudget.rst",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} t} [f,g] = 0",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\Sigma \\xi = \\xi_1 + \\xi_2 + \\xi_{B1} - \\xi_{B2}",
+        "CalebBell/fluids/fluids/control_valve.py",
+    ),
+    (
+        "\\rho_g = \\frac{P\\cdot MW}{T\\cdot R\\cdot 1000}",
+        "CalebBell/fluids/fluids/atmosphere.py",
     ),
 )

@@ -83,6 +83,15 @@ def test_what_has_no_algebraic_form_is_stated_as_it_is_printed(latex: str) -> No
     assert any(formula.tag == "form" for formula in lower(tree, notation))
 
 
+PRIMED = r"T = \int_a^b \sqrt{1 + y'^2 + y} \, dx"
+
+
+def test_a_prime_below_an_integral_makes_no_constant() -> None:
+    assert decide(PRIMED.replace("T =", r"(b - a) \sqrt{1 + y'^2 + y} =")).verdict is not Status.PROVED
+    assert all(formula.tag == "form" for formula in lower(*first_reading(PRIMED)))
+    assert all(formula.tag != "form" for formula in lower(*first_reading(PRIMED.replace("'", "_1"))))
+
+
 OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
     (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
     (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
@@ -173,6 +182,8 @@ SAME = {  # two ways to print one thing
     r"M^{-T} J = 1": r"\left( M^{-1} \right)^T J = 1",
     r"i = 1 \ldots n": r"i = 1, \ldots, n",
     r"y = mcos\theta": r"y = m \cos \theta",
+    r"y = \left[ a_1 \ b_1 \ \dot{c} \right]": r"y = [a_1, b_1, \dot{c}]",
+    r"a = b \text{, where } c = d": r"a = b, \quad c = d",
     r"\operatorname{\text{argmin}}_x f = 1": r"\operatorname{argmin}_x f = 1",
 }
 
@@ -182,6 +193,59 @@ def test_two_ways_to_print_one_thing_read_alike(latex: str) -> None:
     assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(SAME[latex])[0])
 
 
+KINDS = (  # what letters are taken for: kind, and on what they depend
+    (r"\mathbf{v} = \mathbf{\Omega} \times \mathbf{r}", {r"\mathbf{\Omega}": ("vector", "")}),
+    (r"\mathbf{y} = \mathbf{A} \mathbf{x}", {r"\mathbf{A}": ("matrix", "")}),
+    (r"\mathbf{L} = \mathbf{r} \times m \mathbf{v}", {"m": ("scalar", "")}),
+    (r"L = r \times v", {"r": ("vector", "")}),
+    (r"\bar{r} \cdot \hat{n} = 0", {r"\bar{r}": ("vector", ""), r"\hat{n}": ("vector", "")}),
+    (r"\bar{x} \cdot \bar{y} = 2", {r"\bar{x}": ("scalar", "")}),
+    (r"x \in \mathbb{R}^{6 \nu \times n}, \quad \nu = n", {r"\nu": ("scalar", ""), "n": ("scalar", "")}),
+    (r"I \ddot{\theta} + b \dot{\theta} = \tau", {r"\theta": ("scalar", "t")}),
+    (r"\dot{x} + x = u(\tau)", {"x": ("scalar", r"\tau")}),
+    (r"f = x \dot{y}_0 - y_0 \dot{x}", {r"\dot { y } _ { 0 }": ("scalar", ""), "y_0": ("scalar", "")}),
+    (r"\dot{q}_1 = a \dot{q}_0 + q", {"q_0": ("scalar", "t"), "q_1": ("scalar", "t")}),
+    (r"\dot{x}_0 = a x_0", {"x_0": ("scalar", "t")}),
+    (r"N = \frac{\partial}{\partial \theta} (r - R) + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", "")}),
+    (r"N = \frac{d r}{d \theta} + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", r"\theta")}),
+    (r"[\mathcal{F} \mathcal{N}] = 2", {r"[ \mathcal { F } \mathcal { N } ]": ("matrix", "")}),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("latex", "kinds"), KINDS)
+def test_letters_are_taken_for_what_is_done_with_them(latex: str, kinds: dict[str, tuple[str, str]]) -> None:
+    _, notation = first_reading(latex)
+    found = {name: notation.find(name, 0) for name in kinds}
+    assert {name: letter and (letter.kind, letter.depends) for name, letter in found.items()} == kinds
+
+
+NOT_READ = {  # where two things may be meant
+    r"y \, \mathrm{[dB]} = 20 \log_{10} x": "no factor",
+    r"\Sigma \xi = \xi_1 + \xi_2": "a sum, or the letter",
+    r"\frac{d}{dt} [f, g] = 0": "a list, or a product",
+    r"a = b, \text{ where } c = d \\ = e": "which of the relations",
+}
+
+
+@pytest.mark.parametrize("latex", NOT_READ)
+def test_what_may_be_meant_in_two_ways_is_not_read(latex: str) -> None:
+    with pytest.raises(SymcheckError, match=NOT_READ[latex]):
+        first_reading(latex)
+
+
+READ = (  # beside what is not read: one thing is meant
+    r"y = \mathrm{dB} \log_{10} x",
+    r"y = x^T \mathbf{\Sigma} x",
+    r"\frac{d}{dt} [f - g] = 0",
+    r"a = b, \text{ where } c = d",
+)
+
+
+@pytest.mark.parametrize("latex", READ)
+def test_what_means_one_thing_is_read(latex: str) -> None:
+    assert first_reading(latex)
+
+
 APART = {  # what is read otherwise, and would be read as the second one if a sign were overlooked
     r"y = g (m_1 + m_2)": r"y = g(t)",
     r"x_i(t + 1) = x_i(t) + v_i(t + 1)": r"x_i(t + 1) = x_i(t) + v_i \cdot (t + 1)",
@@ -189,6 +253,8 @@ APART = {  # what is read otherwise, and would be read as the second one if a si
     r"y = Q^E W^{N + 2} + Q^{2 F}": r"y = Q^E W^{N + 2} + Q^F",
     r"y = \sum_{i=1}^3 s_{i1,2}": r"y = \sum_{i=1}^3 s_{i12}",
     r"y = \cos\theta \hat{n}": r"y = \cos(\theta n)",
+    r"x'' + x = 0, \quad x'(a) = 0": r"x'' + x = 0, \quad x' \cdot a = 0",
+    r"\lambda = 2 \quad \text{with a value} \quad x = 1": r"\lambda = 2, \quad v = x = 1",
     r"\dot{x} = 2 x, \quad x(0) = 1": r"\dot{x} = 2 x, \quad x \cdot 0 = 1",
 }
 
@@ -202,6 +268,8 @@ IN_DOUBT = {  # read as one name, of which nothing is said before somebody says 
     r"Re = \frac{v L}{\nu}": "Reynolds number, or R times e",
     r"C = 0.2 Re_D^{0.5}": "Reynolds number, or R times e",
     r"\overline{AB} = 1": "one name, or something done with A B",
+    r"f_{curved} = \frac{11.6}{De}": "Dean number, or D times e",
+    r"r = \frac{P \cdot MW}{T}": "one name MW, or a product",
 }
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
 from symcheck.reading.complex_letters import equated
-from symcheck.reading.faces import is_styled
+from symcheck.reading.faces import FACES, is_styled
 from symcheck.reading.names import INDEX_IN_NAME, names_of_several_tokens
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
@@ -55,6 +55,16 @@ class Evidence:
     def multiplied(self) -> bool:
         """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
         return self.capital and any(place.followed for place in self.places)
+
+    @property
+    def crossed(self) -> bool:
+        """Does a cross stand beside it?"""
+        return any(r"\times" in (place.before, place.after) for place in self.places)
+
+    @property
+    def factor(self) -> bool:
+        """Does a vector follow it behind a dot or a cross, so that it is a factor of that?"""
+        return any(place.before in (r"\cdot", r"\times") and place.after in FACES for place in self.places)
 
     @property
     def idle(self) -> bool:
@@ -149,8 +159,8 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 
 # capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
-# three capitals or more behind the sign
-_CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])")
+# three capitals or more behind the sign, or two where other factors have a dot between them
+_CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])")
 
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
@@ -160,7 +170,7 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     found: dict[str, str] = {}
     runs = [match for formula in formulas for match in _CAPITALS.finditer(formula)]
     for match in [*filter(None, map(_INITIALS.match, formulas)), *runs]:
-        *letters, last = match[1].split()
+        *letters, last = (match[1] or match[2]).split()
         once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
         if all(once) or (len(once) > 2 and any(once)):
             name = "".join([*letters, last])
@@ -195,7 +205,7 @@ def _ranges(formulas: Sequence[str]) -> Iterator[tuple[str, str, str]]:
 
 def _complete(evidence: dict[str, Evidence]) -> None:
     """Letters that are meant without being printed: the time, where there are dots, and the d of differentials."""
-    if any(each.dotted for each in evidence.values()) and not {"t", r"\tau"} & evidence.keys():
+    if any(each.dotted for each in evidence.values()) and time(evidence) not in evidence:
         evidence["t"] = Evidence("t", [Occurrence("t")])
     used = any(
         p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places
@@ -214,6 +224,16 @@ def _complete(evidence: dict[str, Evidence]) -> None:
             name = canonical(each.said.removeprefix("skew matrix of "))
             own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
             own.said = own.said or "vector"
+
+
+def time(every: Mapping[str, Evidence]) -> str:
+    r"""The letter of the time: `\tau` only where something is a function of it, or differentiated by it."""
+    own = every.get(r"\tau")
+    if "t" in every or own is None:
+        return "t"
+    texts = (arg for each in every.values() for args in each.arguments for arg in args)
+    used = any(place.role == "variable" for place in own.places) or any(r"\tau" in text.split() for text in texts)
+    return r"\tau" if used else "t"
 
 
 def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:

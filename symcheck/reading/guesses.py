@@ -11,8 +11,8 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
-from symcheck.reading.evidence import Evidence
-from symcheck.reading.faces import ACCENT, HAT, face, is_styled
+from symcheck.reading.evidence import Evidence, time
+from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.occurrences import Occurrence
@@ -145,7 +145,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif bare and not of.dotted and not of.derived and (any(map(is_listed, arguments)) or _equals_itself(of)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
     elif of.dotted and not of.shape and not of.capital and any(map(is_lone, of.places)):
-        on = _letter(of, kind="function", depends=_time(every), size=(0,) if face(latex) else ())
+        on = _letter(of, kind="function", depends=time(every), size=(0,) if face(latex) else ())
         yield Guess(on, f"a function of {on.depends}", "its rate stands beside its value at a place")
     elif of.dotted or of.derived:
         yield from _dependent(of, every, latex in defined)
@@ -279,12 +279,18 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 
     beside = {x for place in of.places for x in place.beside}
     accented = HAT.match(of.spelling) is not None
-    hats = any(map(HAT.match, (of.spelling, *beside))) and any(r"\cdot" in (p.before, p.after) for p in of.places)
-    if hats and any(map(ACCENT.match, beside)) and ACCENT.match(of.spelling):
+    dotted = map(_is_dotted, every.values()) if accented else [_is_dotted(of)]
+    if any(map(HAT.match, every)) and any(dotted):
         return True
-    return any(map(is_vector, beside)) or (
+    return (any(map(is_vector, beside)) and not of.factor) or (
         accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
     )
+
+
+def _is_dotted(of: Evidence) -> bool:
+    """Does a dot stand between it and another letter, where both have accents?"""
+    near = (x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside)
+    return bool(is_accented(of.spelling)) and any(map(is_accented, near))
 
 
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
@@ -303,7 +309,7 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         return Guess(Letter(of.spelling, kind="differential"), "the sign of a differential", why)
     if phrase == "imaginary unit":
         return Guess(Letter(of.spelling, number="i"), "the imaginary unit", why)
-    depends = _time(every) if of.dotted else ""
+    depends = time(every) if of.dotted else ""
     if phrase in ("vector", "matrix"):
         return Guess(_letter(of, kind=phrase, depends=depends), f"a {phrase}", why)
     if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
@@ -386,10 +392,6 @@ def _varies(of: Evidence) -> bool:
     )
 
 
-def _time(every: Mapping[str, Evidence]) -> str:
-    return "t" if "t" in every or r"\tau" not in every else r"\tau"
-
-
 CONSTANT = "constant"
 PRINTED = "it is equal to one that is printed"
 MOVING = "it is differentiated"
@@ -397,7 +399,7 @@ MOVING = "it is differentiated"
 
 def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
     """A letter with dots, or one in a derivative."""
-    on = [_time(every)] if of.dotted else []
+    on = [time(every)] if of.dotted else []
     on += [x for x in of.by if x not in on and x != of.spelling]
     words = ", ".join(on)
     if of.shape:
@@ -405,7 +407,8 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
         return
     if of.capital:
-        for kind in ("matrix", "vector")[: 1 if of.multiplied else 2]:
+        kinds = ("matrix",) if of.multiplied else ("vector",) if of.crossed else ("matrix", "vector")
+        for kind in kinds:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
     kind = of.framed or ("vector" if face(of.spelling) else "scalar")
@@ -416,6 +419,7 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
     )
     within = any(x in every and _stands_in_body(every[x]) for x in on)
+    within |= any(place.role == "variable" and place.before == r"\partial" for place in of.places)
     varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
     constant = Guess(
         _letter(of, kind=kind, depends=""), CONSTANT, "it has no dot, and the other letter stands beside it"
@@ -455,6 +459,8 @@ def _styled(of: Evidence) -> Iterator[Guess]:
     long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
     if of.multiplied:
         yield matrix
+    elif of.crossed:
+        yield vector
     else:
         yield from (vector, matrix) if long and not of.transposed else (matrix, vector)
 

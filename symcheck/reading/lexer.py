@@ -1000,6 +1000,7 @@ class Lexer(tex.Reader):
             self.out.insert(0, Lexeme("BLANK", "", self.out[0].at))
         out: list[Lexeme] = []
         pending: Lexeme | None = None
+        line = 0  # where the line begins
         for lexeme in self.out:
             if lexeme.type == "NEWLINE":
                 pending = pending or lexeme
@@ -1008,6 +1009,9 @@ class Lexer(tex.Reader):
                 out.pop()
             if pending and out:
                 before = out[-1]
+                if lexeme.type == "REL" and _several(out[line:]):
+                    self.fail("which of the relations on the line before does this one go on from?", lexeme.at)
+                line = len(out)
                 if (before.type, before.value) == ("COMMA", ","):
                     out[-1] = Lexeme("COMMA", COMMA_AT_END, before.at)
                 if before.type in _OPERATORS:
@@ -1026,6 +1030,17 @@ class Lexer(tex.Reader):
         if out and out[-1].type in {"COMMA", "SEMI", "FOR"}:
             out.pop()
         return out
+
+
+def _several(line: Sequence[Lexeme]) -> bool:
+    """Are there several relations on a line, one behind another?"""
+    depth, parted = 0, False
+    for lexeme in line:
+        depth += (lexeme.type in PARTNER.values()) - (lexeme.type in PARTNER)
+        if depth == 0 and parted and lexeme.type == "REL":
+            return True
+        parted |= depth == 0 and lexeme.type in _BREAKS
+    return False
 
 
 def _relates(lexemes: Sequence[Lexeme]) -> bool:

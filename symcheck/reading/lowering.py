@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 from math import comb, factorial
 from types import MappingProxyType
@@ -595,7 +596,8 @@ class Lowering:
                 value = self.derived(value, self.time(letter, env), tree.dots, tree)
             return self.derived(value, self.only(letter, env), derived, tree) if derived else value
         if tree.primes and (letter.depends is None or letter.named):
-            raise SymcheckError(
+            error = Unsaid if letter.kind == "function" else SymcheckError
+            raise error(
                 f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
             )
@@ -881,7 +883,9 @@ class Lowering:
     def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """An equation with integrals without bounds: both sides have one derivative."""
         found = [node for side in (left, right) for node in nodes(side) if isinstance(node, Antiderivative)]
-        variables = {self.variable(node.variable, env) for node in found}
+        for each in found:
+            self.refuse_primes(each)
+        variables = {self.variable(each.variable, env) for each in found}
         if sign != "=" or len(variables) != 1:
             raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
         (by,) = variables
@@ -1175,9 +1179,18 @@ class Lowering:
         ]
 
     def of_integral(self, tree: Integral, env: Env) -> Value:
+        self.refuse_primes(tree)
         by, body = self.variable(tree.variable, env), self.scalar(tree.body, env)
         self.refuse_unsaid(body, by, tree)
         return node("integral", body, by, self.bound(tree.low, env), self.bound(tree.high, env))
+
+    def refuse_primes(self, tree: Integral | Antiderivative) -> None:
+        """An error for letters with and without primes under an integral, of which nobody says what the primes are."""
+        names = {node for node in nodes(tree.body) if isinstance(node, Name) and self.notation.inferred}
+        for name in names:
+            letter = self.notation.find(name.letter, len(name.subscripts))
+            if name.primes and replace(name, primes=0) in names - {tree.variable} and letter and letter.depends == "":
+                raise Unsaid(f"{to_latex(name)}: a derivative by {to_latex(tree.variable)}? say on what it depends")
 
     def bound(self, tree: Tree, env: Env) -> Term:
         """A bound of an integral; infinity is an end of its own."""

@@ -15,8 +15,9 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
+from symcheck.reading.faces import face
 from symcheck.reading.lexer import SIZES, SPACES
-from symcheck.reading.occurrences import SIGNED_SUMS, occurrences
+from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
@@ -102,11 +103,39 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
         if _ABBREVIATED.search(formula):
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
-    found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
+    found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
             found[latex] = found[latex] or f"{INDEX_IN_NAME}: {min(inside)}"
     return found
+
+
+# a rate at the beginning, or the largest or smallest one
+_VALUE = re.compile(
+    r"\\d{1,4}ot\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*_\s*(?:0|\{\s*0\s*\}|\{\s*\\text\s*\{\s*m\s*(?:a\s*x|i\s*n)\s*\}\s*\})"
+)
+
+
+_DEFINED = re.compile(r"\s*&?\s*=")
+_ONE = re.compile("[1-9]")
+
+
+def _values(formulas: Sequence[str]) -> Iterator[str]:
+    r"""Values of rates, such as `\dot{x}_0` beside an `x` or an `x_0`: constants, and no rates of an `x_0`."""
+    found = [match for formula in formulas for match in _VALUE.finditer(formula)]
+    places = [place for formula in formulas if found for place in occurrences(formula)]
+    bare = {place.word for place in places if place.subscript is None}
+    begins = {p.word for p in places if p.subscript == ("0",) and not p.dots and not face(p.word)}
+    begins -= {p.word for p in places if p.dots > 1}
+    own = {p.word for p in places if p.subscript and (_ONE.search(p.subscript[-1]) or _is_of_letters(p))}
+    defined = {tex.spelled(match[1]) for match in found if _DEFINED.match(match.string, match.end())}
+    for match in found:
+        if tex.spelled(match[1]) in (bare | (begins - defined)) - own:
+            yield " ".join(tok.text for tok in tex.tokenize(match[0]))
+
+
+def _is_of_letters(place: Occurrence) -> bool:
+    return any(map(is_letter, place.arguments or ()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -334,7 +363,8 @@ def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
     )
 
 
-_UPRIGHT = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}")  # words, whose letters are none of the formula
+# words and subscripts, whose letters are no factors
+NO_FACTORS = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}|_ \{(?:[^{}]|\{[^{}]*\})*\}")
 
 
 def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
@@ -344,7 +374,7 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
     """
     toks = tex.tokenize(formula)
     texts = [tok.text for tok in toks]
-    counted = [tok.text for tok in tex.tokenize(_UPRIGHT.sub("", formula))]
+    counted = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("", formula))]
     found = dict[str, str]()
     for k, (a, b) in enumerate(itertools.pairwise(texts)):
         word = a + b
@@ -424,7 +454,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = _outside_scripts(inner)
+    letters = [text for text in _outside_scripts(inner) if text != r"\mathcal"]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):

@@ -63,7 +63,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
 )
 WIDE = r", \quad"
 WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ [\s,~]*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
     for words, sign in (
         ("w h e r e|w i t h", WIDE),
         ("a n d", r"\text{and}"),
@@ -86,7 +86,7 @@ def phrased(text: str) -> str:
         text = layout.sub(change, text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
-    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, '&')}", text)
+    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, _PARTING[found[1][-1]])}", text)
     return _problem(_MATRIX.sub(_with_cells, text))
 
 
@@ -94,10 +94,10 @@ def phrased(text: str) -> str:
 _MATRIX = re.compile(
     r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
 )
-_SPACE = "\\ "
-_ENTRY = r"(?:\\[A-Za-z]+|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
+_SPACE, _PARTING = "\\ ", {"}": "&", "[": ","}
+_ENTRY = r"(?:\\[A-Za-z]+(?: \{ [^{}]* \})?|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
 _SPACED = re.compile(
-    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end)"
+    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end|(?:\\right )?\])"
 )  # parted by spaces
 
 
