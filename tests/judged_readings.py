@@ -5233,6 +5233,1496 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(M_e, Mul(Div(Mul(2, \\pi); T), t); =)",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
     ),
+    (
+        "{\\bf \\lambda} = - \\left( \\frac{\\partial {\\bf h}_v}{\\partial {\\bf v}} {\\bf M}^{-1} \\frac{\\partial {\\bf h}_v}{\\partial {\\bf v}} \\right)^+ \\left[ \\frac{\\partial {\\bf h}_v}{\\partial {\\bf v}} {\\bf M}^{-1} {\\bf \\tau} + \\frac{\\partial {\\bf h}_v}{\\partial {\\bf q}} {\\bf N}({\\bf q}) {\\bf v} + \\alpha {\\bf h}_v \\right].",
+        "Chain(\\mathbf{\\lambda}, Neg(Mul(Marked(Mul(Derivative(Call(\\mathbf{h}_v); \\mathbf{v}, 1; True), Pow(\\mathbf{M}; Neg(1)), Derivative(Call(\\mathbf{h}_v); \\mathbf{v}, 1; True)); ^+), Add(Mul(Derivative(Call(\\mathbf{h}_v); \\mathbf{v}, 1; True), Pow(\\mathbf{M}; Neg(1)), \\mathbf{\\tau}), Mul(Derivative(Call(\\mathbf{h}_v); \\mathbf{q}, 1; True), Call(\\mathbf{N}; \\mathbf{q}), \\mathbf{v}), Mul(\\alpha, Call(\\mathbf{h}_v))))); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "x(0) &= \\beta\\bigl(z(0), \\dot z(0), \\dots, z^{(q)}(0) \\bigr) = x_0, \\\\ x(T) &= \\gamma\\bigl(z(T), \\dot z(T), \\dots, z^{(q)}(T) \\bigr) = x_f,",
+        "System(Chain(Call(x; 0), Call(\\beta; Call(z; 0), Call(\\dot{z}; 0), Dots(), Call(z ^ { ( q ) }; 0)), x_0; =, =), Chain(Call(x; T), Call(\\gamma; Call(z; T), Call(\\dot{z}; T), Dots(), Call(z ^ { ( q ) }; T)), x_f; =, =))",
+        "python-control/python-control/doc/flatsys.rst",
+    ),
+    (
+        "\\begin{aligned} v_{t,p} &= \\sqrt{\\mu\\left(\\frac{2}{r_{t,p}} - \\frac{1}{a_t}\\right)} & v_{t,a} &= \\sqrt{\\mu\\left(\\frac{2}{r_{t,a}} - \\frac{1}{a_t}\\right)} \\end{aligned}",
+        "System(Chain(v_{t,p}, Sqrt(Mul(\\mu, Add(Div(2; r_{t,p}), Neg(Div(1; a_t))))); =), Chain(v_{t,a}, Sqrt(Mul(\\mu, Add(Div(2; r_{t,a}), Neg(Div(1; a_t))))); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/hohmann-transfer.md",
+    ),
+    (
+        "X^G = f_{kin}^G(q).",
+        "Chain(X ^ { G }, Call(f _ { k i n } ^ { G }; q); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\alpha = \\frac{1}{a}",
+        "Chain(\\alpha, Div(1; a); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "J_{s_{i}} \\dot\\Omega_{i} + K\\Delta\\Omega_{i} = 0",
+        "Chain(Add(Mul(J_{s_i}, Call(\\dot{\\Omega}_i)), Mul(K, \\Delta \\Omega _ { i })), 0; =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "[\\boldsymbol{K}_n] = [\\boldsymbol{P}_n] [\\boldsymbol{C}_n]^T \\left( [\\boldsymbol{C}_n] [\\boldsymbol{P}_n] [\\boldsymbol{C}_n]^T + [\\boldsymbol{R}] \\right)^{-1} \\\\ \\boldsymbol{x}_{n+1} = \\boldsymbol{x}_n + [\\boldsymbol{K}_n] \\left( \\boldsymbol{y}_n - [\\boldsymbol{C}_n] \\boldsymbol{x}_n \\right) \\\\ \\left[\\boldsymbol{P}_{n+1}\\right] = \\left( [\\boldsymbol{I}] - [\\boldsymbol{K}_n] [\\boldsymbol{C}_n] \\right) [\\boldsymbol{P}_n]",
+        "System(Chain([ \\boldsymbol { K } _ { n } ], Mul([ \\boldsymbol { P } _ { n } ], Transpose([ \\boldsymbol { C } _ { n } ]), Pow(Add(Mul([ \\boldsymbol { C } _ { n } ], [ \\boldsymbol { P } _ { n } ], Transpose([ \\boldsymbol { C } _ { n } ])), [ \\boldsymbol { R } ]); Neg(1))); =), Chain(\\boldsymbol{x}_{n+1}, Add(\\boldsymbol{x}_n, Mul([ \\boldsymbol { K } _ { n } ], Add(\\boldsymbol{y}_n, Neg(Mul([ \\boldsymbol { C } _ { n } ], \\boldsymbol{x}_n))))); =), Chain([ \\boldsymbol { P } _ { n + 1 } ], Mul(Add([ \\boldsymbol { I } ], Neg(Mul([ \\boldsymbol { K } _ { n } ], [ \\boldsymbol { C } _ { n } ]))), [ \\boldsymbol { P } _ { n } ]); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/stateEstimation/thrustCMEstimation/thrustCMEstimation.rst",
+    ),
+    (
+        "\\begin{split} b_n & = \\frac{1}{\\pi} \\int_{-\\pi}^\\pi t \\sin (nt) \\,dt \\\\ & = \\frac{2}{\\pi} \\int_{0}^\\pi t \\sin (nt) \\,dt \\\\ & = \\frac{2}{\\pi} \\left( \\left[ \\frac{-t \\cos (nt)}{n} \\right]_{t=0}^{\\pi} + \\frac{1}{n} \\int_{0}^\\pi \\cos (nt) \\,dt \\right) \\\\ & = \\frac{2}{\\pi} \\left( \\frac{-\\pi \\cos (n\\pi)}{n} + 0 \\right) \\\\ & = \\frac{-2 \\cos (n\\pi)}{n} = \\frac{2 \\,{(-1)}^{n+1}}{n} . \\end{split}",
+        "Chain(b_n, Mul(Div(1; \\pi), Integral(Mul(t, Call(sin; Mul(n, t))); t; Neg(\\pi); \\pi)), Mul(Div(2; \\pi), Integral(Mul(t, Call(sin; Mul(n, t))); t; 0; \\pi)), Mul(Div(2; \\pi), Add(Evaluated(Div(Neg(Mul(t, Call(cos; Mul(n, t)))); n); t; 0; \\pi), Mul(Div(1; n), Integral(Call(cos; Mul(n, t)); t; 0; \\pi)))), Mul(Div(2; \\pi), Add(Div(Neg(Mul(\\pi, Call(cos; Mul(n, \\pi)))); n), 0)), Div(Neg(Mul(2, Call(cos; Mul(n, \\pi)))); n), Div(Mul(2, Pow(Neg(1); Add(n, 1))); n); =, =, =, =, =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "t = 2a_2",
+        "Chain(t, Mul(2, a_2); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "s = \\int_{-\\theta}^0 p \\frac{\\sqrt{1-2e\\cos\\xi+e^2}}{(1-e\\cos\\xi)^2} \\mathrm{d} \\xi = -\\int_0^{-\\theta} p \\frac{\\sqrt{1-2e\\cos\\xi+e^2}}{(1-e\\cos\\xi)^2} \\mathrm{d} \\xi",
+        "Chain(s, Integral(Mul(p, Div(Sqrt(Add(1, Neg(Mul(2, e, Call(cos; \\xi))), Pow(e; 2))); Pow(Add(1, Neg(Mul(e, Call(cos; \\xi)))); 2))); \\xi; Neg(\\theta); 0), Neg(Integral(Mul(p, Div(Sqrt(Add(1, Neg(Mul(2, e, Call(cos; \\xi))), Pow(e; 2))); Pow(Add(1, Neg(Mul(e, Call(cos; \\xi)))); 2))); \\xi; 0; Neg(\\theta))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\mathbf{m}_n(\\mathbf{q}, t) \\dot{\\mathbf{q}} + \\mathbf{f}_n(\\mathbf{q}, t) = \\mathbf{0}",
+        "Chain(Add(Mul(Call(\\mathbf{m}_n; Call(\\mathbf{q}), t), Call(\\dot{\\mathbf{q}})), Call(\\mathbf{f}_n; Call(\\mathbf{q}), t)), 0; =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/lagrange.rst",
+    ),
+    (
+        "\\boldsymbol{v} = \\boldsymbol{v}_O + \\boldsymbol{E} \\dot{\\boldsymbol{U}} \\boldsymbol{x} = \\boldsymbol{v}_O + \\boldsymbol{e} \\boldsymbol{U}^{\\mathrm{T}} \\dot{\\boldsymbol{U}} \\boldsymbol{x}",
+        "Chain(\\boldsymbol{v}, Add(\\boldsymbol{v}_O, Mul(\\boldsymbol{E}, Call(\\dot{\\boldsymbol{U}}), \\boldsymbol{x})), Add(\\boldsymbol{v}_O, Mul(\\boldsymbol{e}, Transpose(Call(\\boldsymbol{U})), Call(\\dot{\\boldsymbol{U}}), \\boldsymbol{x})); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\boldsymbol{I} = (\\boldsymbol{I}+\\boldsymbol{u}^{\\mathrm{T}})(\\boldsymbol{I}+\\boldsymbol{u}) = \\boldsymbol{I} + \\boldsymbol{u}^{\\mathrm{T}} + \\boldsymbol{u} + \\boldsymbol{u}^{\\mathrm{T}} \\boldsymbol{u}",
+        "Chain(\\boldsymbol{I}, Mul(Add(\\boldsymbol{I}, Transpose(\\boldsymbol{u})), Add(\\boldsymbol{I}, \\boldsymbol{u})), Add(\\boldsymbol{I}, Transpose(\\boldsymbol{u}), \\boldsymbol{u}, Mul(Transpose(\\boldsymbol{u}), \\boldsymbol{u})); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "L & = \\frac12 (\\dot{q}_1^2 + \\dot{q}_2^2 + \\dot{q}_3^2) - q_1q_2 + q_2q_3 - 2q_1^2 - \\frac52 q_2^2 - 2q_3^2 \\\\ & = \\frac12 \\dot{\\boldsymbol{q}}^{\\mathrm{T}} \\boldsymbol{M} \\dot{\\boldsymbol{q}} - \\frac12 \\boldsymbol{q}^{\\mathrm{T}} \\boldsymbol{K} \\boldsymbol{q}",
+        "Chain(L, Add(Mul(Div(1; 2), Add(Pow(Call(\\dot{q}_1); 2), Pow(Call(\\dot{q}_2); 2), Pow(Call(\\dot{q}_3); 2))), Neg(Mul(Call(q_1), Call(q_2))), Mul(Call(q_2), Call(q_3)), Neg(Mul(2, Pow(Call(q_1); 2))), Neg(Mul(Div(5; 2), Pow(Call(q_2); 2))), Neg(Mul(2, Pow(Call(q_3); 2)))), Add(Mul(Div(1; 2), Transpose(Call(\\dot{\\boldsymbol{q}})), \\boldsymbol{M}, Call(\\dot{\\boldsymbol{q}})), Neg(Mul(Div(1; 2), Transpose(Call(\\boldsymbol{q})), \\boldsymbol{K}, Call(\\boldsymbol{q})))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\nu = \\left(\\tfrac{1}{2} + \\tfrac{1}{2}\\sqrt{1-4\\sigma^2}\\right)^{-1/2} \\le 1 + 2 \\sigma^2",
+        "Chain(\\nu, Pow(Add(Div(1; 2), Mul(Div(1; 2), Sqrt(Add(1, Neg(Mul(4, Pow(\\sigma; 2))))))); Neg(Div(1; 2))), Add(1, Mul(2, Pow(\\sigma; 2))); =, \\le)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\bar{\\mathbf{y}} \\leftarrow \\frac{\\bar{\\mathbf{y}}}{\\|\\bar{\\mathbf{y}}\\|}",
+        "Chain(\\bar{\\mathbf{y}}, Div(\\bar{\\mathbf{y}}; Norm(\\bar{\\mathbf{y}})); \\leftarrow)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\dot{\\bm{H}}_{\\text{sc, }B} = \\left[I_{\\text{hub},\\,Bc}\\right]\\dot{\\bm{\\omega}}_{\\cal{B}/\\cal{N}} + \\bm{\\omega}_{\\cal{B}/\\cal{N}} \\times \\left(\\left[I_{\\text{hub},\\,Bc}\\right]\\bm{\\omega}_{\\cal{B}/\\cal{N}}\\right)+ \\bm{r}_{Bc/B} \\times m_\\text{hub}\\,\\ddot{\\bm{r}}_{Bc/B} +\\\\ + \\sum_{i=1}^{M}\\left(\\left[I_{\\text{fuel}_i,\\,Fc_i}\\right] \\dot{\\bm{\\omega}}_{\\cal{B}/\\cal{N}} + \\bm{\\omega}_{\\cal{B}/\\cal{N}} \\times \\left(\\left[I_{\\text{fuel}_i,\\,Fc_i}\\right]\\, \\bm{\\omega}_{\\cal{B}/\\cal{N}}\\right) + \\bm{r}_{Fc_i/B} \\times m_{\\text{fuel}_i}\\, \\ddot{\\bm{r}}_{Fc_i/B}+\\right.\\\\ \\left.+ \\bm{r}_{Fc_i/B} \\times \\dot{m}_{\\text{fuel}_i} \\,\\dot{\\bm{r}}_{Fc_i/B} + \\left[I_{\\text{fuel}_i,\\, Fc_i}\\right]' \\, \\bm{\\omega}_{\\cal{B}/\\cal{N}}\\right)",
+        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { h u b } , \\, B c } ], Call(\\dot { \\bm { \\omega } } _ { \\cal B / \\cal N })), Cross(Call(\\bm{\\omega}_{\\cal B/\\cal N}); Mul([ I _ { \\text { h u b } , \\, B c } ], Call(\\bm{\\omega}_{\\cal B/\\cal N}))), Cross(Call(\\bm{r}_{Bc/B}); Mul(m_{hub}, Call(\\ddot{\\bm{r}}_{Bc/B}))), BigSum(i; 1; M; Add(Mul([ I _ { \\text { f u e l } _ { i } , \\, F c _ { i } } ], Call(\\dot { \\bm { \\omega } } _ { \\cal B / \\cal N })), Cross(Call(\\bm{\\omega}_{\\cal B/\\cal N}); Mul([ I _ { \\text { f u e l } _ { i } , \\, F c _ { i } } ], Call(\\bm{\\omega}_{\\cal B/\\cal N}))), Cross(Call(\\bm{r}_{Fc_i/B}); Mul(Call(m_{fuel_i}), Call(\\ddot{\\bm{r}}_{Fc_i/B}))), Cross(Call(\\bm{r}_{Fc_i/B}); Mul(Call(\\dot{m}_{fuel_i}), Call(\\dot{\\bm{r}}_{Fc_i/B}))), Mul([ I _ { \\text { f u e l } _ { i } , \\, F c _ { i } } ]', Call(\\bm{\\omega}_{\\cal B/\\cal N}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "K(m) = F\\left(\\tfrac{\\pi}{2}\\middle| m\\right)",
+        "Chain(Call(K; m), Call(F; Given(Div(\\pi; 2); m; |)); =)",
+        "sympy/sympy/sympy/functions/special/elliptic_integrals.py",
+    ),
+    (
+        "\\frac{\\pi}{2} + \\sum_{\\substack{n=1\\\\n \\text{ odd}}}^\\infty \\frac{2}{n} \\sin (n t) = \\frac{\\pi}{2} + \\sum_{k=1}^\\infty \\frac{2}{2k-1} \\sin \\bigl( (2k-1)\\, t \\bigr) .",
+        "Chain(Add(Div(\\pi; 2), Limiting(sum; _{ \\substack { n = 1 \\\\ n \\text { o d d } } }^{ \\infty }; Mul(Div(2; n), Call(sin; Mul(n, t))))), Add(Div(\\pi; 2), BigSum(k; 1; Infinity(); Mul(Div(2; Add(Mul(2, k), Neg(1))), Call(sin; Mul(Add(Mul(2, k), Neg(1)), t))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{bmatrix} 0 & 1 \\\\ 0 & 0 \\end{bmatrix} \\begin{bmatrix} 0 & 1 \\\\ 0 & 0 \\end{bmatrix} = \\begin{bmatrix} 0 & 0 \\\\ 0 & 0 \\end{bmatrix} = \\begin{bmatrix} 0 & 1 \\\\ 0 & 0 \\end{bmatrix} \\begin{bmatrix} 0 & 2 \\\\ 0 & 0 \\end{bmatrix} .",
+        "Chain(Mul(MatrixOf(0, 1, 0, 0), MatrixOf(0, 1, 0, 0)), MatrixOf(0, 0, 0, 0), Mul(MatrixOf(0, 1, 0, 0), MatrixOf(0, 2, 0, 0)); =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\textbf{z}_{t} = g(\\textbf{x}_t) = H \\textbf{x}_t",
+        "Chain(\\mathbf{z}_t, Call(g; \\mathbf{x}_t), Mul(H, \\mathbf{x}_t); =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\overline{h} = \\frac{1}{N}\\sum_{i=1}^{N}I_{w_{s_{i}}}\\Omega_{i_{0}}",
+        "Chain(\\overline{h}, Mul(Div(1; N), BigSum(i; 1; N; Mul(I_{w_s_i}, \\Omega_{i_0}))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/vscmgVelocitySteering/vscmgVelocitySteering.rst",
+    ),
+    (
+        "\\dot{\\phi} = \\omega",
+        "Chain(Call(\\dot{\\phi}), \\omega; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "a_{i1,1} &= I_{s_{i1,2}} + m_{\\text{sp}_{i1}} d^2_{i1} + m_{sp_{i2}} l^2_{i1}+ m_{sp_{i2}} l_{i1} d_{i2}\\hat{\\bm s}^T_{i1,3} \\bm{\\hat{s}}_{i2,3} \\\\ a_{i1,2} &= m_{sp_{i2}} l_{i1} d_{i2} \\hat{\\bm s}^T_{i1,3} \\bm{\\hat{s}}_{i2,3}\\\\ a_{i2,1} &= I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d^2_{i2} + m_{\\text{sp}_{i2}} l_{i1} d_{i2}\\hat{\\bm s}^T_{i2,3} \\bm{\\hat{s}}_{i1,3} \\\\ a_{i2,2} &= I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d^2_{i2}",
+        "System(Chain(a_{i1,1}, Add(I_{s_i1,2}, Mul(m_{sp_i1}, Pow(d_{i1}; 2)), Mul(m_{sp_i2}, Pow(l_{i1}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3})); =), Chain(a_{i1,2}, Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3}); =), Chain(a_{i2,1}, Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\bm{\\hat{s}}_{i1,3})); =), Chain(a_{i2,2}, Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))); =))",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\dot{x}_1 =& x_2 -\\alpha x_1 \\left( 1 - \\frac{1}{\\sqrt{x_1^2+x_2^2}}\\right) \\\\ \\dot{x}_2 =& -x_1 -\\alpha x_2 \\left( 1 - \\frac{1}{\\sqrt{x_1^2+x_2^2}}\\right),",
+        "System(Chain(Call(\\dot{x}_1), Add(Call(x_2), Neg(Mul(\\alpha, Call(x_1), Add(1, Neg(Div(1; Sqrt(Add(Pow(Call(x_1); 2), Pow(Call(x_2); 2))))))))); =), Chain(Call(\\dot{x}_2), Add(Neg(Call(x_1)), Neg(Mul(\\alpha, Call(x_2), Add(1, Neg(Div(1; Sqrt(Add(Pow(Call(x_1); 2), Pow(Call(x_2); 2))))))))); =))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "\\sum_{\\alpha=1}^s \\dot{q}_\\alpha \\frac{\\partial D}{\\partial \\dot{q}_\\alpha} = 2D",
+        "Chain(BigSum(\\alpha; 1; s; Mul(Call(\\dot{q}_{\\alpha}), Derivative(Call(D); \\dot{q}_{\\alpha}, 1; True))), Mul(2, Call(D)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "R_F(x,y,z) = \\frac{1}{2} \\int_0^{\\infty} \\frac{dt}{\\sqrt{(t+x)(t+y)(t+z)}}",
+        "Chain(Call(R_F; x, y, z), Mul(Div(1; 2), Integral(Div(1; Sqrt(Mul(Add(t, x), Add(t, y), Add(t, z)))); t; 0; Infinity())); =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\frac{T^2}{a^3} = \\frac{4 \\pi^2}{GM}",
+        "Chain(Div(Pow(T; 2); Pow(a; 3)), Div(Mul(4, Pow(\\pi; 2)); Mul(G, M)); =)",
+        "sympy/sympy/doc/src/modules/physics/units/examples.rst",
+    ),
+    (
+        "K_m = \\frac{4f_d L}{D}",
+        "Chain(K_m, Div(Mul(4, f_d, L); D); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "\\dot{x}_1 = x_2",
+        "Chain(Call(\\dot{x}_1), x_2; =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "\\tan \\omega = \\frac{(\\hat{\\bm \\imath}_{e} \\times \\hat{\\bm \\imath}_{r}) \\cdot \\hat{\\bm \\imath}_{h}} {\\hat{\\bm \\imath}_{e} \\cdot \\hat{\\bm \\imath}_{r}}",
+        "Chain(Call(tan; \\omega), Div(Mul(Cross(\\hat{\\bm{\\imath}}_e; \\hat{\\bm{\\imath}}_r), \\hat{\\bm{\\imath}}_h; 1); Mul(\\hat{\\bm{\\imath}}_e, \\hat{\\bm{\\imath}}_r; 1)); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\boldsymbol{q} = \\boldsymbol{A} \\boldsymbol{\\xi}",
+        "Chain(\\boldsymbol{q}, Mul(\\boldsymbol{A}, \\boldsymbol{\\xi}); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "\\begin{aligned} x^{*} &= \\frac{1}{2} - \\pi_2 \\\\ y^* &= \\pm \\frac{\\sqrt{3}}{2} \\end{aligned}",
+        "System(Chain(x ^ { * }, Add(Div(1; 2), Neg(\\pi_2)); =), Chain(y ^ { * }, PlusMinus(Div(Sqrt(3); 2)); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\frac{8 K_{1} Q^{2} \\rho}{\\pi^{2} D_{1}^{4}} = \\frac{8 K_{2} Q^{2} \\rho}{\\pi^{2} D_{2}^{4}}",
+        "Chain(Div(Mul(8, K_1, Pow(Q; 2), \\rho); Mul(Pow(\\pi; 2), Pow(D_1; 4))), Div(Mul(8, K_2, Pow(Q; 2), \\rho); Mul(Pow(\\pi; 2), Pow(D_2; 4))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\boldsymbol{M} = \\begin{pmatrix} m & 0 \\\\ 0 & m \\end{pmatrix},\\quad \\boldsymbol{K} = \\begin{pmatrix} \\dfrac{mg}{l}+k & -k \\\\[1.5ex] -k & \\dfrac{mg}{l} + k \\end{pmatrix}",
+        "System(Chain(\\boldsymbol{M}, MatrixOf(m, 0, 0, m); =), Chain(\\boldsymbol{K}, MatrixOf(Add(Div(Mul(m, g); l), k), Neg(k), Neg(k), Add(Div(Mul(m, g); l), k)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "{}^N\\bar{v}^S &= \\frac{{}^N d\\bar{r}^{S/O} }{dt} \\\\ &= \\frac{{}^N d\\left(\\bar{r}^{P/O} + \\bar{r}^{S/P}\\right)}{dt} \\\\ &= {}^N\\bar{v}^P + \\frac{{}^N d\\bar{r}^{S/P} }{dt} \\\\ &= {}^N\\bar{v}^P + {}^N\\bar{\\omega}^A \\times \\bar{r}^{S/P}",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { S }, Marked(Derivative(Call(\\bar { r } ^ { S / O }); t, 1); _{ N }), Marked(Derivative(Add(Call(\\bar { r } ^ { P / O }), Call(\\bar { r } ^ { S / P })); t, 1); _{ N }), Add(\\prescript { N } { } { \\bar { v } } ^ { P }, Marked(Derivative(Call(\\bar { r } ^ { S / P }); t, 1); _{ N })), Add(\\prescript { N } { } { \\bar { v } } ^ { P }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { A }; Call(\\bar { r } ^ { S / P }))); =, =, =, =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "\\sum_{i=1}^\\nu m_i \\bar{r}^{P_i/S_o} = 0\\textrm{.}",
+        "Chain(BigSum(i; 1; \\nu; Mul(m_i, \\bar { r } ^ { P _ { i } / S _ { o } })), 0; =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial L}{\\partial \\dot{q}_\\alpha} - \\frac{\\partial L}{\\partial q_\\alpha} = 0 \\quad (\\alpha = 1,2,\\cdots,s)",
+        "System(Chain(Add(Derivative(Derivative(Call(L); \\dot{q}_{\\alpha}, 1; True); t, 1), Neg(Derivative(Call(L); q_{\\alpha}, 1; True))), 0; =), Values(\\alpha; 1, 2, Dots(), s))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\theta(t) = b (t - t_f)^2 + \\theta_{\\text{ref}}",
+        "Chain(Call(\\theta; t), Add(Mul(b, Pow(Add(t, Neg(t_f)); 2)), \\theta_{ref}); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "-\\left(\\Delta P \\right)_{grav} = L \\rho g \\sin \\theta",
+        "Chain(Neg(Marked(\\Delta P; _{ g r a v })), Mul(L, \\rho, g, Call(sin; \\theta)); =)",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "v_D = v_D(0)-\\frac72kg",
+        "Chain(Call(v_D), Add(Call(v_D; 0), Neg(Mul(Div(7; 2), k, g))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "u = k_\\text{f}\\, r - K x,",
+        "Chain(u, Add(Mul(k_f, r), Neg(Mul(K, x))); =)",
+        "python-control/python-control/doc/iosys.rst",
+    ),
+    (
+        "W = \\left(\\frac{k}{k-1}\\right) P_1 V_1 \\left[\\left(\\frac{P_2}{P_1} \\right)^{(k-1)/k}-1\\right]",
+        "Chain(W, Mul(Div(k; Add(k, Neg(1))), P_1, V_1, Add(Pow(Div(P_2; P_1); Div(Add(k, Neg(1)); k)), Neg(1))); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "[B_{\\text{contr}}] = \\sum_{i=1}^{N_{S}}\\bigg[\\Big(m_{\\text{sp}_{i1}}d_{i1} \\bm{\\hat{s}}_{i1,3} +m_{\\text{sp}_{i2}}l_{i1}\\bm{\\hat{s}}_{i1,3}+m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}\\Big) e_{i1}^T[G_i] +m_{\\text{sp}_{i2}} d_{i2} \\bm{\\hat{s}}_{i2,3} e_{i2}^T[G_i]\\bigg]",
+        "Chain([ B _ { \\text { c o n t r } } ], BigSum(i; 1; N_S; Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, \\bm{\\hat{s}}_{i1,3}), Mul(m_{sp_i2}, l_{i1}, \\bm{\\hat{s}}_{i1,3}), Mul(m_{sp_i2}, d_{i2}, \\bm{\\hat{s}}_{i2,3})), Transpose(e_{i1}), [ G _ { i } ]), Mul(m_{sp_i2}, d_{i2}, \\bm{\\hat{s}}_{i2,3}, Transpose(e_{i2}), [ G _ { i } ]))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\phi_i(t) = \\left( \\frac{t}{T} \\right)^i",
+        "Chain(Call(\\phi_i; t), Pow(Div(t; T); i); =)",
+        "python-control/python-control/control/flatsys/poly.py",
+    ),
+    (
+        "Y^2 = \\frac{\\Delta P_{go}}{\\Delta P_{lo}}",
+        "Chain(Pow(Y; 2), Div(\\Delta P _ { g o }; \\Delta P _ { l o }); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "m_{\\text{sc}} \\ddot{\\bm r}_{B/N}-m_{\\text{sc}} [\\tilde{\\bm{c}}] \\dot{\\bm\\omega}_{\\cal B/N} +\\sum_{j=1}^{N_{P}}m_j \\hat{\\bm p}_j \\ddot{\\rho}_j = \\bm F_{\\text{ext}} - 2 m_{\\text{sc}} [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm c' - m_{\\text{sc}} [\\tilde{\\bm\\omega}_{\\cal B/N}][\\tilde{\\bm\\omega}_{\\cal B/N}]\\bm{c}",
+        "Chain(Add(Mul(m_{sc}, Call(\\ddot{\\bm{r}}_{B/N})), Neg(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), BigSum(j; 1; N_P; Mul(m_j, \\hat{\\bm{p}}_j, Call(\\ddot{\\rho}_j)))), Add(\\bm{F}_{ext}, Neg(Mul(2, m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c}')), Neg(Mul(m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\lambda_c = (q - p)|\\omega|^{1/(q - p)} \\cos{\\psi} + (v - u)|\\sigma|^{1/(v - u)} \\cos{\\theta}",
+        "Chain(\\lambda_c, Add(Mul(Add(q, Neg(p)), Pow(Bars(\\omega); Div(1; Add(q, Neg(p)))), Call(cos; \\psi)), Mul(Add(v, Neg(u)), Pow(Bars(\\sigma); Div(1; Add(v, Neg(u)))), Call(cos; \\theta))); =)",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\sum_{\\alpha=1}^r \\left(\\dfrac{\\mathrm{d}}{\\mathrm{d} t}\\frac{\\partial T}{\\partial \\dot{q}_\\alpha} - \\frac{\\partial T}{\\partial q_\\alpha} - Q_\\alpha\\right)\\delta q_\\alpha = 0",
+        "Chain(BigSum(\\alpha; 1; r; Mul(Add(Derivative(Derivative(Call(T); \\dot{q}_{\\alpha}, 1; True); t, 1), Neg(Derivative(Call(T); q_{\\alpha}, 1; True)), Neg(Q_{\\alpha})), \\delta q _ { \\alpha })), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "n = \\frac{v1 \\times v2}{|v1 \\times v2|}",
+        "Chain(n, Div(Cross(\\text{v1}; \\text{v2}); Bars(Cross(\\text{v1}; \\text{v2}))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/3_mapping/normal_vector_estimation/normal_vector_estimation_main.rst",
+    ),
+    (
+        "\\operatorname{Si}(z) = \\frac{i}{2} \\left[ e^{iz} U(1,1,-iz) - e^{-iz} U(1,1,iz) + \\log(-iz) - \\log(iz) \\right]",
+        "Chain(Call(\\text{Si}; z), Mul(Div(i; 2), Add(Mul(Pow(e; Mul(i, z)), Call(U; 1, 1, Neg(Mul(i, z)))), Neg(Mul(Pow(e; Neg(Mul(i, z))), Call(U; 1, 1, Mul(i, z)))), Call(log; Neg(Mul(i, z))), Neg(Call(log; Mul(i, z))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "L = K - V",
+        "Chain(L, Add(K, Neg(V)); =)",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "H = \\sum^{N}_{i=-N}w^{[i]}_{c}(\\pmb{\\chi}^{[i]} - \\hat{\\mathbf{x}}^{-}_{k+1})(\\pmb{\\xi}^{[i]} - \\hat{\\mathbf{y}}^{-}_{k+1})^T",
+        "Chain(H, BigSum(i; Neg(N); N; Mul(w _ { c } ^ { [ i ] }, Add(\\pmb { \\chi } ^ { [ i ] }, Neg(\\hat { \\mathbf { x } } _ { k + 1 } ^ { - })), Transpose(Add(\\pmb { \\xi } ^ { [ i ] }, Neg(\\hat { \\mathbf { y } } _ { k + 1 } ^ { - }))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavUKF/smallBodyNavUKF.rst",
+    ),
+    (
+        "T_0(x) = 1",
+        "Chain(Call(T_0; x), 1; =)",
+        "AVSLab/basilisk/src/fswAlgorithms/sensorInterfaces/CSSSensorData/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\begin{array}{lcr} \\mathbf{r}_1 = \\begin{bmatrix}r_{11}\\\\ r_{21} \\\\ r_{31} \\end{bmatrix} \\; , & \\mathbf{r}_2 = \\begin{bmatrix}r_{12}\\\\ r_{22} \\\\ r_{32} \\end{bmatrix} \\; , & \\mathbf{r}_3 = \\begin{bmatrix}r_{13}\\\\ r_{23} \\\\ r_{33} \\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{r}_1, MatrixOf(r_{11}, r_{21}, r_{31}); =), Chain(\\mathbf{r}_2, MatrixOf(r_{12}, r_{22}, r_{32}); =), Chain(\\mathbf{r}_3, MatrixOf(r_{13}, r_{23}, r_{33}); =))",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "C_{17}: \\int_0^\\infty G_{p, q}^{m, n}(\\omega x) \\mathrm{d} x \\text{ converges at infinity }",
+        "System(Located(C_{17}; Integral(Call(G _ { p , q } ^ { m , n }; Mul(\\omega, x)); x; 0; Infinity())), Words(\\text{converges~at~infinity}))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\log G(z) = (z-1) \\log \\Gamma(z) - \\zeta'(-1,z) + \\zeta'(-1).",
+        "Chain(Call(log; Call(G; z)), Add(Mul(Add(z, Neg(1)), Call(log; Call(Gamma; z))), Neg(Call(\\zeta'; Neg(1), z)), Call(\\zeta'; Neg(1))); =)",
+        "fredrik-johansson/arb/doc/source/acb.rst",
+    ),
+    (
+        "\\eta = g(x), \\xi = f(x)",
+        "System(Chain(\\eta, Call(g; x); =), Chain(\\xi, Call(f; x); =))",
+        "sympy/sympy/sympy/solvers/ode/lie_group.py",
+    ),
+    (
+        "Az = \\arctan\\!\\frac{y}{x}",
+        "Chain(\\text{Az}, Call(arctan; Div(y; x)); =)",
+        "AVSLab/basilisk/src/simulation/environment/stripLocation/stripLocation.rst",
+    ),
+    (
+        "y'' - 8 y' + 16 y = 8 e^{4x} + 16xe^{4x} - 8(e^{4x} + 4xe^{4x}) + 16 xe^{4x} = 0 .",
+        "Chain(Add(y'', Neg(Mul(8, y')), Mul(16, y)), Add(Mul(8, Pow(e; Mul(4, x))), Mul(16, x, Pow(e; Mul(4, x))), Neg(Mul(8, Add(Pow(e; Mul(4, x)), Mul(4, x, Pow(e; Mul(4, x)))))), Mul(16, x, Pow(e; Mul(4, x)))), 0; =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\left|\\prod_{p < N} \\left(1 - \\frac{\\chi(p)}{p^s}\\right) - \\frac{1}{L(s,\\chi)}\\right| \\le \\sum_{k=N}^{\\infty} \\frac{1}{k^s} = \\zeta(s,N).",
+        "Chain(Bars(Add(Limiting(prod; _{ p < N }; Add(1, Neg(Div(Call(\\chi; p); Pow(p; s))))), Neg(Div(1; Call(L; s, Call(\\chi)))))), BigSum(k; N; Infinity(); Div(1; Pow(k; s))), Call(\\zeta; s, N); \\le, =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "\\bar{v} = & \\sum_{r=1}^p \\tilde{v}_r u_r + \\tilde{v}_t \\\\ \\bar{\\omega} = & \\sum_{r=1}^p \\tilde{\\omega}_r u_r + \\tilde{\\omega}_t",
+        "System(Chain(\\bar{v}, Add(BigSum(r; 1; p; Mul(\\tilde{v}_r, u_r)), \\tilde{v}_t); =), Chain(\\bar{\\omega}, Add(BigSum(r; 1; p; Mul(\\tilde{\\omega}_r, u_r)), \\tilde{\\omega}_t); =))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "x_3 = \\dot{\\theta_2} \\quad \\text{(angular velocity of the second flywheel)}",
+        "System(Chain(x_3, Call(\\dot{\\theta}_2); =), Words(\\text{(angular~velocity~of~the~second~flywheel)}))",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "[W] = \\begin{bmatrix} [I]_{3\\times 3} & [0]_{3 \\times 2} \\\\ [0]_{2 \\times 3} & [\\mathcal{S}_2 \\mathcal{S}_1](2,3)\\end{bmatrix}",
+        "Chain([ W ], MatrixOf([ I ] _ { 3 \\times 3 }, Marked(0; _{ 3 \\times 2 }), Marked(0; _{ 2 \\times 3 }), Call([ \\mathcal { S } _ { 2 } \\mathcal { S } _ { 1 } ]; 2, 3)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attDetermination/headingSuKF/_Documentation/heading_SuKF.tex",
+    ),
+    (
+        "P_5 = P_4 + \\frac{1}{2}\\rho_d V_4^2 - K_d\\left(\\frac{1}{2}\\rho_d V_4^2\\right)",
+        "Chain(P_5, Add(P_4, Mul(Div(1; 2), \\rho_d, Pow(V_4; 2)), Neg(Mul(K_d, Mul(Div(1; 2), \\rho_d, Pow(V_4; 2))))); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "\\bm{\\ddot{d}}=\\bm{\\dot{\\omega}}_{B/N}\\times \\bm{d}+\\bm\\omega_{\\cal B/N}\\times(\\bm\\omega_{\\cal B/N}\\times \\bm{d})",
+        "Chain(\\bm{\\ddot{d}}, Add(Cross(\\bm{\\dot{\\omega}}_{B/N}; \\bm{d}), Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; \\bm{d}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{\\vphantom{\\hat{\\bm\\imath}}}^{\\mathcal{N}\\!}{\\hat{\\bm\\imath}}_{r}={\\vphantom{\\begin{pmatrix} \\cos\\Omega\\cos\\omega - \\sin\\Omega\\sin\\omega\\cos i \\\\ \\sin\\Omega\\cos\\omega + \\cos\\Omega\\sin\\omega\\cos i \\\\ \\sin\\theta\\sin i \\end{pmatrix}}}^{\\mathcal{N\\!\\!\\!}\\!}{\\begin{pmatrix} \\cos\\Omega\\cos\\omega - \\sin\\Omega\\sin\\omega\\cos i \\\\ \\sin\\Omega\\cos\\omega + \\cos\\Omega\\sin\\omega\\cos i \\\\ \\sin\\theta\\sin i \\end{pmatrix}}",
+        "Chain(\\prescript { \\mathcal { N } \\! } { } { \\hat { \\bm { \\imath } } } _ { r }, Marked(MatrixOf(Add(Mul(Call(cos; \\Omega), Call(cos; \\omega)), Neg(Mul(Call(sin; \\Omega), Call(sin; \\omega), Call(cos; i)))), Add(Mul(Call(sin; \\Omega), Call(cos; \\omega)), Mul(Call(cos; \\Omega), Call(sin; \\omega), Call(cos; i))), Mul(Call(sin; \\theta), Call(sin; i))); _{ \\mathcal { N } }); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\frac{\\mu^2}{h^3}t = \\frac{1}{2}\\tan\\frac{\\nu}{2} + \\frac{1}{6}\\tan^3\\frac{\\nu}{2}",
+        "Chain(Mul(Div(Pow(\\mu; 2); Pow(h; 3)), t), Add(Mul(Div(1; 2), Call(tan; Div(\\nu; 2))), Mul(Div(1; 6), Pow(Call(tan; Div(\\nu; 2)); 3))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/parabolic-trajectories.md",
+    ),
+    (
+        "c_{\\text{lift}} = 2\\sin\\alpha\\cos\\alpha, \\quad c_{\\text{drag}} = 2\\sin^2\\alpha.",
+        "System(Chain(c_{lift}, Mul(2, Call(sin; \\alpha), Call(cos; \\alpha)); =), Chain(c_{drag}, Mul(2, Pow(Call(sin; \\alpha); 2)); =))",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\chi_{i=0} = \\sqrt{\\mu} \\left\\lvert\\alpha\\right\\rvert \\Delta t",
+        "Chain(\\chi_{i=0}, Mul(Sqrt(\\mu), Bars(\\alpha), \\Delta t); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "C_n = \\begin{cases} 1 & \\text{if } R = 1 \\\\ \\chi(n) & \\text{if } R = 2 \\\\ (\\chi(n) + \\sigma \\nu^2 n) \\nu^n & \\text{if } R = 3 \\end{cases}",
+        "Chain(C_n, Piecewise(1, Chain(R, 1; =), Call(\\chi; n), Chain(R, 2; =), Mul(Add(Call(\\chi; n), Mul(\\sigma, Pow(\\nu; 2), n)), Pow(\\nu; n)), Chain(R, 3; =)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "v_{\\infty} = \\sqrt{\\frac{\\mu}{a}}",
+        "Chain(v_\\infty, Sqrt(Div(\\mu; a)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\varepsilon_2(a,b,c,d) &= \\exp(\\pi i [-R(a,b,c,d) + (5+(2-c)a)] / 4)",
+        "Chain(Call(\\varepsilon_2; a, b, c, d), Call(exp; Div(Mul(\\pi, i, Add(Neg(Call(R; a, b, c, d)), Add(5, Mul(Add(2, Neg(c)), a)))); 4)); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "\\operatorname{Ei}(x) = \\sum_{n=1}^\\infty \\frac{x^n}{n\\, n!} + \\log(x) + \\gamma,",
+        "Chain(Call(\\text{Ei}; x), Add(BigSum(n; 1; Infinity(); Div(Pow(x; n); Mul(n, Factorial(n)))), Call(log; x), \\gamma); =)",
+        "sympy/sympy/sympy/functions/special/error_functions.py",
+    ),
+    (
+        "B := \\begin{bmatrix} \\alpha_{\\sigma(0)} & \\alpha_{\\sigma(1)} & \\cdots & \\alpha_{\\sigma(n-1)} \\end{bmatrix}",
+        "Chain(B, MatrixOf(\\alpha_{\\sigma(0)}, \\alpha_{\\sigma(1)}, Dots(), \\alpha_{\\sigma(n-1)}); =)",
+        "sympy/sympy/sympy/matrices/common.py",
+    ),
+    (
+        "J_{\\bf \\alpha}({\\bf x}) =& \\int_0^\\infty \\ell({\\bf x}(t), {\\bf u}(t)) dt, \\\\ \\textrm{subject to} \\quad & \\dot{\\bf x} = f({\\bf x}, {\\bf u}), \\quad {\\bf u} = {\\bf \\pi}_{\\bf \\alpha}({\\bf x}), \\quad {\\bf x}(0) = {\\bf x}.",
+        "System(Chain(Call(J_{\\mathbf\\alpha}; Call(\\mathbf{x})), Integral(Call(\\ell; Call(\\mathbf{x}; t), Call(\\mathbf{u}; t)); t; 0; Infinity()); =), Words(\\text{subject~to}), Chain(Call(\\dot{\\mathbf{x}}), Call(f; Call(\\mathbf{x}), Call(\\mathbf{u})); =), Chain(Call(\\mathbf{u}), Call(\\mathbf{\\pi}_{\\mathbf\\alpha}; Call(\\mathbf{x})); =), Chain(Call(\\mathbf{x}; 0), Call(\\mathbf{x}); =))",
+        "RussTedrake/underactuated/book/policy_search.html",
+    ),
+    (
+        "h = \\frac{p}{\\cos\\phi} - N",
+        "Chain(h, Add(Div(p; Call(cos; \\phi)), Neg(N)); =)",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "p_{\\text{RW}} = p_{\\text{base}} + \\frac{| p_{\\text{mech}} |}{\\eta_{e2m}}",
+        "Chain(p_{RW}, Add(p_{base}, Div(Bars(p_{mech}); \\eta_{e2m})); =)",
+        "AVSLab/basilisk/src/simulation/power/ReactionWheelPower/ReactionWheelPower.rst",
+    ),
+    (
+        "\\lambda = - \\frac{\\mathrm{d}T}{\\mathrm{d}h}",
+        "Chain(\\lambda, Neg(Derivative(Call(T); h, 1)); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/earth-modeling.md",
+    ),
+    (
+        "J = \\int_{0}^{\\infty} [{\\bf x}^T(t) {\\bf Q} {\\bf x}(t) + R u^2(t)] dt,",
+        "Chain(J, Integral(Add(Mul(Transpose(Call(\\mathbf{x}; t)), \\mathbf{Q}, Call(\\mathbf{x}; t)), Mul(R, Pow(Call(u; t); 2))); t; 0; Infinity()); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\boldsymbol{p} = \\boldsymbol{p}(t)",
+        "Chain(Call(\\boldsymbol{p}), Call(\\boldsymbol{p}; t); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\bm T^* = -[I_{\\text{hub},B}] \\dot{\\bm\\omega}_{\\cal B/N} -[\\bm{\\tilde{\\omega}}_{\\cal B/N}] [I_{\\text{hub},B}] \\bm\\omega_{\\cal B/N}",
+        "Chain(\\bm { T } ^ { * }, Add(Neg(Mul([ I _ { \\text { h u b } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Neg(Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { h u b } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\dot{\\phi} = \\frac{vtan(\\delta)}{L}",
+        "Chain(Call(\\dot{\\phi}), Div(Mul(v, Call(tan; \\delta)); L); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\operatorname{B}(s, a) = \\begin{cases} -s \\zeta(1-s, a) & s \\ne 0 \\\\ 1 & s = 0 \\end{cases}",
+        "Chain(Call(\\text{B}; s, a), Piecewise(Neg(Mul(s, Call(\\zeta; Add(1, Neg(s)), a))), Chain(s, 0; \\ne), 1, Chain(s, 0; =)); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "\\frac{{}^A\\partial \\bar{v}}{\\partial q_r} = \\frac{\\partial v_x}{\\partial q_r} \\hat{a}_x + \\frac{\\partial v_y}{\\partial q_r} \\hat{a}_y + \\frac{\\partial v_z}{\\partial q_r} \\hat{a}_z \\textrm{ for } r=1\\ldots n",
+        "System(Chain(Marked(Derivative(Call(\\bar{v}); q_r, 1; True); _{ A }), Add(Mul(Derivative(Call(v_x); q_r, 1; True), \\hat{a}_x), Mul(Derivative(Call(v_y); q_r, 1; True), \\hat{a}_y), Mul(Derivative(Call(v_z); q_r, 1; True), \\hat{a}_z)); =), Values(r; 1, Dots(), n))",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "e_1 = \\frac{R_{\\text{Neptune}} - R_{\\text{Venus}}}{R_{\\text{Neptune}} + R_{\\text{Venus}}\\cos\\nu_1}",
+        "Chain(e_1, Div(Add(R_{Neptune}, Neg(R_{Venus})); Add(R_{Neptune}, Mul(R_{Venus}, Call(cos; \\nu_1)))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "\\omega_1 = \\omega_0 \\sqrt{1-\\frac{\\alpha}{\\omega_0^2}},\\quad \\omega_2 = \\omega_0 \\sqrt{1+\\frac{\\alpha}{\\omega_0^2}}",
+        "System(Chain(\\omega_1, Mul(\\omega_0, Sqrt(Add(1, Neg(Div(\\alpha; Pow(\\omega_0; 2)))))); =), Chain(\\omega_2, Mul(\\omega_0, Sqrt(Add(1, Div(\\alpha; Pow(\\omega_0; 2))))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "{\\bf u}^* = {\\bf u}_0(t) - {\\bf K}(t) ({\\bf x} - {\\bf x}_0(t)).",
+        "Chain(\\mathbf { u } ^ { * }, Add(Call(\\mathbf{u}_0; t), Neg(Mul(Call(\\mathbf{K}; t), Add(\\mathbf{x}, Neg(Call(\\mathbf{x}_0; t)))))); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "y' = y^2, \\qquad y(0) = A .",
+        "System(Chain(Call(y'), Pow(Call(y); 2); =), Chain(Call(y; 0), A; =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\left|\\frac{T(k+1)}{T(k)}\\right| = \\frac{|x|}{a} \\frac{(k+\\sigma-1)}{(k+\\sigma)} \\frac{(k+\\sigma+a)}{(k+\\sigma+a-1)} \\frac{|k+s|}{(k+1)} \\le \\frac{|x|}{a} \\left(1 + \\frac{1}{K+\\sigma+a-1}\\right) \\left(1 + \\frac{|s-1|}{K+1}\\right) = C",
+        "Chain(Bars(Div(Call(T; Add(k, 1)); Call(T; k))), Mul(Div(Bars(x); a), Div(Add(k, \\sigma, Neg(1)); Add(k, \\sigma)), Div(Add(k, \\sigma, a); Add(k, \\sigma, a, Neg(1))), Div(Bars(Add(k, s)); Add(k, 1))), Mul(Div(Bars(x); a), Add(1, Div(1; Add(K, \\sigma, a, Neg(1)))), Add(1, Div(Bars(Add(s, Neg(1))); Add(K, 1)))), C; =, \\le, =)",
+        "fredrik-johansson/arb/doc/source/hurwitz.rst",
+    ),
+    (
+        "{\\bf f}(\\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}}) = \\begin{cases} K_{1} \\sigma_{i} &\\text{if } |K_{1} \\sigma_{i}| \\le \\omega_{\\text{max}} \\\\ \\omega_{\\text{max}} \\text{sgn}(\\sigma_{i}) &\\text{if } |K_{1} \\sigma_{i}| > \\omega_{\\text{max}} \\end{cases}",
+        "Chain(Call(\\mathbf{f}; \\pmb{\\sigma}_{\\mathcal B/\\mathcal R}), Piecewise(Mul(K_1, \\sigma_i), Chain(Bars(Mul(K_1, \\sigma_i)), \\omega_{max}; \\le), Mul(\\omega_{max}, Call(sgn; \\sigma_i)), Chain(Bars(Mul(K_1, \\sigma_i)), \\omega_{max}; >)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "\\left|x\\right|^{a} \\left|y\\right|^{b} \\left|z\\right|^{c} = C_1",
+        "Chain(Mul(Pow(Bars(x); a), Pow(Bars(y); b), Pow(Bars(z); c)), C_1; =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "{}_I\\mathbf r_{I\\!Q}(\\mathbf q) = {}_I\\mathbf r_{I\\!B}(\\mathbf q) + \\mathbf C_{I\\!B}(\\mathbf q) \\cdot {}_B\\mathbf r_{B\\!Q}(\\mathbf q),",
+        "Chain(Call(\\prescript { } { I } { \\mathbf { r } } _ { I \\! Q }; \\mathbf{q}), Add(Call(\\prescript { } { I } { \\mathbf { r } } _ { I \\! B }; \\mathbf{q}), Mul(Call(\\mathbf{C}_{I\\!B}; \\mathbf{q}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B \\! Q }; \\mathbf{q}); 1)); =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "f(x) := \\begin{cases} 0 & \\mathrm{for\\ } x < a, \\\\ \\frac{2(x-a)}{(b-a)(c-a)} & \\mathrm{for\\ } a \\le x < c, \\\\ \\frac{2}{b-a} & \\mathrm{for\\ } x = c, \\\\ \\frac{2(b-x)}{(b-a)(b-c)} & \\mathrm{for\\ } c < x \\le b, \\\\ 0 & \\mathrm{for\\ } b < x. \\end{cases}",
+        "Chain(Call(f; x), Piecewise(0, Chain(x, a; <), Div(Mul(2, Add(x, Neg(a))); Mul(Add(b, Neg(a)), Add(c, Neg(a)))), Chain(a, x, c; \\le, <), Div(2; Add(b, Neg(a))), Chain(x, c; =), Div(Mul(2, Add(b, Neg(x))); Mul(Add(b, Neg(a)), Add(b, Neg(c)))), Chain(c, x, b; <, \\le), 0, Chain(b, x; <)); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "f(x) := \\frac{e^{- e^{\\frac{- \\mu + x}{\\beta}} + \\frac{- \\mu + x}{\\beta}}}{\\beta}",
+        "Chain(Call(f; x), Div(Pow(e; Add(Neg(Pow(e; Div(Add(Neg(\\mu), x); \\beta))), Div(Add(Neg(\\mu), x); \\beta))); \\beta); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\boldsymbol{x} = \\big[ u, v, w,\\, p, q, r,\\, x_{\\text{cg}}, y_{\\text{cg}}, z_{\\text{cg}},\\, q_0, q_1, q_2, q_3,\\, \\text{masses},\\text{inertias}\\big]",
+        "Chain(\\boldsymbol{x}, Tuple(u, v, w, p, q, r, x_{cg}, y_{cg}, z_{cg}, q_0, q_1, q_2, q_3, \\text{masses}, \\text{inertias}; []); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/state-propagation-contract.md",
+    ),
+    (
+        "f(x) := \\frac{e^{\\kappa\\cos(x-\\mu)}}{2\\pi I_0(\\kappa)}",
+        "Chain(Call(f; x), Div(Pow(e; Mul(\\kappa, Call(cos; Add(x, Neg(\\mu))))); Mul(2, \\pi, Call(I_0; \\kappa))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\bm k_{1} &= \\bm f\\left(t_{n}, \\bm x_{n}\\right) \\\\ \\bm k_{2} &= \\bm f\\left(t_{n} + \\frac{h}{2}, \\bm x_{n} + \\frac{h}{2} \\bm k_{1}\\right) \\\\ \\bm k_{3} &= \\bm f\\left(t_{n} + \\frac{h}{2}, \\bm x_{n} + \\frac{h}{2} \\bm k_{2}\\right) \\\\ \\bm k_{4} &= \\bm f\\left(t_{n} + h, \\bm x_{n} + h \\bm k_{3}\\right)",
+        "System(Chain(\\bm{k}_1, Call(\\bm{f}; t_n, \\bm{x}_n); =), Chain(\\bm{k}_2, Call(\\bm{f}; Add(t_n, Div(h; 2)), Add(\\bm{x}_n, Mul(Div(h; 2), \\bm{k}_1))); =), Chain(\\bm{k}_3, Call(\\bm{f}; Add(t_n, Div(h; 2)), Add(\\bm{x}_n, Mul(Div(h; 2), \\bm{k}_2))); =), Chain(\\bm{k}_4, Call(\\bm{f}; Add(t_n, h), Add(\\bm{x}_n, Mul(h, \\bm{k}_3))); =))",
+        "AVSLab/basilisk/src/simulation/dynamics/Integrators/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\boldsymbol{\\epsilon} = \\begin{bmatrix} \\sqrt{\\frac{1+c_{11}}{2}} \\\\ \\sqrt{\\frac{1+c_{22}}{2}} \\\\ \\sqrt{\\frac{1+c_{33}}{2}} \\end{bmatrix}",
+        "Chain(\\boldsymbol{\\epsilon}, MatrixOf(Sqrt(Div(Add(1, c_{11}); 2)), Sqrt(Div(Add(1, c_{22}); 2)), Sqrt(Div(Add(1, c_{33}); 2))); =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\tan \\phi = \\frac{2Eb}{\\alpha}",
+        "Chain(Call(tan; \\phi), Div(Mul(2, E, b); \\alpha); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\frac{(a_j\\,c_j+b_j\\,d_j)\\,({c_j}^2+{d_j}^2)+(a_j\\,c_j-b_j\\,d_j)\\,\\omega^2} {\\omega^4+2\\,({c_j}^2-{d_j}^2)\\,\\omega^2+{({c_j}^2+{d_j}^2)}^2} > 0 \\quad.",
+        "Chain(Div(Add(Mul(Add(Mul(a_j, c_j), Mul(b_j, d_j)), Add(Pow(c_j; 2), Pow(d_j; 2))), Mul(Add(Mul(a_j, c_j), Neg(Mul(b_j, d_j))), Pow(\\omega; 2))); Add(Pow(\\omega; 4), Mul(2, Add(Pow(c_j; 2), Neg(Pow(d_j; 2))), Pow(\\omega; 2)), Pow(Add(Pow(c_j; 2), Pow(d_j; 2)); 2))), 0; >)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\boldsymbol{J}_{iR} = \\int_{t_0}^{t_0+\\tau}\\boldsymbol{R}_i\\mathrm{d} t",
+        "Chain(\\boldsymbol{J}_{iR}, Integral(\\boldsymbol{R}_i; t; t_0; Add(t_0, \\tau)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{aligned} \\dfrac{d J_{i,j}(\\mathbf q)}{dt} = \\dfrac{\\partial J_{i,j}(\\mathbf q)}{\\partial \\mathbf q} \\cdot \\dfrac{d\\mathbf q}{dt} = \\sum_{k=1}^{n} \\dfrac{\\partial J_{i,j}(\\mathbf q)}{\\partial q_k} \\cdot \\dfrac{dq_k}{dt} = \\sum_{k=1}^{n} H_{k_{i,j}}(\\mathbf q) \\cdot \\dfrac{dq_k}{dt}, \\end{aligned}",
+        "Chain(Derivative(Call(J_{i,j}; Call(\\mathbf{q})); t, 1), Mul(Derivative(Call(J_{i,j}; Call(\\mathbf{q})); \\mathbf{q}, 1; True), Derivative(Call(\\mathbf{q}); t, 1); 1), BigSum(k; 1; n; Mul(Derivative(Call(J_{i,j}; Call(\\mathbf{q})); q_k, 1; True), Derivative(Call(q_k); t, 1))), BigSum(k; 1; n; Mul(Call(H_{k_i,j}; Call(\\mathbf{q})), Derivative(Call(q_k); t, 1))); =, =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "I = \\int_a^b f(t) dt",
+        "Chain(I, Integral(Call(f; t); t; a; b); =)",
+        "fredrik-johansson/arb/doc/source/acb_calc.rst",
+    ),
+    (
+        "\\begin{aligned} {}_I\\mbox{\\boldmath $\\omega$}_{I\\!Q} &= {}_I\\mbox{\\boldmath $\\omega$}_{I\\!B} + {}_I\\mbox{\\boldmath $\\omega$}_{B\\!Q} \\\\ &= \\begin{bmatrix} \\mathbf{0}_{3 \\times 3} && \\mathbf C_{I\\!B} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{R_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\cdot \\mathbf u \\end{aligned}",
+        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I \\! Q }, Add(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I \\! B }, \\prescript { } { I } { \\boldsymbol { \\omega } } _ { B \\! Q }), Mul(MatrixOf(Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{I\\!B}, Blank(), Mul(\\mathbf{C}_{I\\!B}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))), \\mathbf{u}; 1); =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\frac12 ml^2 \\dot{\\theta}^2 = -mgl(1+\\cos\\theta)",
+        "Chain(Mul(Div(1; 2), m, Pow(l; 2), Pow(Call(\\dot{\\theta}); 2)), Neg(Mul(m, g, l, Add(1, Call(cos; Call(\\theta))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "f(x) := \\frac{1}{\\pi\\sqrt{(x-a)(b-x)}}",
+        "Chain(Call(f; x), Div(1; Mul(\\pi, Sqrt(Mul(Add(x, Neg(a)), Add(b, Neg(x)))))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\Delta P = \\Delta P_{lo} \\phi_{lo}^2",
+        "Chain(\\Delta P, Mul(\\Delta P _ { l o }, Pow(\\phi_{lo}; 2)); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\bm{\\omega}_{B/N,n} = \\bm{\\omega}_{B/N,n-1} + \\frac{\\dot{\\bm{\\omega}}_{B/N,n-1}+\\dot{\\bm{\\omega}}_{B/N,n}}{2} \\Delta t",
+        "Chain(Call(\\bm{\\omega}_{B/N,n}), Add(Call(\\bm{\\omega}_{B/N,n-1}), Mul(Div(Add(Call(\\dot{\\bm{\\omega}}_{B/N,n-1}), Call(\\dot{\\bm{\\omega}}_{B/N,n})); 2), \\Delta t)); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secTest.tex",
+    ),
+    (
+        "{\\bf x}[1] =& {\\bf A}{\\bf x}[0] + {\\bf B}{\\bf u}[0] \\\\ {\\bf x}[2] =& {\\bf A}({\\bf A}{\\bf x}[0] + {\\bf B}{\\bf u}[0]) + {\\bf B}{\\bf u}[1] \\\\ {\\bf x}[n] =& {\\bf A}^n{\\bf x}[0] + \\sum_{k=0}^{n-1} {\\bf A}^{n-1-k}{\\bf B}{\\bf u}[k].",
+        "System(Chain(Indexed(\\mathbf{x}; 1), Add(Mul(\\mathbf{A}, Indexed(\\mathbf{x}; 0)), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; 0))); =), Chain(Indexed(\\mathbf{x}; 2), Add(Mul(\\mathbf{A}, Add(Mul(\\mathbf{A}, Indexed(\\mathbf{x}; 0)), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; 0)))), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; 1))); =), Chain(Indexed(\\mathbf{x}; n), Add(Mul(Pow(\\mathbf{A}; n), Indexed(\\mathbf{x}; 0)), BigSum(k; 0; Add(n, Neg(1)); Mul(Pow(\\mathbf{A}; Add(n, Neg(1), Neg(k))), \\mathbf{B}, Indexed(\\mathbf{u}; k)))); =))",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\boldsymbol{e} = \\frac{1}{\\mu}\\left[\\left(v^2 - \\frac{\\mu}{r}\\right)\\boldsymbol{r} - r v_r \\boldsymbol{v}\\right]",
+        "Chain(\\boldsymbol{e}, Mul(Div(1; \\mu), Add(Mul(Add(Pow(v; 2), Neg(Div(\\mu; r))), \\boldsymbol{r}), Neg(Mul(r, v_r, \\boldsymbol{v})))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "a = \\frac{\\mu_f}{v_{\\infty}^2}",
+        "Chain(a, Div(\\mu_f; Pow(v_\\infty; 2)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-capture.md",
+    ),
+    (
+        "{}^N\\bar{a}^S & = \\frac{{}^N d\\left({}^N\\bar{v}^P\\right)}{dt} + \\frac{{}^N d \\left( {}^N\\bar{\\omega}^A \\times \\bar{r}^{S/P}\\right)}{dt} \\\\ & = {}^N\\bar{a}^P + \\frac{{}^N d \\left( {}^N\\bar{\\omega}^A \\right)}{dt} \\times \\bar{r}^{S/P} + {}^N\\bar{\\omega}^A \\times \\frac{{}^N d \\left(\\bar{r}^{S/P}\\right)}{dt} \\\\ & = {}^N\\bar{a}^P + {}^N\\bar{\\alpha}^A \\times\\bar{r}^{S/P} + {}^N\\bar{\\omega}^A\\times\\left({}^N\\bar{\\omega}^A \\times\\bar{r}^{S/P}\\right)",
+        "Chain(\\prescript { N } { } { \\bar { a } } ^ { S }, Add(Marked(Derivative(Call(\\prescript { N } { } { \\bar { v } } ^ { P }); t, 1); _{ N }), Marked(Derivative(Cross(Call(\\prescript { N } { } { \\bar { \\omega } } ^ { A }); Call(\\bar { r } ^ { S / P })); t, 1); _{ N })), Add(\\prescript { N } { } { \\bar { a } } ^ { P }, Cross(Marked(Derivative(Call(\\prescript { N } { } { \\bar { \\omega } } ^ { A }); t, 1); _{ N }); Call(\\bar { r } ^ { S / P })), Cross(Call(\\prescript { N } { } { \\bar { \\omega } } ^ { A }); Marked(Derivative(Call(\\bar { r } ^ { S / P }); t, 1); _{ N }))), Add(\\prescript { N } { } { \\bar { a } } ^ { P }, Cross(\\prescript { N } { } { \\bar { \\alpha } } ^ { A }; Call(\\bar { r } ^ { S / P })), Cross(Call(\\prescript { N } { } { \\bar { \\omega } } ^ { A }); Cross(Call(\\prescript { N } { } { \\bar { \\omega } } ^ { A }); Call(\\bar { r } ^ { S / P })))); =, =, =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "F = x^{0.78}(1 - x)^{0.224}",
+        "Chain(F, Mul(Pow(x; 0.78), Pow(Add(1, Neg(x)); 0.224)); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\begin{bmatrix} \\mathbf{M}_k && 0 \\\\ 0 && \\mathbf{M}_d \\\\ \\end{bmatrix} \\begin{bmatrix} \\dot{\\bar{q}} \\\\ \\dot{\\bar{u}} \\end{bmatrix} + \\begin{bmatrix} \\bar{g}_k(\\bar{u}, \\bar{q}, t) \\\\ \\bar{g}_d(\\bar{u}, \\bar{q}, t) \\end{bmatrix} = \\begin{bmatrix} 0 \\\\ 0 \\end{bmatrix}",
+        "Chain(Add(Mul(MatrixOf(\\mathbf{M}_k, Blank(), 0, 0, Blank(), \\mathbf{M}_d), MatrixOf(Call(\\dot{\\bar{q}}), Call(\\dot{\\bar{u}}))), MatrixOf(Call(\\bar{g}_k; Call(\\bar{u}), Call(\\bar{q}), t), Call(\\bar{g}_d; Call(\\bar{u}), Call(\\bar{q}), t))), MatrixOf(0, 0); =)",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "\\dot{x} = -x + \\alpha x^3, \\quad \\frac{3}{4} < \\alpha < \\frac{3}{2}.",
+        "System(Chain(Call(\\dot{x}), Add(Neg(Call(x)), Mul(\\alpha, Pow(Call(x); 3))); =), Chain(Div(3; 4), \\alpha, Div(3; 2); <, <))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\mathbf{M} = \\sum_{i=1}^nw_i\\mathbf{q}_i\\mathbf{q}_i^T",
+        "Chain(\\mathbf{M}, BigSum(i; 1; n; Mul(w_i, \\mathbf{q}_i, Transpose(\\mathbf{q}_i))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "z_{t+1}=Az_t+Bu+C",
+        "Chain(z_{t+1}, Add(Mul(A, z_t), Mul(B, u), C); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\alpha_1 = f_d\\left(1 - \\sqrt{1 - \\left(\\frac{0.5 - f_k}{f_d-f_k} \\right)^2}\\right)",
+        "Chain(\\alpha_1, Mul(f_d, Add(1, Neg(Sqrt(Add(1, Neg(Pow(Div(Add(0.5, Neg(f_k)); Add(f_d, Neg(f_k))); 2))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "L = \\frac12 m\\dot{\\boldsymbol{r}}^2 + e \\boldsymbol{A} \\cdot \\dot{\\boldsymbol{r}} - e\\phi",
+        "Chain(L, Add(Mul(Div(1; 2), m, Pow(Call(\\dot{\\boldsymbol{r}}); 2)), Mul(e, \\boldsymbol{A}, Call(\\dot{\\boldsymbol{r}})), Neg(Mul(e, \\phi))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\tilde{h}(v) \\le h(v), \\forall v \\in V.",
+        "System(Chain(Call(\\tilde{h}; v), Call(h; v); \\le), Forall(Chain(v, V; \\in)))",
+        "RussTedrake/underactuated/book/planning.html",
+    ),
+    (
+        "W = 0.106V^{0.6}",
+        "Chain(W, Mul(0.106, Pow(V; 0.6)); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "m_j \\hat{\\bm p_j}^T \\ddot{\\bm{r}}_{B/N} - m_j \\hat{\\bm p_j}^T [\\tilde{\\bm{r}}_{P_{c,j}/B}] \\dot{\\bm\\omega}_{\\cal B/N} + m_j \\ddot{\\rho}_j \\\\ = \\hat{\\bm p_j}^T \\bm F_G - k_j \\rho_j - c_j \\dot{\\rho_j} - 2 m_j \\hat{\\bm p_j}^T [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{P_{c,j}/B} - m_j \\hat{\\bm p_j}^T [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{P_{c,j}/B}",
+        "Chain(Add(Mul(m_j, Transpose(\\hat{\\bm{p}}_j), Call(\\ddot{\\bm{r}}_{B/N})), Neg(Mul(m_j, Transpose(\\hat{\\bm{p}}_j), [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Mul(m_j, Call(\\ddot{\\rho}_j))), Add(Mul(Transpose(\\hat{\\bm{p}}_j), \\bm{F}_G), Neg(Mul(k_j, Call(\\rho_j))), Neg(Mul(c_j, Call(\\dot{\\rho}_j))), Neg(Mul(2, m_j, Transpose(\\hat{\\bm{p}}_j), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{P_c,j/B}')), Neg(Mul(m_j, Transpose(\\hat{\\bm{p}}_j), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{P_c,j/B}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "^L_G\\dot{\\mathbf{q}}_{\\omega, t_k}= \\,^G_L\\dot{\\mathbf{q}}_{\\omega, t_k}^*=-\\frac{1}{2}\\,^L\\mathbf{\\omega}_{q, t_k}\\,^L_G\\mathbf{q}_{t_{k-1}}",
+        "Chain(Call(\\prescript { L } { G } { \\dot { \\mathbf { q } } } _ { \\omega , t _ { k } }), Call(\\prescript { G } { L } { \\dot { \\mathbf { q } } } _ { \\omega , t _ { k } } ^ { * }), Neg(Mul(Div(1; 2), \\prescript { L } { } { \\mathbf { \\omega } } _ { q , t _ { k } }, \\prescript { L } { G } { \\mathbf { q } } _ { t _ { k - 1 } })); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "E\\left[ \\Delta {\\bf \\alpha} \\right] \\approx -\\eta \\sigma_\\beta^2 \\frac{\\partial g}{\\partial {\\bf \\alpha}}^T.",
+        "Chain(Indexed(E; \\Delta \\mathbf { \\alpha }), Neg(Mul(\\eta, Pow(\\sigma_\\beta; 2), Transpose(Derivative(Call(g); \\mathbf{\\alpha}, 1; True)))); \\approx)",
+        "RussTedrake/underactuated/book/rl_policy_search.html",
+    ),
+    (
+        "i_{out} = i_{main} + i_{off}",
+        "Chain(i_{out}, Add(i_{main}, i_{off}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/orbitControl/orbElemOffset/orbElemOffset.rst",
+    ),
+    (
+        "t_c = t_{b1} + \\frac{\\Delta \\rho_{\\text{coast}}}{\\dot{\\rho}(t_{b1})}",
+        "Chain(t_c, Add(t_{b1}, Div(\\Delta \\rho _ { \\text { c o a s t } }; Call(\\dot{\\rho}; t_{b1}))); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\boldsymbol{a}_i = \\boldsymbol{a}_i'+\\boldsymbol{a}_C",
+        "Chain(\\boldsymbol{a}_i, Add(\\boldsymbol{a}_i', \\boldsymbol{a}_C); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "M_e = \\left[2\\tan^{-1}\\left(\\sqrt{\\frac{1 - e}{1 + e}}\\tan\\frac{\\nu}{2}\\right)-\\frac{e\\sqrt{1 - e^2}\\sin \\nu}{1 + e \\cos \\nu}\\right]",
+        "Chain(M_e, Add(Mul(2, Call(arctan; Mul(Sqrt(Div(Add(1, Neg(e)); Add(1, e))), Call(tan; Div(\\nu; 2))))), Neg(Div(Mul(e, Sqrt(Add(1, Neg(Pow(e; 2)))), Call(sin; \\nu)); Add(1, Mul(e, Call(cos; \\nu)))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\mu_m = \\frac{\\mu_l \\mu_g}{\\mu_g + x^{1.4}(\\mu_l - \\mu_g)}",
+        "Chain(\\mu_m, Div(Mul(\\mu_l, \\mu_g); Add(\\mu_g, Mul(Pow(x; 1.4), Add(\\mu_l, Neg(\\mu_g))))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\bar{u}_r = \\mathbf{A}_r^{-1}\\left(-\\mathbf{A}_s \\bar{u}_s - \\bar{b}_{rs}\\right) \\\\ \\bar{u}_r = \\mathbf{A}_n \\bar{u}_s + \\bar{b}_n",
+        "System(Chain(\\bar{u}_r, Mul(Pow(\\mathbf{A}_r; Neg(1)), Add(Neg(Mul(\\mathbf{A}_s, \\bar{u}_s)), Neg(\\bar{b}_{rs}))); =), Chain(\\bar{u}_r, Add(Mul(\\mathbf{A}_n, \\bar{u}_s), \\bar{b}_n); =))",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "t-t_0 = \\sqrt{\\frac{\\mu p^3}{|\\alpha|}} \\int_0^\\eta \\frac12(1+\\eta^2) \\mathrm{d}\\eta = \\sqrt{\\frac{\\mu p^3}{|\\alpha|}} \\frac{\\eta}{2}\\left(1+\\frac{\\eta^3}{3}\\right)",
+        "Chain(Add(t, Neg(t_0)), Mul(Sqrt(Div(Mul(\\mu, Pow(p; 3)); Bars(\\alpha))), Integral(Mul(Div(1; 2), Add(1, Pow(\\eta; 2))); \\eta; 0; \\eta)), Mul(Sqrt(Div(Mul(\\mu, Pow(p; 3)); Bars(\\alpha))), Div(\\eta; 2), Add(1, Div(Pow(\\eta; 3); 3))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\boldsymbol{v} = \\dot{\\boldsymbol{r}} = \\dot{{x}_{\\omega}}\\boldsymbol{\\hat{p}} + \\dot{{y}_{\\omega}}\\boldsymbol{\\hat{q}}",
+        "Chain(\\boldsymbol{v}, Call(\\dot{\\boldsymbol{r}}), Add(Mul(Call(\\dot{x}_\\omega), \\boldsymbol{\\hat{p}}), Mul(Call(\\dot{y}_\\omega), \\boldsymbol{\\hat{q}})); =, =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "\\tau = \\frac{\\Delta t}{\\ell / v_a}",
+        "Chain(\\tau, Div(\\Delta t; Div(\\ell; v_a)); =)",
+        "AVSLab/basilisk/src/simulation/environment/stripLocation/stripLocation.rst",
+    ),
+    (
+        "{}^N\\bar{a}^R = {}^B\\bar{a}^R + {}^N\\bar{a}^T + 2{}^N\\bar{\\omega}^B \\times {}^B\\bar{v}^R",
+        "Chain(\\prescript { N } { } { \\bar { a } } ^ { R }, Add(\\prescript { B } { } { \\bar { a } } ^ { R }, \\prescript { N } { } { \\bar { a } } ^ { T }, Cross(Mul(2, \\prescript { N } { } { \\bar { \\omega } } ^ { B }); \\prescript { B } { } { \\bar { v } } ^ { R })); =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "\\mathbf{B} = \\sum_{i=1}^Nw_i\\mathbf{UV}",
+        "Chain(\\mathbf{B}, BigSum(i; 1; N; Mul(w_i, \\mathbf{U}, \\mathbf{V})); =)",
+        "Mayitzin/ahrs/ahrs/filters/davenport.py",
+    ),
+    (
+        "{\\vphantom{\\bm \\omega_{R/N} }}^{\\mathcal{R}\\!}{\\bm \\omega_{R/N} } = \\begin{bmatrix} 0\\\\ 0 \\\\ \\dot{f} \\end{bmatrix}",
+        "Chain(\\prescript { \\mathcal { R } \\! } { } { \\bm { \\omega } } _ { R / N }, MatrixOf(0, 0, Call(\\dot{f})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/hillPoint/_Documentation/hillPoint.tex",
+    ),
+    (
+        "\\operatorname{agm}(a,b) = \\frac{(a+b) \\pi}{4 K(z^2)},",
+        "Chain(Call(\\text{agm}; a, b), Div(Mul(Add(a, b), \\pi); Mul(4, Call(K; Pow(z; 2)))); =)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "(F_r)_B := {}^A\\bar{v}^Q_r \\cdot \\bar{R} + {}^A\\bar{\\omega}^B_r \\cdot \\bar{T}",
+        "Chain(Marked(F_r; _{ B }), Add(Mul(\\prescript { A } { } { \\bar { v } } _ { r } ^ { Q }, \\bar{R}; 1), Mul(\\prescript { A } { } { \\bar { \\omega } } _ { r } ^ { B }, \\bar{T}; 1)); =)",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "f_i = S_{n_{i-1}-1}(f,g) \\qquad (2\\le i \\le k).",
+        "System(Chain(f_i, Call(S_{n_i-1-1}; f, g); =), Chain(2, i, k; \\le, \\le))",
+        "sympy/sympy/doc/src/modules/polys/internals.rst",
+    ),
+    (
+        "\\eta = 1 - (v - u) - \\mu - \\rho",
+        "Chain(\\eta, Add(1, Neg(Add(v, Neg(u))), Neg(\\mu), Neg(\\rho)); =)",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\dot{\\bar{\\bf x}} \\approx f({\\bf x}_0,{\\bf u}_0) + \\frac{\\partial f({\\bf x}_0,{\\bf u}_0)}{\\partial {\\bf x}} ({\\bf x} - {\\bf x}_0) + \\frac{\\partial f({\\bf x}_0,{\\bf u}_0)}{\\partial {\\bf u}} ({\\bf u} - {\\bf u}_0) = {\\bf A}\\bar{{\\bf x}} + {\\bf B}\\bar{\\bf u}.",
+        "Chain(Call(\\dot{\\bar{\\mathbf{x}}}), Add(Call(f; \\mathbf{x}_0, \\mathbf{u}_0), Mul(Derivative(Call(f; \\mathbf{x}_0, \\mathbf{u}_0); \\mathbf{x}, 1; True), Add(\\mathbf{x}, Neg(\\mathbf{x}_0))), Mul(Derivative(Call(f; \\mathbf{x}_0, \\mathbf{u}_0); \\mathbf{u}, 1; True), Add(\\mathbf{u}, Neg(\\mathbf{u}_0)))), Add(Mul(\\mathbf{A}, Call(\\bar{\\mathbf{x}})), Mul(\\mathbf{B}, \\bar{\\mathbf{u}})); \\approx, =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "[b_{n+1}]_i = f_i(b_n, u_n, y_n) = \\frac{P_y(y_n | x_i) \\sum_{j \\in |X|} P_x(x_i|x_j,u_n) [b_n]_j}{\\Pr(y_n | b_n, u_n)}",
+        "Chain(Marked(b_{n+1}; _{ i }), Call(f_i; b_n, u_n, y_n), Div(Mul(Call(P_y; Given(y_n; x_i; |)), Limiting(sum; _{ j \\in | X | }; Mul(Call(P_x; Given(x_i; x_j, u_n; |)), Marked(b_n; _{ j })))); Call(Pr; Given(y_n; b_n, u_n; |))); =, =)",
+        "RussTedrake/underactuated/book/belief.html",
+    ),
+    (
+        "U_{n,2\\,j-1} &=& a_j\\,e^{-c_j\\,t_n}\\,\\cos(d_j\\,t_n) + b_j\\,e^{-c_j\\,t_n}\\,\\sin(d_j\\,t_n) \\\\ U_{n,2\\,j} &=& a_j\\,e^{-c_j\\,t_n}\\,\\sin(d_j\\,t_n) - b_j\\,e^{-c_j\\,t_n}\\,\\cos(d_j\\,t_n) \\\\ V_{m,2\\,j-1} &=& e^{c_j\\,t_m}\\,\\cos(d_j\\,t_m) \\\\ V_{m,2\\,j} &=& e^{c_j\\,t_m}\\,\\sin(d_j\\,t_m) \\\\ A_{n,n} &=& \\sigma_n^2 + \\sum_{j=1}^J a_j \\quad.",
+        "System(Chain(U_{n,2\\,j-1}, Add(Mul(a_j, Pow(e; Neg(Mul(c_j, t_n))), Call(cos; Mul(d_j, t_n))), Mul(b_j, Pow(e; Neg(Mul(c_j, t_n))), Call(sin; Mul(d_j, t_n)))); =), Chain(U_{n,2\\,j}, Add(Mul(a_j, Pow(e; Neg(Mul(c_j, t_n))), Call(sin; Mul(d_j, t_n))), Neg(Mul(b_j, Pow(e; Neg(Mul(c_j, t_n))), Call(cos; Mul(d_j, t_n))))); =), Chain(V_{m,2\\,j-1}, Mul(Pow(e; Mul(c_j, t_m)), Call(cos; Mul(d_j, t_m))); =), Chain(V_{m,2\\,j}, Mul(Pow(e; Mul(c_j, t_m)), Call(sin; Mul(d_j, t_m))); =), Chain(A_{n,n}, Add(Pow(\\sigma_n; 2), BigSum(j; 1; J; a_j)); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "S_j(\\omega) = \\sqrt{\\frac{2}{\\pi}}\\,\\frac{a_j}{c_j}\\, \\frac{1}{1+{\\left(\\frac{\\omega}{c_j}\\right)}^2} \\quad.",
+        "Chain(Call(S_j; \\omega), Mul(Sqrt(Div(2; \\pi)), Div(a_j; c_j), Div(1; Add(1, Pow(Div(\\omega; c_j); 2)))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\dot{e}_t = V \\theta_{t-1}",
+        "Chain(Call(\\dot{e}_t), Mul(V, \\theta_{t-1}); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\bar{R}^*_i := -m_i {}^A\\bar{a}^{P_i}_i",
+        "Chain(\\bar { R } _ { i } ^ { * }, Neg(Mul(m_i, \\prescript { A } { } { \\bar { a } } _ { i } ^ { P _ { i } })); =)",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "{ {\\boldsymbol{y}}} = \\left(\\begin{array}{ccccc} y_1\\quad & & \\cdots\\quad & & y_N \\end{array}\\right)^\\mathrm{T}",
+        "Chain(\\boldsymbol{y}, Transpose(MatrixOf(y_1, Blank(), Dots(), Blank(), y_N)); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\Delta\\boldsymbol{v} = \\frac{\\boldsymbol{F}}{m}\\Delta t",
+        "Chain(\\Delta \\boldsymbol { v }, Mul(Div(\\boldsymbol{F}; m), \\Delta t); =)",
+        "bryanwweber/orbital-mechanics-notes/intro/force-acceleration-and-momentum.md",
+    ),
+    (
+        "v_{\\text{latitude}} = v_{\\text{equatorial}} \\cos\\phi",
+        "Chain(v_{latitude}, Mul(v_{equatorial}, Call(cos; \\phi)); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
+    ),
+    (
+        "\\delta H = 0,\\quad \\delta t \\neq 0,\\quad \\delta \\tau = 0",
+        "System(Chain(\\delta H, 0; =), Chain(\\delta t, 0; \\ne), Chain(\\delta \\tau, 0; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\int_{0}^\\pi \\cos (mt) \\cos (nt) \\,dt = 0 , \\quad \\text{when } m \\neq n, \\qquad \\text{and} \\qquad \\int_{0}^\\pi \\cos (nt) \\,dt = 0 .",
+        "System(Implies(Chain(m, n; \\ne); Chain(Integral(Mul(Call(cos; Mul(m, t)), Call(cos; Mul(n, t))); t; 0; \\pi), 0; =)), Chain(Integral(Call(cos; Mul(n, t)); t; 0; \\pi), 0; =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\frac{xy+1}{y} = x+\\frac{1}{y} = x+ A'(y) .",
+        "Chain(Div(Add(Mul(x, y), 1); y), Add(x, Div(1; y)), Add(x, Call(A'; y)); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "g_n^m(t) & = & g_n^m(t_0) + (t-t_0) \\dot{g}_n^m(t_0) \\\\ h_n^m(t) & = & h_n^m(t_0) + (t-t_0) \\dot{h}_n^m(t_0)",
+        "System(Chain(Call(g _ { n } ^ { m }; t), Add(Call(g _ { n } ^ { m }; t_0), Mul(Add(t, Neg(t_0)), Call(\\dot { g } _ { n } ^ { m }; t_0))); =), Chain(Call(h _ { n } ^ { m }; t), Add(Call(h _ { n } ^ { m }; t_0), Mul(Add(t, Neg(t_0)), Call(\\dot { h } _ { n } ^ { m }; t_0))); =))",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "u=K_p(q_d-q) + K_d(\\dot{q}_d - \\dot{q}),",
+        "Chain(u, Add(Mul(K_p, Add(Call(q_d), Neg(Call(q)))), Mul(K_d, Add(Call(\\dot{q}_d), Neg(Call(\\dot{q}))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "Y(l_1,l_2,l_3,m_1,m_2,m_3) =Y(l_1,l_2,l_3,-m_1,-m_2,-m_3)",
+        "Chain(Call(Y; l_1, l_2, l_3, m_1, m_2, m_3), Call(Y; l_1, l_2, l_3, Neg(m_1), Neg(m_2), Neg(m_3)); =)",
+        "sympy/sympy/sympy/physics/wigner.py",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{x} &=& \\begin{bmatrix} q_w & q_x & q_y & q_z \\end{bmatrix}^T \\\\ \\\\ \\mathbf{u} &=& \\begin{bmatrix} \\omega_x & \\omega_y & \\omega_z \\end{bmatrix}^T \\end{array}",
+        "System(Chain(\\mathbf{x}, Transpose(MatrixOf(q_w, q_x, q_y, q_z)); =), Chain(\\mathbf{u}, Transpose(MatrixOf(\\omega_x, \\omega_y, \\omega_z)); =))",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\mathrm{PER} = 1 - (1-\\mathrm{BER})^L",
+        "Chain(\\text{PER}, Add(1, Neg(Pow(Add(1, Neg(\\text{BER})); L))); =)",
+        "AVSLab/basilisk/src/simulation/communication/downlinkHandling/downlinkHandling.rst",
+    ),
+    (
+        "C_{\\infty} = 0.5959 + 0.461\\beta^{2.1} + 0.48\\beta^8 + \\frac{0.039\\beta^4}{(1.0 - \\beta^4)}",
+        "Chain(C_\\infty, Add(0.5959, Mul(0.461, Pow(\\beta; 2.1)), Mul(0.48, Pow(\\beta; 8)), Div(Mul(0.039, Pow(\\beta; 4)); Add(1.0, Neg(Pow(\\beta; 4))))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\mathbf{q}_t = \\hat{\\mathbf{q}}_t + \\mathbf{K}_t \\big(\\mathbf{z}_t - \\mathbf{h}(\\mathbf{q}_t)\\big)",
+        "Chain(\\mathbf{q}_t, Add(\\hat{\\mathbf{q}}_t, Mul(\\mathbf{K}_t, Add(\\mathbf{z}_t, Neg(Call(\\mathbf{h}; \\mathbf{q}_t))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\mathbf{R} = \\begin{bmatrix} \\sigma_v^2 & 0 \\\\ 0 & \\sigma_\\omega^2 \\end{bmatrix}",
+        "Chain(\\mathbf{R}, MatrixOf(Pow(\\sigma_v; 2), 0, 0, Pow(\\sigma_\\omega; 2)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "E = \\frac{v_p^2}{2} - \\frac{\\mu_i}{r_p} = \\frac{v_{\\infty}^2}{2} - \\frac{\\mu_i}{r_{\\infty}}",
+        "Chain(E, Add(Div(Pow(v_p; 2); 2), Neg(Div(\\mu_i; r_p))), Add(Div(Pow(v_\\infty; 2); 2), Neg(Div(\\mu_i; r_\\infty))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "\\boldsymbol{X}_2 = \\boldsymbol{U}_2 \\boldsymbol{U}_1^{-1} \\boldsymbol{X}_1 = (\\boldsymbol{U}_2 \\boldsymbol{U}_1^{\\mathrm{T}}) \\boldsymbol{X}_1 = \\boldsymbol{U} \\boldsymbol{X}_1",
+        "Chain(\\boldsymbol{X}_2, Mul(\\boldsymbol{U}_2, Pow(\\boldsymbol{U}_1; Neg(1)), \\boldsymbol{X}_1), Mul(Mul(\\boldsymbol{U}_2, Transpose(\\boldsymbol{U}_1)), \\boldsymbol{X}_1), Mul(\\boldsymbol{U}, \\boldsymbol{X}_1); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\boldsymbol{\\Omega} = \\varOmega\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{\\Omega}, Mul(\\varOmega, \\boldsymbol{\\hat{k}}); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "b y' = (c - a) z x f(x, y, z, t)",
+        "Chain(Mul(b, y'), Mul(Add(c, Neg(a)), z, x, Call(f; x, y, z, t)); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "U = \\begin{bmatrix} U_{0, 0} & U_{0, 1} & U_{0, 2} & \\cdots & U_{0, n-1} \\\\ 0 & U_{1, 1} & U_{1, 2} & \\cdots & U_{1, n-1} \\\\ 0 & 0 & U_{2, 2} & \\cdots & U_{2, n-1} \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots \\\\ 0 & 0 & 0 & \\cdots & U_{n-1, n-1} \\\\ 0 & 0 & 0 & \\cdots & 0 \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots \\\\ 0 & 0 & 0 & \\cdots & 0 \\end{bmatrix}",
+        "Chain(U, MatrixOf(U_{0,0}, U_{0,1}, U_{0,2}, Dots(), U_{0,n-1}, 0, U_{1,1}, U_{1,2}, Dots(), U_{1,n-1}, 0, 0, U_{2,2}, Dots(), U_{2,n-1}, Dots(), Dots(), Dots(), Dots(), Dots(), 0, 0, 0, Dots(), U_{n-1,n-1}, 0, 0, 0, Dots(), 0, Dots(), Dots(), Dots(), Dots(), Dots(), 0, 0, 0, Dots(), 0); =)",
+        "sympy/sympy/sympy/matrices/decompositions.py",
+    ),
+    (
+        "\\mathrm{KE} + V = E",
+        "Chain(Add(\\text{KE}, V), E; =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "\\mathbf{r}_{B/L} = x\\hat{S} + y\\hat{E} + z\\hat{Z}",
+        "Chain(\\mathbf{r}_{B/L}, Add(Mul(x, \\hat{S}), Mul(y, \\hat{E}), Mul(z, \\hat{Z})); =)",
+        "AVSLab/basilisk/src/simulation/environment/groundLocation/groundLocation.rst",
+    ),
+    (
+        "\\frac{B_{rough}}{B_{smooth}} = \\left[0.5\\left\\{1+ \\left(\\frac{\\mu_g} {\\mu_l}\\right)^2 + 10^{-600\\epsilon/D}\\right\\}\\right]^{\\frac{0.25-n} {0.25}}",
+        "Chain(Div(B_{rough}; B_{smooth}), Pow(Mul(0.5, Tuple(Add(1, Pow(Div(\\mu_g; \\mu_l); 2), Pow(10; Neg(Div(Mul(600, \\epsilon); D)))); {})); Div(Add(0.25, Neg(n)); 0.25)); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "b_3(t) = t + 4t^2 - 3t^3",
+        "Chain(Call(b_3; t), Add(t, Mul(4, Pow(t; 2)), Neg(Mul(3, Pow(t; 3)))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/catmull_rom_spline/catmull_rom_spline_main.rst",
+    ),
+    (
+        "h>\\left(1-\\sqrt{\\frac{\\chi}{1+\\chi}}\\right)R",
+        "Chain(h, Mul(Add(1, Neg(Sqrt(Div(\\chi; Add(1, \\chi))))), R); >)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{aligned} {}^Wp^{s_0}&=(1,5) \\\\ {}^Wp^{s_1}&=(3,10) \\\\ {}^Wp^{s_2}&=(5,10) \\end{aligned}",
+        "System(Chain(\\prescript { W } { } { p } ^ { s _ { 0 } }, Pair(1; 5); =), Chain(\\prescript { W } { } { p } ^ { s _ { 1 } }, Pair(3; 10); =), Chain(\\prescript { W } { } { p } ^ { s _ { 2 } }, Pair(5; 10); =))",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "{\\bf E}\\dot{\\bf x} = {\\bf A}{\\bf x} + {\\bf B}{\\bf u},",
+        "Chain(Mul(\\mathbf{E}, Call(\\dot{\\mathbf{x}})), Add(Mul(\\mathbf{A}, Call(\\mathbf{x})), Mul(\\mathbf{B}, \\mathbf{u})); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\hat{\\bm r} = \\frac{\\bm r_{B/P}}{|\\bm r_{B/P}|}",
+        "Chain(\\hat{\\bm{r}}, Div(\\bm{r}_{B/P}; Bars(\\bm{r}_{B/P})); =)",
+        "AVSLab/basilisk/src/simulation/environment/magneticFieldCenteredDipole/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "f^{B_p}_D = {}^DR^C f^{B_p}_C, \\qquad \\tau^{B_p}_D = {}^DR^C \\tau^{B_p}_C.",
+        "System(Chain(f _ { D } ^ { B _ { p } }, Mul(\\prescript { D } { } { R } ^ { C }, f _ { C } ^ { B _ { p } }); =), Chain(\\tau _ { D } ^ { B _ { p } }, Mul(\\prescript { D } { } { R } ^ { C }, \\tau _ { C } ^ { B _ { p } }); =))",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "{}^A\\bar{\\omega}^B = u_1\\hat{a}_x + u_2\\hat{a}_y + u_3\\hat{a}_z",
+        "Chain(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, Add(Mul(u_1, \\hat{a}_x), Mul(u_2, \\hat{a}_y), Mul(u_3, \\hat{a}_z)); =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "\\begin{array}{l} \\bar{n}_x\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\bar{n}_y\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\bar{n}_z\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\end{array}",
+        "System(Chain(Mul(\\bar{n}_x, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =), Chain(Mul(\\bar{n}_y, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =), Chain(Mul(\\bar{n}_z, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =))",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "\\mathbf{A} = \\mathbf{M}_b\\mathbf{M}_r^T",
+        "Chain(\\mathbf{A}, Mul(\\mathbf{M}_b, Transpose(\\mathbf{M}_r)); =)",
+        "Mayitzin/ahrs/ahrs/filters/triad.py",
+    ),
+    (
+        "\\begin{aligned}r &= \\frac{h^2}{\\mu}\\frac{1}{1 + e\\cos\\nu_0} & v_{r,0} = \\frac{\\mu}{h}\\sin\\nu_0\\end{aligned}",
+        "System(Chain(r, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(e, Call(cos; \\nu_0))))); =), Chain(v_{r,0}, Mul(Div(\\mu; h), Call(sin; \\nu_0)); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "m v^{+} = -e m v^{-}",
+        "Chain(Mul(m, v ^ { + }), Neg(Mul(e, m, v ^ { - })); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "y = \\frac{-x^2-1}{x-1} .",
+        "Chain(y, Div(Add(Neg(Pow(x; 2)), Neg(1)); Add(x, Neg(1))); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "{}^A\\omega^B_F + {}^B\\omega^C_F = {}^A\\omega^C_F,",
+        "Chain(Add(\\prescript { A } { } { \\omega } _ { F } ^ { B }, \\prescript { B } { } { \\omega } _ { F } ^ { C }), \\prescript { A } { } { \\omega } _ { F } ^ { C }; =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\nu_{i,2} = \\nu_{i,1} + n_i t_{12}",
+        "Chain(\\nu_{i,2}, Add(\\nu_{i,1}, Mul(n_i, t_{12})); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "\\begin{array}{rcl} w_0^{(m)} &=& \\frac{\\lambda}{n + \\lambda} \\\\ w_0^{(c)} &=& \\frac{\\lambda}{n + \\lambda} + (1 - \\alpha^2 + \\beta) \\\\ w_i^{(m)} = w_i^{(c)} &=& \\frac{1}{2(n + \\lambda)} \\quad \\text{for} \\quad i=1,2,\\ldots,2n \\end{array}",
+        "System(Chain(w _ { 0 } ^ { ( m ) }, Div(\\lambda; Add(n, \\lambda)); =), Chain(w _ { 0 } ^ { ( c ) }, Add(Div(\\lambda; Add(n, \\lambda)), Add(1, Neg(Pow(\\alpha; 2)), \\beta)); =), Chain(w _ { i } ^ { ( m ) }, w _ { i } ^ { ( c ) }, Div(1; Mul(2, Add(n, \\lambda))); =, =), Values(i; 1, 2, Dots(), Mul(2, n)))",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\operatorname{Bi}(z) = \\frac{1}{2 \\sqrt{\\pi} z^{1/4}} [2X + iY]",
+        "Chain(Call(\\text{Bi}; z), Mul(Div(1; Mul(2, Sqrt(\\pi), Pow(z; Div(1; 4)))), Add(Mul(2, X), Mul(i, Y))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\boldsymbol{v}' = \\boldsymbol{v} - \\boldsymbol{v}_0,\\quad \\boldsymbol{a}' = \\boldsymbol{a}",
+        "System(Chain(\\boldsymbol{v}', Add(\\boldsymbol{v}, Neg(\\boldsymbol{v}_0)); =), Chain(\\boldsymbol{a}', \\boldsymbol{a}; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\boxed{\\mathbf{q}_{t+1} = \\Bigg[ \\cos\\Big(\\frac{\\|\\boldsymbol\\omega\\|\\Delta t}{2}\\Big)\\mathbf{I}_4 + \\frac{1}{\\|\\boldsymbol\\omega\\|}\\sin\\Big(\\frac{\\|\\boldsymbol\\omega\\|\\Delta t}{2}\\Big)\\boldsymbol\\Omega(\\boldsymbol\\omega) \\Bigg]\\mathbf{q}_t}",
+        "Chain(\\mathbf{q}_{t+1}, Mul(Add(Mul(Call(cos; Div(Mul(Norm(\\boldsymbol{\\omega}), \\Delta t); 2)), \\mathbf{I}_4), Mul(Div(1; Norm(\\boldsymbol{\\omega})), Call(sin; Div(Mul(Norm(\\boldsymbol{\\omega}), \\Delta t); 2)), Call(\\boldsymbol{\\Omega}; \\boldsymbol{\\omega}))), \\mathbf{q}_t); =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "\\dot{\\bar{u}}_r = \\dot{\\mathbf{A}}_n \\bar{u}_s + \\mathbf{A}_n \\dot{\\bar{u}}_s + \\dot{\\bar{b}}_n",
+        "Chain(Call(\\dot{\\bar{u}}_r), Add(Mul(Call(\\dot{\\mathbf{A}}_n), Call(\\bar{u}_s)), Mul(Call(\\mathbf{A}_n), Call(\\dot{\\bar{u}}_s)), Call(\\dot{\\bar{b}}_n)); =)",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "C = \\begin{cases} 2 \\exp(7 / (36 |\\zeta|)) & |\\arg(z)| \\le \\pi/3 \\\\ 2 \\chi(n) \\exp(7 \\pi / (72 |\\zeta|)) & \\pi/3 \\le |\\arg(z)| \\le 2\\pi/3 \\\\ 4 \\chi(n) \\exp(7 \\pi / (36 |\\operatorname{re}(\\zeta)|)) |\\cos(\\arg(\\zeta))|^{-n} & 2\\pi/3 \\le |\\arg(z)| < \\pi. \\end{cases}",
+        "Chain(C, Piecewise(Mul(2, Call(exp; Div(7; Mul(36, Bars(\\zeta))))), Chain(Bars(Call(arg; z)), Div(\\pi; 3); \\le), Mul(2, Call(\\chi; n), Call(exp; Div(Mul(7, \\pi); Mul(72, Bars(\\zeta))))), Chain(Div(\\pi; 3), Bars(Call(arg; z)), Div(Mul(2, \\pi); 3); \\le, \\le), Mul(4, Call(\\chi; n), Call(exp; Div(Mul(7, \\pi); Mul(36, Bars(Call(\\text{re}; \\zeta))))), Pow(Bars(Call(cos; Call(arg; \\zeta))); Neg(n))), Chain(Div(Mul(2, \\pi); 3), Bars(Call(arg; z)), \\pi; \\le, <)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "X(s) - \\frac{1}{s^2} = \\frac{1}{s} X(s) ,",
+        "Chain(Add(Call(X; s), Neg(Div(1; Pow(s; 2)))), Mul(Div(1; s), Call(X; s)); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "T_{syn} = \\frac{2\\pi}{\\lvert n_f - n_i\\rvert}",
+        "Chain(T_{syn}, Div(Mul(2, \\pi); Bars(Add(n_f, Neg(n_i)))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "M_d \\dot{u} = f_d",
+        "Chain(Mul(M_d, Call(\\dot{u})), f_d; =)",
+        "sympy/sympy/sympy/physics/mechanics/system.py",
+    ),
+    (
+        "u_1 = {}^A\\bar{\\omega}^B \\cdot \\hat{a}_x \\\\ u_2 = {}^A\\bar{\\omega}^B \\cdot \\hat{a}_y \\\\ u_3 = {}^A\\bar{\\omega}^B \\cdot \\hat{a}_z",
+        "System(Chain(u_1, Mul(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, \\hat{a}_x; 1); =), Chain(u_2, Mul(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, \\hat{a}_y; 1); =), Chain(u_3, Mul(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, \\hat{a}_z; 1); =))",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "\\mathbf{q} = \\begin{pmatrix}s & \\mathbf{v}\\end{pmatrix}^T",
+        "Chain(\\mathbf{q}, Transpose(MatrixOf(s, \\mathbf{v})); =)",
+        "Mayitzin/ahrs/ahrs/filters/fourati.py",
+    ),
+    (
+        "\\tilde{\\bm F} = \\rho \\bm F &\\hspace{1cm} \\tilde{\\bm T} =\\rho \\bm T",
+        "System(Chain(\\tilde{\\bm{F}}, Mul(\\rho, \\bm{F}); =), Chain(\\tilde{\\bm{T}}, Mul(\\rho, \\bm{T}); =))",
+        "AVSLab/basilisk/src/simulation/dynamics/Thrusters/thrusterDynamicEffector/_Documentation/secTest.tex",
+    ),
+    (
+        "|\\log(x+a) - \\log(x)| \\le \\log\\left(1 + \\frac{|a|}{x-|a|}\\right),",
+        "Chain(Bars(Add(Call(log; Add(x, a)), Neg(Call(log; x)))), Call(log; Add(1, Div(Bars(a); Add(x, Neg(Bars(a)))))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{R}(^L_G\\mathbf{q})\\,^G\\mathbf{g} &=& \\, ^L\\mathbf{a} \\\\ \\mathbf{R}(\\mathbf{q}_\\mathrm{acc})\\mathbf{R}(\\mathbf{q}_\\mathrm{mag}) \\begin{bmatrix}0 \\\\ 0 \\\\ 1\\end{bmatrix} &=& \\begin{bmatrix}a_x \\\\ a_y \\\\ a_z\\end{bmatrix} \\end{array}",
+        "System(Chain(Mul(Call(\\mathbf{R}; \\prescript { L } { G } { \\mathbf { q } }), \\prescript { G } { } { \\mathbf { g } }), \\prescript { L } { } { \\mathbf { a } }; =), Chain(Mul(Call(\\mathbf{R}; \\mathbf{q}_{acc}), Call(\\mathbf{R}; \\mathbf{q}_{mag}), MatrixOf(0, 0, 1)), MatrixOf(a_x, a_y, a_z); =))",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "K = \\left[0.0733 + 0.923 \\left(\\frac{d}{rc}\\right)^{3.5} \\right] \\theta^{0.5}",
+        "Chain(K, Mul(Add(0.0733, Mul(0.923, Pow(Div(d; Mul(r, c)); 3.5))), Pow(\\theta; 0.5)); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "^{\\mathbf{A}}\\mathbf{C}^{\\mathbf{B}} = (^{\\mathbf{B}}\\mathbf{C}^{\\mathbf{A}})^{-1}\\\\ = (^{\\mathbf{B}}\\mathbf{C}^{\\mathbf{A}})^T",
+        "Chain(\\prescript { \\mathbf { A } } { } { \\mathbf { C } } ^ { \\mathbf { B } }, Pow(\\prescript { \\mathbf { B } } { } { \\mathbf { C } } ^ { \\mathbf { A } }; Neg(1)), Transpose(\\prescript { \\mathbf { B } } { } { \\mathbf { C } } ^ { \\mathbf { A } }); =, =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\left|\\frac{1}{b+k}\\right| \\le \\frac{1}{|b+n|}",
+        "Chain(Bars(Div(1; Add(b, k))), Div(1; Bars(Add(b, n))); \\le)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "(\\tilde{F}^*_r)_P = {}^A\\tilde{v}_r^{P} \\cdot \\bar{R}^* \\\\ (\\tilde{F}^*_r)_B = {}^A\\tilde{v}_r^Q \\cdot \\bar{R}^* + {}^A\\tilde{\\omega}_r^B \\cdot \\bar{T}^*",
+        "System(Chain(Marked(\\tilde { F } _ { r } ^ { * }; _{ P }), Mul(\\prescript { A } { } { \\tilde { v } } _ { r } ^ { P }, \\bar { R } ^ { * }; 1); =), Chain(Marked(\\tilde { F } _ { r } ^ { * }; _{ B }), Add(Mul(\\prescript { A } { } { \\tilde { v } } _ { r } ^ { Q }, \\bar { R } ^ { * }; 1), Mul(\\prescript { A } { } { \\tilde { \\omega } } _ { r } ^ { B }, \\bar { T } ^ { * }; 1)); =))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "S(\\boldsymbol{q},t) = S_0(\\boldsymbol{q}',t)+S_1(q_1)",
+        "Chain(Call(S; \\boldsymbol{q}, t), Add(Call(S_0; \\boldsymbol{q}', t), Call(S_1; q_1)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "F_d = \\frac{1}{2}\\rho C_dAv^2",
+        "Chain(F_d, Mul(Div(1; 2), \\rho, C_d, A, Pow(v; 2)); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "\\boldsymbol{V} = V \\boldsymbol{\\hat{u}}_V = \\sqrt{\\frac{\\mu_{\\text{sun}}}{R}} \\boldsymbol{\\hat{u}}_V",
+        "Chain(\\boldsymbol{V}, Mul(V, \\boldsymbol{\\hat{u}}_V), Mul(Sqrt(Div(\\mu_{sun}; R)), \\boldsymbol{\\hat{u}}_V); =, =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "\\theta_3(z,\\tau) = \\sum_{n=-\\infty}^{\\infty} \\exp(\\pi i [n^2 \\tau + 2n z]) = 1 + 2 \\sum_{n=1}^{\\infty} q^{n^2} \\cos(2n \\pi z)",
+        "Chain(Call(\\theta_3; z, \\tau), BigSum(n; Neg(Infinity()); Infinity(); Call(exp; Mul(\\pi, i, Add(Mul(Pow(n; 2), \\tau), Mul(2, n, z))))), Add(1, Mul(2, BigSum(n; 1; Infinity(); Mul(Pow(q; Pow(n; 2)), Call(cos; Mul(2, n, \\pi, z)))))); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "t \\theta(a,t) = \\epsilon(\\chi) \\theta\\left(\\frac1a, \\frac1t\\right)",
+        "Chain(Mul(t, Call(\\theta; a, t)), Mul(Call(\\epsilon; \\chi), Call(\\theta; Div(1; a), Div(1; t))); =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "\\mu_\\mathtt{new} = \\frac{\\sigma_z^2\\bar\\mu + \\bar\\sigma^2z}{\\bar\\sigma^2+\\sigma_z^2}",
+        "Chain(\\mu_{new}, Div(Add(Mul(Pow(\\sigma_z; 2), \\bar{\\mu}), Mul(Pow(\\bar{\\sigma}; 2), z)); Add(Pow(\\bar{\\sigma}; 2), Pow(\\sigma_z; 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\begin{aligned} {}_I \\mathbf v_{Q} &= {}_I \\mathbf v_{B} + \\dot{\\mathbf C}_{I\\!B} \\cdot {}_B\\mathbf r_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} + \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot {}_B\\mathbf r_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} - \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} - \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} + \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\cdot \\dot{\\mathbf q}_j \\\\ &= \\begin{bmatrix} \\mathds{1}_{3\\times 3} && -\\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\cdot \\mathbf u \\end{aligned}",
+        "Chain(\\prescript { } { I } { \\mathbf { v } } _ { Q }, Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\dot{\\mathbf{C}}_{I\\!B}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B \\! Q })), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B \\! Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, Call(\\prescript { } { B } { \\mathbf { r } } _ { B \\! Q }); 2), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B \\! Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }; 2)), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B \\! Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }; 2)), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)), Call(\\dot{\\mathbf{q}}_j); 2)), Mul(MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q })), Blank(), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)))), \\mathbf{u}; 1); =, =, =, =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "y(x) = b_0 \\cosh (kx) + \\frac{b_1}{k} \\sinh (kx) .",
+        "Chain(Call(y; x), Add(Mul(b_0, Call(cosh; Mul(k, x))), Mul(Div(b_1; k), Call(sinh; Mul(k, x)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\boldsymbol{\\theta} = \\alpha\\boldsymbol{\\theta}_\\omega + (1 - \\alpha)\\boldsymbol{\\theta}_{am}",
+        "Chain(\\boldsymbol{\\theta}, Add(Mul(\\alpha, \\boldsymbol{\\theta}_\\omega), Mul(Add(1, Neg(\\alpha)), \\boldsymbol{\\theta}_{am})); =)",
+        "Mayitzin/ahrs/ahrs/filters/complementary.py",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} t}\\frac{\\partial P}{\\partial q_\\alpha'} - \\frac{\\partial P}{\\partial q_\\alpha} = 0\\quad (\\alpha=2,3,\\cdots,s)",
+        "System(Chain(Add(Derivative(Derivative(Call(P); q'_{\\alpha}, 1; True); t, 1), Neg(Derivative(Call(P); q_{\\alpha}, 1; True))), 0; =), Values(\\alpha; 2, 3, Dots(), s))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "{\\bf B} ({\\bf q}) = \\begin{bmatrix} l_1 c_1 + l_2 c_{1+2} & l_1 s_1 + l_2 s_{1+2} \\\\ l_2 c_{1+2} & l_2 s_{1+2} \\end{bmatrix}.",
+        "Chain(Call(\\mathbf{B}; \\mathbf{q}), MatrixOf(Add(Mul(l_1, c_1), Mul(l_2, c_{1+2})), Add(Mul(l_1, s_1), Mul(l_2, s_{1+2})), Mul(l_2, c_{1+2}), Mul(l_2, s_{1+2})); =)",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "\\boldsymbol{v} = \\boldsymbol{\\omega} \\times \\boldsymbol{r}",
+        "Chain(\\boldsymbol{v}, Cross(\\boldsymbol{\\omega}; \\boldsymbol{r}); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\vec{c} = {(A +\\omega^2 I)}^{-1} (-\\vec{F} ).",
+        "Chain(\\vec{c}, Mul(Pow(Add(A, Mul(Pow(\\omega; 2), I)); Neg(1)), Neg(\\vec{F})); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "U(k) = z \\; B(k, \\max(0, -s)) \\; B(k \\log(k), d)",
+        "Chain(Call(U; k), Mul(z, Call(B; k, Call(max; 0, Neg(s))), Call(B; Mul(k, Call(log; k)), d)); =)",
+        "fredrik-johansson/arb/doc/source/polylogarithms.rst",
+    ),
+    (
+        "\\theta_{1+i}(z,\\tau) = \\exp(\\pi i R_i / 4) \\cdot A \\cdot B \\cdot \\theta_{1+S_i}(z',\\tau')",
+        "Chain(Call(\\theta_{1+i}; z, \\tau), Mul(Call(exp; Div(Mul(\\pi, i, R_i); 4)), A, B, Call(\\theta_{1+S_i}; z', \\tau')); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "K_1 = K_{1,sharp} \\sqrt{\\sin \\frac{\\theta}{2}}",
+        "Chain(K_1, Mul(K_{1,sharp}, Sqrt(Call(sin; Div(\\theta; 2)))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\boldsymbol{M}_1^\\mathrm{T} \\boldsymbol{J} \\boldsymbol{M}_1 = \\boldsymbol{J},\\quad \\boldsymbol{M}_2^\\mathrm{T} \\boldsymbol{J} \\boldsymbol{M}_2 = \\boldsymbol{J}",
+        "System(Chain(Mul(Transpose(\\boldsymbol{M}_1), \\boldsymbol{J}, \\boldsymbol{M}_1), \\boldsymbol{J}; =), Chain(Mul(Transpose(\\boldsymbol{M}_2), \\boldsymbol{J}, \\boldsymbol{M}_2), \\boldsymbol{J}; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\dot{x}^* = \\dot{y}^* = \\dot{z}^* = 0 \\qquad \\text{and} \\qquad \\ddot{x}^* = \\ddot{y}^* = \\ddot{z}^* = 0",
+        "System(Chain(Call(\\dot { x } ^ { * }), Call(\\dot { y } ^ { * }), Call(\\dot { z } ^ { * }), 0; =, =, =), Chain(Call(\\ddot { x } ^ { * }), Call(\\ddot { y } ^ { * }), Call(\\ddot { z } ^ { * }), 0; =, =, =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\operatorname{Li}_{s}(z) = z \\Phi(z, s, 1).",
+        "Chain(Call(\\text{Li}_s; z), Mul(z, Call(\\Phi; z, s, 1)); =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "y^2 = -\\frac89 \\frac{\\omega_0^2 \\cos^2 \\lambda}{g} (z-h)^3",
+        "Chain(Pow(y; 2), Neg(Mul(Div(8; 9), Div(Mul(Pow(\\omega_0; 2), Pow(Call(cos; \\lambda); 2)); g), Pow(Add(z, Neg(h)); 3))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "x''(0) = 2a_2 = a_s",
+        "Chain(Call(x''; 0), Mul(2, a_2), a_s; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = \\ddot{\\boldsymbol{R}}_2 - \\ddot{\\boldsymbol{R}}_1",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Call(\\ddot{\\boldsymbol{R}}_2), Neg(Call(\\ddot{\\boldsymbol{R}}_1))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\breve{I}^{B/O} = I_{11} \\hat{b}_1 \\otimes \\hat{b}_1 + I_{22} \\hat{b}_2 \\otimes \\hat{b}_2 + I_{33} \\hat{b}_3 \\otimes \\hat{b}_3",
+        "Chain(\\breve { I } ^ { B / O }, Add(Operated(\\otimes; Mul(I_{11}, \\hat{b}_1); \\hat{b}_1), Operated(\\otimes; Mul(I_{22}, \\hat{b}_2); \\hat{b}_2), Operated(\\otimes; Mul(I_{33}, \\hat{b}_3); \\hat{b}_3)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "y' = \\frac{1}{x}, \\qquad y(0) = 0 .",
+        "System(Chain(Call(y'), Div(1; x); =), Chain(Call(y; 0), 0; =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "dy/dx = f(x) y^2 + g(x) y + h(x)\\text{.}",
+        "Chain(Derivative(Call(y); x, 1), Add(Mul(Call(f; x), Pow(Call(y); 2)), Mul(Call(g; x), Call(y)), Call(h; x)); =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "f(x) := \\frac{2d_1^{d_1/2} d_2^{d_2/2}} {\\mathrm{B}(d_1/2, d_2/2)} \\frac{e^{d_1z}}{\\left(d_1e^{2z}+d_2\\right)^{\\left(d_1+d_2\\right)/2}}",
+        "Chain(Call(f; x), Mul(Div(Mul(2, Pow(d_1; Div(d_1; 2)), Pow(d_2; Div(d_2; 2))); Call(\\text{B}; Div(d_1; 2), Div(d_2; 2))), Div(Pow(e; Mul(d_1, z)); Pow(Add(Mul(d_1, Pow(e; Mul(2, z))), d_2); Div(Add(d_1, d_2); 2)))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "P = \\begin{pmatrix} 0 & 1 & 0 \\\\ 1 & 0 & 1 \\\\ 0 & -2 & -1 \\end{pmatrix}.",
+        "Chain(P, MatrixOf(0, 1, 0, 1, 0, 1, 0, Neg(2), Neg(1)); =)",
+        "sympy/sympy/doc/src/modules/physics/units/philosophy.rst",
+    ),
+    (
+        "\\dot{\\bf q} &= {\\bf r}'(s)\\dot{s},\\\\ \\ddot{\\bf q}(t) &= {\\bf r}''(s) \\dot{s}^2 + {\\bf r}'(s)\\ddot{s}.",
+        "System(Chain(Call(\\dot{\\mathbf{q}}), Mul(Call(\\mathbf{r}'; Call(s)), Call(\\dot{s})); =), Chain(Call(\\ddot{\\mathbf{q}}; t), Add(Mul(Call(\\mathbf{r}''; Call(s)), Pow(Call(\\dot{s}); 2)), Mul(Call(\\mathbf{r}'; Call(s)), Call(\\ddot{s}))); =))",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "x = \\varphi(y), \\int \\frac{1}{g(y) F(\\varphi(y),y)} \\,dy = t + C_2",
+        "System(Chain(x, Call(\\varphi; y); =), Chain(Antiderivative(Div(1; Mul(Call(g; y), Call(F; Call(\\varphi; y), y))); y), Add(t, C_2); =))",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\log(2) = \\frac{3}{4} \\sum_{k=0}^{\\infty} \\frac{(-1)^k (k!)^2}{2^k (2k+1)!}",
+        "Chain(Call(log; 2), Mul(Div(3; 4), BigSum(k; 0; Infinity(); Div(Mul(Pow(Neg(1); k), Pow(Factorial(k); 2)); Mul(Pow(2; k), Factorial(Add(Mul(2, k), 1)))))); =)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "\\bm \\delta = h\\frac{\\left\\| \\sum_{i=1}^{13}\\text{CT}(i)\\bm k_i \\right\\|}{\\|\\bm x_n\\|}",
+        "Chain(\\bm{\\delta}, Mul(h, Div(Norm(BigSum(i; 1; 13; Mul(Call(\\text{CT}; i), \\bm{k}_i))); Norm(\\bm{x}_n))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/Integrators/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\frac{{}_0F_1(a,z)}{\\Gamma(a)} = (-z)^{(1-a)/2} J_{a-1}(2 \\sqrt{-z}) = z^{(1-a)/2} I_{a-1}(2 \\sqrt{z}).",
+        "Chain(Div(Call(\\prescript { } { 0 } { F } _ { 1 }; a, z); Call(Gamma; a)), Mul(Pow(Neg(z); Div(Add(1, Neg(a)); 2)), Call(J_{a-1}; Mul(2, Sqrt(Neg(z))))), Mul(Pow(z; Div(Add(1, Neg(a)); 2)), Call(I_{a-1}; Mul(2, Sqrt(z)))); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\eta(s, a) = \\sum_{n=0}^\\infty \\frac{(-1)^n}{(n+a)^s}.",
+        "Chain(Call(\\eta; s, a), BigSum(n; 0; Infinity(); Div(Pow(Neg(1); n); Pow(Add(n, a); s))); =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "\\frac{dE}{dt} = 0 = \\frac{d\\mathrm{KE}}{dt} + \\frac{dV}{dt}",
+        "Chain(Derivative(Call(E); t, 1), 0, Add(Derivative(Call(\\text{KE}); t, 1), Derivative(Call(V); t, 1)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "{}^AR^B \\: {}^BR^C = {}^AR^C.",
+        "Chain(Mul(\\prescript { A } { } { R } ^ { B }, \\prescript { B } { } { R } ^ { C }), \\prescript { A } { } { R } ^ { C }; =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\mathbf{a} = \\sum_k \\mathbf{a}_k(\\mathbf{r})",
+        "Chain(\\mathbf{a}, BigSum(k; Call(\\mathbf{a}_k; \\mathbf{r})); =)",
+        "AVSLab/basilisk/src/simulation/mujocoDynamics/NBodyGravity/NBodyGravity.rst",
+    ),
+    (
+        "a(x, y) \\frac{\\partial f(x, y)}{\\partial x} + b(x, y) \\frac{\\partial f(x, y)}{\\partial y} + c(x, y) f(x, y) = G(x, y)",
+        "Chain(Add(Mul(Call(a; x, y), Derivative(Call(f; x, y); x, 1; True)), Mul(Call(b; x, y), Derivative(Call(f; x, y); y, 1; True)), Mul(Call(c; x, y), Call(f; x, y))), Call(G; x, y); =)",
+        "sympy/sympy/sympy/solvers/pde.py",
+    ),
+    (
+        "\\alpha = \\frac{v_{gs}}{v_{gs}\\left(1 + \\left(\\frac{v_{ls}}{v_{gs}} \\right)^{\\left(\\frac{\\rho_g}{\\rho_l}\\right)^{0.1}}\\right) + 2.9\\left[\\frac{gD\\sigma(1+\\cos\\theta)(\\rho_l-\\rho_g)} {\\rho_l^2}\\right]^{0.25}(1.22 + 1.22\\sin\\theta)^{\\frac{P}{P_{atm}}}}",
+        "Chain(\\alpha, Div(v_{gs}; Add(Mul(v_{gs}, Add(1, Pow(Div(v_{ls}; v_{gs}); Pow(Div(\\rho_g; \\rho_l); 0.1)))), Mul(2.9, Pow(Div(Mul(g, D, \\sigma, Add(1, Call(cos; \\theta)), Add(\\rho_l, Neg(\\rho_g))); Pow(\\rho_l; 2)); 0.25), Pow(Add(1.22, Mul(1.22, Call(sin; \\theta))); Div(P; P_{atm}))))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\zeta(-n,a) = -\\frac{B_{n+1}(a)}{n+1}",
+        "Chain(Call(\\zeta; Neg(n), a), Neg(Div(Call(B_{n+1}; a); Add(n, 1))); =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "\\varphi = -\\frac{1}{\\lambda} log(C_1 - \\lambda \\int \\frac{1}{g(y)} \\,dy)",
+        "Chain(\\varphi, Neg(Mul(Div(1; \\lambda), Call(log; Add(C_1, Neg(Mul(\\lambda, Antiderivative(Div(1; Call(g; y)); y))))))); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\alpha = \\arccos\\!\\left(\\hat{\\bf c}_B \\cdot \\hat{\\bf v}_{\\perp}\\right)",
+        "Chain(\\alpha, Call(arccos; Mul(\\hat{\\mathbf{c}}_B, \\hat{\\mathbf{v}}_\\perp; 1)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/locationPointing/locationPointing.rst",
+    ),
+    (
+        "\\boldsymbol{B} = B_x\\boldsymbol{\\hat{\\imath}} + B_y\\boldsymbol{\\hat{\\jmath}} + B_z\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{B}, Add(Mul(B_x, \\boldsymbol{\\hat{\\imath}}), Mul(B_y, \\boldsymbol{\\hat{\\jmath}}), Mul(B_z, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "V = C\\sqrt{S R_h}",
+        "Chain(V, Mul(C, Sqrt(Mul(S, R_h))); =)",
+        "CalebBell/fluids/fluids/open_flow.py",
+    ),
+    (
+        "\\gamma_2 = \\nu_{f,2} - \\nu_{i,2}",
+        "Chain(\\gamma_2, Add(\\nu_{f,2}, Neg(\\nu_{i,2})); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "f(\\boldsymbol{r}_1,\\boldsymbol{r}_2,\\cdots,\\boldsymbol{r}_n,\\dot{\\boldsymbol{r}}_1,\\dot{\\boldsymbol{r}}_2,\\cdots,\\dot{\\boldsymbol{r}}_n,t) \\geqslant 0",
+        "Chain(Call(f; Call(\\boldsymbol{r}_1), Call(\\boldsymbol{r}_2), Dots(), Call(\\boldsymbol{r}_n), Call(\\dot{\\boldsymbol{r}}_1), Call(\\dot{\\boldsymbol{r}}_2), Dots(), Call(\\dot{\\boldsymbol{r}}_n), t), 0; \\ge)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/analytical-mechanics/Constraint.tex",
+    ),
+    (
+        "L(\\mathbf{A}) = \\frac{1}{2}\\sum_{i=1}^n a_i |\\hat{\\mathbf{W}}_i - \\mathbf{A}\\hat{\\mathbf{V}}_i|^2",
+        "Chain(Call(L; \\mathbf{A}), Mul(Div(1; 2), BigSum(i; 1; n; Mul(a_i, Pow(Bars(Add(\\hat{\\mathbf{W}}_i, Neg(Mul(\\mathbf{A}, \\hat{\\mathbf{V}}_i)))); 2)))); =)",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "x+2x-y+y = 2+4, \\qquad \\text{or} \\qquad 3x = 6 .",
+        "System(Chain(Add(x, Mul(2, x), Neg(y), y), Add(2, 4); =), Words(\\text{~or~}), Chain(Mul(3, x), 6; =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\bar{u}_r = -\\mathbf{M}_{hd}^{-1} \\bar{g}_{hd} \\in \\mathbb{R}^M",
+        "Chain(\\bar{u}_r, Neg(Mul(Pow(\\mathbf{M}_{hd}; Neg(1)), \\bar{g}_{hd})), Pow(\\mathbb{R}; M); =, \\in)",
+        "moorepants/learn-multibody-dynamics/holonomic-eom.rst",
+    ),
+    (
+        "\\frac{-y}{x^2+y^2} dx + \\frac{x}{x^2+y^2} dy = 0 , \\qquad y(1) = 2.",
+        "System(Chain(Add(Mul(Div(Neg(Call(y)); Add(Pow(x; 2), Pow(Call(y); 2))), Total(x)), Mul(Div(x; Add(Pow(x; 2), Pow(Call(y); 2))), Total(Call(y)))), 0; =), Chain(Call(y; 1), 2; =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "0 = \\min_{\\bf u} \\left[\\ell({\\bf x}, {\\bf u}) + \\frac{\\partial J^*}{\\partial {\\bf x}}f({\\bf x},{\\bf u}) + \\frac{\\partial J^*}{\\partial t} \\right].",
+        "Chain(0, Limiting(min; _{ \\mathbf { u } }; Add(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})), Derivative(Call(J ^ { * }); t, 1; True))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "m_{\\text{sc}}[\\tilde{\\bm{c}}]\\ddot{\\bm r}_{B/N}+[I_{\\text{sc},B}] \\dot{\\bm\\omega}_{\\cal B/N} + \\sum\\limits_{j=1}^{N_P}m_j [\\tilde{\\bm r}_{P_{c,j}/B}] \\hat{\\bm p}_j \\ddot{\\rho}_j = \\\\ -[\\bm{\\tilde{\\omega}}_{\\cal B/N}] [I_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - [I'_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - \\sum\\limits_{j=1}^{N_P} m_j [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm{r}}_{P_{c,j}/B}] \\bm{r}'_{P_{c,j}/B} + \\bm{L}_B",
+        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], \\hat{\\bm{p}}_j, Call(\\ddot{\\rho}_j)))), Add(Neg(Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], \\bm{r}_{P_c,j/B}'))), \\bm{L}_B); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "R = \\begin{bmatrix} \\cos(\\theta) & \\sin(\\theta) & 0 \\\\ -\\sin(\\theta) & \\cos(\\theta) & 0 \\\\ 0 & 0 & 1 \\end{bmatrix}",
+        "Chain(R, MatrixOf(Call(cos; \\theta), Call(sin; \\theta), 0, Neg(Call(sin; \\theta)), Call(cos; \\theta), 0, 0, 0, 1); =)",
+        "sympy/sympy/sympy/matrices/dense.py",
+    ),
+    (
+        "\\Phi_2 = 2 \\cos^{-1} \\left ( \\cos \\frac{\\Phi_{1a}}{2} \\cos \\frac{\\Phi_{1b}}{2} - \\sin \\frac{\\Phi_{1a}}{2} \\sin \\frac {\\Phi_{1b}}{2} \\ \\hat{\\boldsymbol{e}}_{1a} \\cdot \\hat{\\boldsymbol{e}}_{1b} \\right )",
+        "Chain(\\Phi_2, Mul(2, Call(arccos; Add(Mul(Call(cos; Div(\\Phi_{1a}; 2)), Call(cos; Div(\\Phi_{1b}; 2))), Neg(Mul(Call(sin; Div(\\Phi_{1a}; 2)), Call(sin; Div(\\Phi_{1b}; 2)), \\hat{\\boldsymbol{e}}_{1a}, \\hat{\\boldsymbol{e}}_{1b}; 3))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/prescribedRot2DOF/prescribedRot2DOF.rst",
+    ),
+    (
+        "A_{\\text{circular sector}} = \\frac{r^2 \\phi}{2}",
+        "Chain(A_{circular~sector}, Div(Mul(Pow(r; 2), \\phi); 2); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\dfrac{\\mathrm{d} \\boldsymbol{L}}{\\mathrm{d} t} & = \\sum_{i=1}^n \\left(\\dfrac{\\mathrm{d} \\boldsymbol{r}_i}{\\mathrm{d} t} - \\dfrac{\\mathrm{d} \\boldsymbol{r}_A}{\\mathrm{d} t}\\right)\\times \\boldsymbol{p}_i + \\sum_{i=1}^n (\\boldsymbol{r}_i - \\boldsymbol{r}_A) \\times \\dfrac{\\mathrm{d} \\boldsymbol{p}_i}{\\mathrm{d} t} \\\\ & = \\sum_{i=1}^n (\\boldsymbol{v}_i - \\boldsymbol{v}_A) \\times \\boldsymbol{p}_i + \\sum_{i=1}^n (\\boldsymbol{r}_i - \\boldsymbol{r}_A) \\times \\boldsymbol{F}_i",
+        "Chain(Derivative(Call(\\boldsymbol{L}); t, 1), Add(BigSum(i; 1; n; Cross(Add(Derivative(Call(\\boldsymbol{r}_i); t, 1), Neg(Derivative(Call(\\boldsymbol{r}_A); t, 1))); Call(\\boldsymbol{p}_i))), BigSum(i; 1; n; Cross(Add(Call(\\boldsymbol{r}_i), Neg(Call(\\boldsymbol{r}_A))); Derivative(Call(\\boldsymbol{p}_i); t, 1)))), Add(BigSum(i; 1; n; Cross(Add(\\boldsymbol{v}_i, Neg(\\boldsymbol{v}_A)); Call(\\boldsymbol{p}_i))), BigSum(i; 1; n; Cross(Add(Call(\\boldsymbol{r}_i), Neg(Call(\\boldsymbol{r}_A))); \\boldsymbol{F}_i))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\hat{a}_x & = \\cos{\\theta} \\hat{n}_x + \\sin{\\theta} \\hat{n}_y + 0 \\hat{n}_z \\\\ \\hat{a}_y & = -\\sin{\\theta} \\hat{n}_x + \\cos{\\theta} \\hat{n}_y + 0 \\hat{n}_z \\\\ \\hat{a}_z & = 0 \\hat{n}_x + 0 \\hat{n}_y + 1 \\hat{n}_z",
+        "System(Chain(\\hat{a}_x, Add(Mul(Call(cos; \\theta), \\hat{n}_x), Mul(Call(sin; \\theta), \\hat{n}_y), Mul(0, \\hat{n}_z)); =), Chain(\\hat{a}_y, Add(Neg(Mul(Call(sin; \\theta), \\hat{n}_x)), Mul(Call(cos; \\theta), \\hat{n}_y), Mul(0, \\hat{n}_z)); =), Chain(\\hat{a}_z, Add(Mul(0, \\hat{n}_x), Mul(0, \\hat{n}_y), Mul(1, \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "{\\bf M}({\\bf q})\\ddot{\\bf q} = \\begin{bmatrix} m & 0 & 0 \\\\ 0 & m & 0 \\\\ 0 & 0 & \\frac{2}{3}mr^2 \\end{bmatrix} \\ddot{\\bf q} = \\begin{bmatrix} 0 \\\\ -g \\\\ 0 \\end{bmatrix} + \\begin{bmatrix} 0 & 1 \\\\ 1 & 0 \\\\ 0 & r \\end{bmatrix} \\begin{bmatrix} \\lambda_z \\\\ \\lambda_x \\end{bmatrix} = \\tau_g + {\\bf J}^T {\\bf \\lambda},",
+        "Chain(Mul(Call(\\mathbf{M}; Call(\\mathbf{q})), Call(\\ddot{\\mathbf{q}})), Mul(MatrixOf(m, 0, 0, 0, m, 0, 0, 0, Mul(Div(2; 3), m, Pow(r; 2))), Call(\\ddot{\\mathbf{q}})), Add(MatrixOf(0, Neg(g), 0), Mul(MatrixOf(0, 1, 1, 0, 0, r), MatrixOf(\\lambda_z, \\lambda_x))), Add(\\tau_g, Mul(Transpose(\\mathbf{J}), \\mathbf{\\lambda})); =, =, =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "R(\\theta) = \\begin{bmatrix} \\cos\\theta & -\\sin\\theta \\\\ \\sin\\theta & \\cos\\theta \\end{bmatrix}.",
+        "Chain(Call(R; \\theta), MatrixOf(Call(cos; \\theta), Neg(Call(sin; \\theta)), Call(sin; \\theta), Call(cos; \\theta)); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\cos E = \\frac{e + \\cos\\nu}{1 + e\\cos\\nu}",
+        "Chain(Call(cos; E), Div(Add(e, Call(cos; \\nu)); Add(1, Mul(e, Call(cos; \\nu)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\Phi = \\arccos \\left( \\frac{\\bm h \\cdot \\hat{\\bm h}_{c} }{|\\bm h|} \\right)",
+        "Chain(\\Phi, Call(arccos; Div(Mul(\\bm{h}, \\hat{\\bm{h}}_c; 1); Bars(\\bm{h}))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/opNavPoint/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "F = (\\mu_k f_n + (\\mu_s - \\mu_k) f_n e^{-(\\frac{v}{v_s})^2}) \\text{sign}(v) + \\sigma v",
+        "Chain(F, Add(Mul(Add(Mul(\\mu_k, f_n), Mul(Add(\\mu_s, Neg(\\mu_k)), f_n, Pow(e; Neg(Pow(Div(v; v_s); 2))))), Call(sign; v)), Mul(\\sigma, v)); =)",
+        "sympy/sympy/sympy/physics/mechanics/actuator.py",
+    ),
+    (
+        "\\mathbf{q}_t \\leftarrow \\frac{1}{\\|\\mathbf{q}_t\\|}\\mathbf{q}_t",
+        "Chain(\\mathbf{q}_t, Mul(Div(1; Norm(\\mathbf{q}_t)), \\mathbf{q}_t); \\leftarrow)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "(A - \\lambda I)\\vec{v} = \\vec{0} .",
+        "Chain(Mul(Add(A, Neg(Mul(\\lambda, I))), \\vec{v}), 0; =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\frac{dx}{dt} &= v \\cos\\theta \\\\ \\frac{dy}{dt} &= v \\sin\\theta \\\\ \\frac{d\\theta}{dt} &= \\omega",
+        "System(Chain(Derivative(Call(x); t, 1), Mul(v, Call(cos; Call(\\theta))); =), Chain(Derivative(Call(y); t, 1), Mul(v, Call(sin; Call(\\theta))); =), Chain(Derivative(Call(\\theta); t, 1), \\omega; =))",
+        "python-control/python-control/doc/iosys.rst",
+    ),
+    (
+        "A(BC) & = (AB)C, \\\\ A(B+C) & = AB + AC, \\\\ (B+C)A & = BA + CA, \\\\ \\alpha(AB) & = (\\alpha A)B = A(\\alpha B), \\\\ IA & = A = AI .",
+        "System(Chain(Mul(A, Mul(B, C)), Mul(Mul(A, B), C); =), Chain(Mul(A, Add(B, C)), Add(Mul(A, B), Mul(A, C)); =), Chain(Mul(Add(B, C), A), Add(Mul(B, A), Mul(C, A)); =), Chain(Mul(\\alpha, Mul(A, B)), Mul(Mul(\\alpha, A), B), Mul(A, Mul(\\alpha, B)); =, =), Chain(Mul(I, A), A, Mul(A, I); =, =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\ddot{\\xi} + 4\\omega_0^2 \\xi = 0",
+        "Chain(Add(Call(\\ddot{\\xi}), Mul(4, Pow(\\omega_0; 2), Call(\\xi))), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "\\dot{\\rho} = \\frac{x\\dot{x}+y\\dot{y}+z\\dot{z}}{\\sqrt{x^2 + y^2 + z^2}}",
+        "Chain(Call(\\dot{\\rho}), Div(Add(Mul(Call(x), Call(\\dot{x})), Mul(Call(y), Call(\\dot{y})), Mul(Call(z), Call(\\dot{z}))); Sqrt(Add(Pow(Call(x); 2), Pow(Call(y); 2), Pow(Call(z); 2)))); =)",
+        "AVSLab/basilisk/src/simulation/environment/stripLocation/stripLocation.rst",
+    ),
+    (
+        "h(a, \\omega, t, b) = \\displaystyle a \\sin{\\left(\\omega \\right)} + \\frac{\\left|{f{\\left(t \\right)}}\\right|}{\\sqrt{b}}",
+        "Chain(Call(h; a, \\omega, t, b), Add(Mul(a, Call(sin; \\omega)), Div(Bars(Call(f; t)); Sqrt(b))); =)",
+        "moorepants/learn-multibody-dynamics/sympy.rst",
+    ),
+    (
+        "\\left[\\mathbf{R_3(\\phi)}\\right] = \\begin{bmatrix}\\cos\\phi & \\sin\\phi & 0\\\\-\\sin\\phi & \\cos\\phi & 0\\\\0 & 0 & 1\\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}_3; \\phi), MatrixOf(Call(cos; \\phi), Call(sin; \\phi), 0, Neg(Call(sin; \\phi)), Call(cos; \\phi), 0, 0, 0, 1); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "2\\ddot{x} + \\ddot\\theta \\cos\\theta - \\dot\\theta^2 \\sin\\theta = f_x \\\\ \\ddot{x}\\cos\\theta + \\ddot\\theta + \\sin\\theta = 0.",
+        "System(Chain(Add(Mul(2, Call(\\ddot{x})), Mul(Call(\\ddot{\\theta}), Call(cos; Call(\\theta))), Neg(Mul(Pow(Call(\\dot{\\theta}); 2), Call(sin; Call(\\theta))))), f_x; =), Chain(Add(Mul(Call(\\ddot{x}), Call(cos; Call(\\theta))), Call(\\ddot{\\theta}), Call(sin; Call(\\theta))), 0; =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\bm{v}_{P1} &=\\bm{v}_{P} - \\bm{v}_{B/N} \\\\ \\bm{v}_{P2} &=\\bm{v}_{S} - \\bm{v}_{B/N} \\\\ \\bm{a}_{P1} &=\\bm{a}_{P} - \\bm{a}_{B/N} \\\\ \\bm{a}_{P2} &=\\bm{a}_{S} - \\bm{a}_{B/N}",
+        "System(Chain(\\bm{v}_{P1}, Add(\\bm{v}_P, Neg(\\bm{v}_{B/N})); =), Chain(\\bm{v}_{P2}, Add(\\bm{v}_S, Neg(\\bm{v}_{B/N})); =), Chain(\\bm{a}_{P1}, Add(\\bm{a}_P, Neg(\\bm{a}_{B/N})); =), Chain(\\bm{a}_{P2}, Add(\\bm{a}_S, Neg(\\bm{a}_{B/N})); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/celestialTwoBodyPoint/_Documentation/celestialTwoBodyPoint.tex",
+    ),
+    (
+        "{}^A\\bar{\\omega}^Z = {}^A\\bar{\\omega}^B + {}^B\\bar{\\omega}^C + \\ldots + {}^Y\\bar{\\omega}^Z",
+        "Chain(\\prescript { A } { } { \\bar { \\omega } } ^ { Z }, Add(\\prescript { A } { } { \\bar { \\omega } } ^ { B }, \\prescript { B } { } { \\bar { \\omega } } ^ { C }, Dots(), \\prescript { Y } { } { \\bar { \\omega } } ^ { Z }); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "h_{s_{i}} = J_{s_{i}} (\\omega_{s_{i}} + \\Omega_{i})",
+        "Chain(h_{s_i}, Mul(J_{s_i}, Add(\\omega_{s_i}, \\Omega_i)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "K_{sharp} = \\left[1 + 0.8 f_{d,1}\\right] \\left\\{ \\left[1 - \\left( \\frac{D_1}{D_2}\\right)^2 \\right]^2 \\right\\}",
+        "Chain(K_{sharp}, Mul(Add(1, Mul(0.8, f_{d,1})), Tuple(Pow(Add(1, Neg(Pow(Div(D_1; D_2); 2))); 2); {})); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "A + \\mathrm{tril}(U\\,V^\\mathrm{T}) + \\mathrm{triu}(V\\,U^\\mathrm{T}) &=& \\left[I + \\mathrm{tril} (U\\,W^T)\\right]\\,D\\, {\\left[I + \\mathrm{tril} (U\\,W^T)\\right]}^\\mathrm{T} \\\\ &=& D + \\mathrm{tril}(U\\,W^\\mathrm{T})\\,D + D\\,\\mathrm{triu}(W\\,U^\\mathrm{T}) \\\\ && +\\, \\mathrm{tril}(U\\,W^\\mathrm{T})\\,D\\,\\mathrm{triu}(W\\,U^\\mathrm{T})",
+        "Chain(Add(A, Call(\\text{tril}; Mul(U, Transpose(V))), Call(\\text{triu}; Mul(V, Transpose(U)))), Mul(Add(I, Call(\\text{tril}; Mul(U, Transpose(W)))), D, Transpose(Add(I, Call(\\text{tril}; Mul(U, Transpose(W)))))), Add(D, Mul(Call(\\text{tril}; Mul(U, Transpose(W))), D), Mul(D, Call(\\text{triu}; Mul(W, Transpose(U)))), Mul(Call(\\text{tril}; Mul(U, Transpose(W))), D, Call(\\text{triu}; Mul(W, Transpose(U))))); =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "S_0(x) = \\sum_{k=0}^{\\infty} \\frac{H_k}{(k!)^2} \\left(\\frac{x}{2}\\right)^{2k}, \\quad I_0(x) = \\sum_{k=0}^{\\infty} \\frac{1}{(k!)^2} \\left(\\frac{x}{2}\\right)^{2k}",
+        "System(Chain(Call(S_0; x), BigSum(k; 0; Infinity(); Mul(Div(H_k; Pow(Factorial(k); 2)), Pow(Div(x; 2); Mul(2, k)))); =), Chain(Call(I_0; x), BigSum(k; 0; Infinity(); Mul(Div(1; Pow(Factorial(k); 2)), Pow(Div(x; 2); Mul(2, k)))); =))",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "f(x) := \\frac{1}{\\pi x} \\frac{\\sigma}{(log(x)-\\mu^2) + \\sigma^2}",
+        "Chain(Call(f; x), Mul(Div(1; Mul(\\pi, x)), Div(\\sigma; Add(Add(Call(log; x), Neg(Pow(\\mu; 2))), Pow(\\sigma; 2)))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "T_\\mathrm{Galaxy} = T_\\mathrm{Galaxy,table}(f) + T_\\mathrm{CMB}",
+        "Chain(T_{Galaxy}, Add(Call(T_{Galaxy,table}; f), T_{CMB}); =)",
+        "AVSLab/basilisk/src/simulation/communication/simpleAntenna/simpleAntenna.rst",
+    ),
+    (
+        "\\lambda = \\sigma + \\mathbf{Z}^T \\frac{1}{(\\lambda+\\sigma)\\mathbf{I}-\\mathbf{S}}\\mathbf{Z}",
+        "Chain(\\lambda, Add(\\sigma, Mul(Transpose(\\mathbf{Z}), Div(1; Add(Mul(Add(\\lambda, \\sigma), \\mathbf{I}), Neg(\\mathbf{S}))), \\mathbf{Z})); =)",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "\\frac{y'}{1+y^2} & = \\frac{1 - x^2}{x^2} , \\\\ \\frac{y'}{1+y^2} & = \\frac{1}{x^2} - 1 , \\\\ \\arctan (y) & = \\frac{-1}{x} - x + C , \\\\ y & = \\tan \\left(\\frac{-1}{x} - x + C\\right) .",
+        "System(Chain(Div(y'; Add(1, Pow(y; 2))), Div(Add(1, Neg(Pow(x; 2))); Pow(x; 2)); =), Chain(Div(y'; Add(1, Pow(y; 2))), Add(Div(1; Pow(x; 2)), Neg(1)); =), Chain(Call(arctan; y), Add(Div(Neg(1); x), Neg(x), C); =), Chain(y, Call(tan; Add(Div(Neg(1); x), Neg(x), C)); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\vec{x}_1 = \\frac{-\\alpha_2}{\\alpha_1} \\vec{x}_2 - \\frac{-\\alpha_3}{\\alpha_1} \\vec{x}_3 + \\cdots + \\frac{-\\alpha_n}{\\alpha_1} \\vec{x}_n .",
+        "Chain(\\vec{x}_1, Add(Mul(Div(Neg(\\alpha_2); \\alpha_1), \\vec{x}_2), Neg(Mul(Div(Neg(\\alpha_3); \\alpha_1), \\vec{x}_3)), Dots(), Mul(Div(Neg(\\alpha_n); \\alpha_1), \\vec{x}_n)); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "|R_n(z)| \\le C |u(n)| |\\zeta|^{-n}, \\quad |R'_n(z)| \\le C |v(n)| |\\zeta|^{-n}",
+        "System(Chain(Bars(Call(R_n; z)), Mul(C, Bars(Call(u; n)), Pow(Bars(\\zeta); Neg(n))); \\le), Chain(Bars(Call(R_n'; z)), Mul(C, Bars(Call(v; n)), Pow(Bars(\\zeta); Neg(n))); \\le))",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\frac{m_l}{m_g}\\sqrt{\\rho_g/\\rho_l} = \\frac{(1-x)}{x}\\sqrt{\\rho_g/\\rho_l}",
+        "Chain(Mul(Div(m_l; m_g), Sqrt(Div(\\rho_g; \\rho_l))), Mul(Div(Add(1, Neg(x)); x), Sqrt(Div(\\rho_g; \\rho_l))); =)",
+        "CalebBell/fluids/fluids/separator.py",
+    ),
+    (
+        "U(a,b,z) = \\frac{1}{\\Gamma(a)} \\int_0^{\\infty} e^{-zt} t^{a-1} (1+t)^{b-a-1} dt.",
+        "Chain(Call(U; a, b, z), Mul(Div(1; Call(Gamma; a)), Integral(Mul(Pow(e; Neg(Mul(z, t))), Pow(t; Add(a, Neg(1))), Pow(Add(1, t); Add(b, Neg(a), Neg(1)))); t; 0; Infinity())); =)",
+        "fredrik-johansson/arb/doc/source/arb_hypgeom.rst",
+    ),
+    (
+        "\\dot{\\bm{r}}_{B/N,n} = \\dot{\\bm{r}}_{B/N,n-1} + \\frac{\\ddot{\\bm{r}}_{B/N,n-1}+\\ddot{\\bm{r}}_{B/N,n}}{2} \\Delta t",
+        "Chain(Call(\\dot{\\bm{r}}_{B/N,n}), Add(Call(\\dot{\\bm{r}}_{B/N,n-1}), Mul(Div(Add(Call(\\ddot{\\bm{r}}_{B/N,n-1}), Call(\\ddot{\\bm{r}}_{B/N,n})); 2), \\Delta t)); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secTest.tex",
+    ),
+    (
+        "\\breve{I}^{S/O} := \\sum_{i=1}^\\nu m_i \\left( \\left|\\bar{r}^{P_i/O}\\right|^2 \\breve{U} - \\bar{r}^{P_i/O} \\otimes \\bar{r}^{P_i/O} \\right)",
+        "Chain(\\breve { I } ^ { S / O }, BigSum(i; 1; \\nu; Mul(m_i, Add(Mul(Pow(Bars(\\bar { r } ^ { P _ { i } / O }); 2), \\breve{U}), Neg(Operated(\\otimes; \\bar { r } ^ { P _ { i } / O }; \\bar { r } ^ { P _ { i } / O }))))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "{\\vec{x}}'(t) = P(t)\\vec{x}(t) + \\vec{f}(t),",
+        "Chain(Call(\\vec{x}'; t), Add(Mul(Call(P; t), Call(\\vec{x}; t)), Call(\\vec{f}; t)); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "y = C x^{1/2} .",
+        "Chain(y, Mul(C, Pow(x; Div(1; 2))); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "t_i = \\sqrt{(x_{i+1} - x_i)^2 + (y_{i+1} - y_i)^2}",
+        "Chain(t_i, Sqrt(Add(Pow(Add(x_{i+1}, Neg(x_i)); 2), Pow(Add(y_{i+1}, Neg(y_i)); 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/catmull_rom_spline/catmull_rom_spline_main.rst",
+    ),
+    (
+        "K = 0.70(1-\\alpha) + 4.9(1-\\alpha)^2",
+        "Chain(K, Add(Mul(0.70, Add(1, Neg(\\alpha))), Mul(4.9, Pow(Add(1, Neg(\\alpha)); 2))); =)",
+        "CalebBell/fluids/fluids/filters.py",
+    ),
+    (
+        "\\dfrac{\\mathrm{d} \\boldsymbol{L}'}{\\mathrm{d} t} = \\boldsymbol{M}' = \\boldsymbol{r} \\times \\left(-V'(r) \\frac{\\boldsymbol{r}}{r}\\right) = \\boldsymbol{0}",
+        "Chain(Derivative(Call(\\boldsymbol{L}'); t, 1), \\boldsymbol{M}', Cross(\\boldsymbol{r}; Neg(Mul(Call(V'; r), Div(\\boldsymbol{r}; r)))), 0; =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\|\\mathbf{q}\\| = \\sqrt{q_w^2 + q_x^2 + q_y^2 + q_z^2} = 1",
+        "Chain(Norm(\\mathbf{q}), Sqrt(Add(Pow(q_w; 2), Pow(q_x; 2), Pow(q_y; 2), Pow(q_z; 2))), 1; =, =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\ddot{x} = u, \\quad |u| \\le 1.",
+        "System(Chain(Call(\\ddot{x}), u; =), Chain(Bars(u), 1; \\le))",
+        "RussTedrake/underactuated/book/intro.html",
+    ),
+    (
+        "\\theta(t) = \\pm \\ddot{\\theta}_{\\text{max}} \\left( \\frac{(t - t_0)^4}{4 t_{\\text{smooth}}^2} - \\frac{(t - t_0)^5}{10 t_{\\text{smooth}}^3} \\right) + \\theta_0",
+        "Chain(Call(\\theta; t), Add(PlusMinus(Mul(\\ddot { \\theta } _ { \\text { m a x } }, Add(Div(Pow(Add(t, Neg(t_0)); 4); Mul(4, Pow(t_{smooth}; 2))), Neg(Div(Pow(Add(t, Neg(t_0)); 5); Mul(10, Pow(t_{smooth}; 3))))))), \\theta_0); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "u = -\\tau_g(q) + K_p(q_d-q) + K_d(\\dot{q}_d - \\dot{q}).",
+        "Chain(u, Add(Neg(Call(\\tau_g; Call(q))), Mul(K_p, Add(Call(q_d), Neg(Call(q)))), Mul(K_d, Add(Call(\\dot{q}_d), Neg(Call(\\dot{q}))))); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\begin{bmatrix} \\dot{q}_1 \\\\ \\dot{q}_2 \\\\ \\dot{q}_3 \\end{bmatrix} = \\begin{bmatrix} u_1 \\\\ u_2 \\\\ u_3 \\end{bmatrix}",
+        "Chain(MatrixOf(Call(\\dot{q}_1), Call(\\dot{q}_2), Call(\\dot{q}_3)), MatrixOf(u_1, u_2, u_3); =)",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "f_{n,j} &=& \\phi_{n,j}\\,\\left[f_{n-1,j} + \\tilde{W}_{n-1,j}\\, \\sqrt{D_{n-1,n-1}}\\,q_{n-1}\\right]\\\\ y_n &=& \\sqrt{D_{n,n}}\\,q_n + \\sum_{j=1}^{2\\,J} \\tilde{U}_{n,j}\\,f_{n,j}",
+        "System(Chain(f_{n,j}, Mul(\\phi_{n,j}, Add(f_{n-1,j}, Mul(\\tilde{W}_{n-1,j}, Sqrt(D_{n-1,n-1}), q_{n-1}))); =), Chain(y_n, Add(Mul(Sqrt(D_{n,n}), q_n), BigSum(j; 1; Mul(2, J); Mul(\\tilde{U}_{n,j}, f_{n,j}))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -5363,5 +6853,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\rho_g = \\frac{P\\cdot MW}{T\\cdot R\\cdot 1000}",
         "CalebBell/fluids/fluids/atmosphere.py",
+    ),
+    (
+        "{\\mathbf{F}_{\\textrm{radiation,scaled}}} = {\\mathbf{F}_{\\textrm{radiation}}}{\\Big( \\frac{AU}{|\\textbf{r}_{\\textrm{sun}}|} \\Big)}^{2} [N]",
+        "AVSLab/basilisk/src/simulation/dynamics/RadiationPressure/_Documentation/secModelDescription.tex",
     ),
 )

@@ -197,7 +197,9 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"\mathbf{v} = \mathbf{\Omega} \times \mathbf{r}", {r"\mathbf{\Omega}": ("vector", "")}),
     (r"\mathbf{y} = \mathbf{A} \mathbf{x}", {r"\mathbf{A}": ("matrix", "")}),
     (r"\mathbf{L} = \mathbf{r} \times m \mathbf{v}", {"m": ("scalar", "")}),
+    (r"\mathbf{L} = \mathbf{r} \times m_1 \ddot{\mathbf{r}}", {"m_1": ("scalar", "")}),
     (r"L = r \times v", {"r": ("vector", "")}),
+    (r"R = \sum_{i=1}^{N} w_i v_i^T R", {"N": ("scalar", ""), "R": ("matrix", "")}),
     (r"\bar{r} \cdot \hat{n} = 0", {r"\bar{r}": ("vector", ""), r"\hat{n}": ("vector", "")}),
     (r"\bar{x} \cdot \bar{y} = 2", {r"\bar{x}": ("scalar", "")}),
     (r"x \in \mathbb{R}^{6 \nu \times n}, \quad \nu = n", {r"\nu": ("scalar", ""), "n": ("scalar", "")}),
@@ -268,6 +270,7 @@ IN_DOUBT = {  # read as one name, of which nothing is said before somebody says 
     r"Re = \frac{v L}{\nu}": "Reynolds number, or R times e",
     r"C = 0.2 Re_D^{0.5}": "Reynolds number, or R times e",
     r"\overline{AB} = 1": "one name, or something done with A B",
+    r"F = m \left(\frac{a}{b}\right)^2 [N]": "a matrix in brackets, or the unit",
     r"f_{curved} = \frac{11.6}{De}": "Dean number, or D times e",
     r"r = \frac{P \cdot MW}{T}": "one name MW, or a product",
 }

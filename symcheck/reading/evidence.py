@@ -62,6 +62,11 @@ class Evidence:
         return any(r"\times" in (place.before, place.after) for place in self.places)
 
     @property
+    def bound(self) -> bool:
+        """Does it bound a sum, as a number does?"""
+        return any(place.role == "bound" for place in self.places)
+
+    @property
     def factor(self) -> bool:
         """Does a vector follow it behind a dot or a cross, so that it is a factor of that?"""
         return any(place.before in (r"\cdot", r"\times") and place.after in FACES for place in self.places)

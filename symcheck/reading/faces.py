@@ -6,7 +6,9 @@ import re
 
 STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 # what a vector begins with, behind a factor
-FACES = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\hat", r"\prescript"})
+FACES = frozenset(
+    {r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\hat", r"\bar", r"\dot", r"\ddot", r"\prescript"}
+)
 HAT = re.compile(r"\\(hat|widehat|vec)\{")  # accents of unit vectors and of vectors
 ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde|breve)\{")  # accents that make a letter of their own
 

@@ -173,7 +173,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
-    elif latex.isupper() and not of.indices and any(x.transposed and x.spelling.isalpha() for x in every.values()):
+    elif latex.isupper() and not of.indices and not of.bound and any(x.transposed and x.spelling.isalpha() for x in every.values()):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif _beside_vectors(of, every):

@@ -98,7 +98,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found.setdefault(each.bare, "")
     for formula in formulas:
         if _SQUARE_OR_CHANGE.search(formula):
-            found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+            found |= {x: _unit(x, formula) for x in _matrices_and_differences(formula) if x not in found}
         if _ACCENT.search(formula):
             found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
         if _ABBREVIATED.search(formula):
@@ -348,6 +348,12 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             yield " ".join(tok.text for tok in toks[start : reader.i])
         except SymcheckError:
             reader.i = start + 1
+
+
+def _unit(latex: str, formula: str) -> str:
+    """The doubt about the only brackets of a formula, at its end behind a factor."""
+    last = formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula)
+    return "a matrix in brackets, or the unit of what stands before them? say what it is" if last else ""
 
 
 def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:

@@ -36,7 +36,7 @@ class Occurrence:
     arguments
         The texts of what stands in round brackets behind it, apart at commas; None without brackets.
     role
-        "" in an expression, "index" below a sum, "variable" behind the d of an integral or below that of a derivative,
+        "" in an expression, "index" below a sum, "bound" in one of its bounds, "variable" behind the d of an integral or below that of a derivative,
         "derived" behind the d above, "subscript" within one.
     before, after
         The tokens beside it, spaces left out; "" at the ends.
@@ -190,7 +190,7 @@ class Scan(tex.Reader):
             self.i += 1
             if not below:
                 if self.peek(-1) == "^":
-                    yield from self.inside(Scope(scope.role, scope.by, exponent=scope.exponent))
+                    yield from self.inside(Scope(scope.role or "bound", scope.by, exponent=scope.exponent))
                 continue
             start = self.i
             tokens = self.group()
@@ -199,7 +199,7 @@ class Scan(tex.Reader):
             ends = ("".join(tok.text for tok in tokens[signs[0] + 1 :]) if signs else "", self.above(end))
             for index in self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens))):
                 yield replace(index, arguments=ends)
-            yield from self.run(Scope(scope.role, scope.by, exponent=scope.exponent), end)
+            yield from self.run(Scope(scope.role or "bound", scope.by, exponent=scope.exponent), end)
             self.i = end
 
     def above(self, place: int) -> str:
