@@ -141,6 +141,20 @@ def test_what_may_be_applied_or_multiplied_has_no_form(latex: str) -> None:
         lower(*first_reading(latex))
 
 
+COMPLEX = (r"U(t) = e^{-i H t}", r"f(i x) = 2 f(x)", r"i \frac{\partial f}{\partial t} = H f")
+
+
+@pytest.mark.parametrize("latex", COMPLEX)
+def test_nothing_says_that_the_values_of_a_function_are_real(latex: str) -> None:
+    (formula,) = lower(*first_reading(latex))
+    assert formula.tag == "form"
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)
+
+
+def test_what_is_real_may_be_said_of_complex_numbers() -> None:
+    assert decide(r"e^{i x} = \cos x + i \sin x").verdict is Status.PROVED
+
+
 def test_no_certificate_holds_a_form() -> None:
     (formula,) = lower(*first_reading(OPAQUE[0]))
     with pytest.raises(Malformed):
@@ -210,6 +224,8 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"\dot{x}_0 = a x_0", {"x_0": ("scalar", "t")}),
     (r"N = \frac{\partial}{\partial \theta} (r - R) + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", "")}),
     (r"N = \frac{d r}{d \theta} + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", r"\theta")}),
+    (r"\Delta G^\circ = -R T \ln K", {r"\Delta G ^ { \circ }": ("scalar", "")}),
+    (r"\dot{\omega} = \sin^2 i - 2", {"i": ("scalar", "")}),
     (r"[\mathcal{F} \mathcal{N}] = 2", {r"[ \mathcal { F } \mathcal { N } ]": ("matrix", "")}),
 )  # fmt: skip
 
@@ -226,6 +242,9 @@ NOT_READ = {  # where two things may be meant
     r"\Sigma \xi = \xi_1 + \xi_2": "a sum, or the letter",
     r"\frac{d}{dt} [f, g] = 0": "a list, or a product",
     r"a = b, \text{ where } c = d \\ = e": "which of the relations",
+    r"i \hbar \frac{\partial \Psi}{\partial t} = \hat{H} \Psi": "applied to what follows",
+    r"[\hat{x}, \hat{p}] = i \hbar": "the bracket of two operators",
+    r"\frac{D u}{D t} = g": "a derivative, or a quotient",
 }
 
 
@@ -240,6 +259,9 @@ READ = (  # beside what is not read: one thing is meant
     r"y = x^T \mathbf{\Sigma} x",
     r"\frac{d}{dt} [f - g] = 0",
     r"a = b, \text{ where } c = d",
+    r"\hat{H} x = 2",
+    r"[a, b] = [c, d]",
+    r"\frac{D u}{C t} = g",
 )
 
 
@@ -256,6 +278,8 @@ APART = {  # what is read otherwise, and would be read as the second one if a si
     r"y = \sum_{i=1}^3 s_{i1,2}": r"y = \sum_{i=1}^3 s_{i12}",
     r"y = \cos\theta \hat{n}": r"y = \cos(\theta n)",
     r"x'' + x = 0, \quad x'(a) = 0": r"x'' + x = 0, \quad x' \cdot a = 0",
+    r"E = E^\circ - R T": r"E = E - R T",
+    r"E[X] = 2 [Y]": r"E \cdot [X] = 2 [Y]",
     r"\lambda = 2 \quad \text{with a value} \quad x = 1": r"\lambda = 2, \quad v = x = 1",
     r"\dot{x} = 2 x, \quad x(0) = 1": r"\dot{x} = 2 x, \quad x \cdot 0 = 1",
 }
@@ -273,6 +297,10 @@ IN_DOUBT = {  # read as one name, of which nothing is said before somebody says 
     r"F = m \left(\frac{a}{b}\right)^2 [N]": "a matrix in brackets, or the unit",
     r"f_{curved} = \frac{11.6}{De}": "Dean number, or D times e",
     r"r = \frac{P \cdot MW}{T}": "one name MW, or a product",
+    r"PV = \frac{FV}{(1 + r)^n}": "one name PV, or a product",
+    r"R^2 = 1 - \frac{SS_{res}}{SS_{tot}}": "one name SS, or a product",
+    r"F = \frac{MSB}{MSW}": "one name MS., or a product",
+    r"\pi = p q - c": "the number pi, or a letter",
 }
 
 
@@ -285,6 +313,9 @@ def test_a_name_in_doubt_is_read_and_says_both_readings(latex: str) -> None:
 
 
 def test_letters_of_an_abbreviated_number_are_factors_where_they_may_be() -> None:
+    products = (r"AB = BA + C", r"R^2 = S S_1 + S", r"x = \frac{A B C}{A + B + C}", r"\pi = 4 \arctan 1")
+    for latex in products:
+        assert lower(*first_reading(latex))
     for latex in (r"I = \frac16 M a^2", r"y = D e^{2 x}"):
         assert "Mul" in bracketed(first_reading(latex)[0])
     for latex in (r"z = R e^{i x}", r"\sum_{i=1}^3 r_i \times v = 0", r"y = \int_0 f \, dx"):

@@ -11,13 +11,18 @@ from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
-from symcheck.reading.names import INDEX_IN_NAME, names_of_several_tokens
+from symcheck.reading.names import INDEX_IN_NAME, NO_FACTORS, names_of_several_tokens
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
     r"1\s*[-+]\s*e\s*(?:\^\s*\{?\s*2\s*\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin|cosh|sinh)(?![A-Za-z])"
 )
+# what i is there: the angle of a function
+_INCLINED = re.compile(
+    r"\\(?:sin|cos|tan|cot)\s*(?:\^\s*(?:\w|\{[^{}]*\})\s*)?(?:\(\s*|\{\s*)?i(?![A-Za-z])\s*(?![\w\\(])"
+)
+_ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
 _CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
@@ -145,7 +150,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
-        own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
+        own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
             if low.isdigit() and high.isdigit():
@@ -162,10 +167,15 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
+_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
 # capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
-# three capitals or more behind the sign, or two where other factors have a dot between them
-_CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])")
+# three capitals or more behind the sign or as a part of a fraction, or two where other factors have a dot between them
+_CAPITALS = re.compile(
+    r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])"
+    r"|\{ ([A-Z](?: [A-Z]){2,}) \}"
+)
+_RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
@@ -173,15 +183,28 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     found: dict[str, str] = {}
-    runs = [match for formula in formulas for match in _CAPITALS.finditer(formula)]
-    for match in [*filter(None, map(_INITIALS.match, formulas)), *runs]:
-        *letters, last = (match[1] or match[2]).split()
-        once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
-        if all(once) or (len(once) > 2 and any(once)):
-            name = "".join([*letters, last])
+    outside = [NO_FACTORS.sub("", formula) for formula in formulas]
+    first = [match for match in map(_INITIALS.match, formulas) if match]
+    runs = [match for formula in outside for match in _CAPITALS.finditer(formula)]
+    named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
+    named += [
+        ([x, x], True) for text in formulas for x in _TWICE.findall(text) if bare.count(x) == text.count(f"{x} {x} _")
+    ]
+    for letters, begins in named:
+        *before, last = letters
+        once = [bare.count(letter) == 1 for letter in before] + [(bare.count(last) or toks.count(last)) == 1]
+        if all(once) or (len(once) > 2 and any(once)) or (begins and _are_at_their_places(letters, outside)):
+            name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
-            found |= dict.fromkeys([*letters, last], told)
+            found |= dict.fromkeys(letters, told)
     return found
+
+
+def _are_at_their_places(letters: Sequence[str], formulas: Sequence[str]) -> bool:
+    """Do capitals stand nowhere but at these places of runs of so many: `PV = FV`?"""
+    runs = [match[0].split() for formula in formulas for match in _RUN.finditer(formula)]
+    places = [(x, k) for k, x in enumerate(letters)]
+    return all(len(run) == len(letters) and run[k] == x for x, k in places for run in runs if x in run)
 
 
 # x'Qx, a quadratic form

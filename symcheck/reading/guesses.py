@@ -57,7 +57,10 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
-    if of.said or applied or not unclear:
+    number = all(each.number for each in letters) and (
+        letters[0].number != "i" or all(place.exponent for place in unclear)
+    )
+    if of.said or applied or not unclear or number:
         return found
     sums = all(map(is_sum, (place.arguments or () for place in unclear)))
     named = letters[0].latex[:1] in ("m", "M") or not is_letter(letters[0].latex)  # masses are no functions
@@ -173,7 +176,12 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
-    elif latex.isupper() and not of.indices and not of.bound and any(x.transposed and x.spelling.isalpha() for x in every.values()):
+    elif (
+        latex.isupper()
+        and not of.indices
+        and not of.bound
+        and any(x.transposed and x.spelling.isalpha() for x in every.values())
+    ):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif _beside_vectors(of, every):
@@ -336,7 +344,11 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":
-        return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
+        number = Guess(Letter(latex, number="pi"), "the number pi", "so it is written")
+        defined = any(place.before in ("", "&", r"\\") and place.after == "=" for place in of.places)
+        others = any(x != latex and not each.index and each.said != "differential" for x, each in every.items())
+        doubt = "the number pi, or a letter that is defined here? say what it is"
+        return [in_doubt(number, doubt) if defined and others else number]
     if latex in ("e", r"\text{e}"):
         euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
@@ -364,8 +376,8 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         )
         if latex[0] == "\\" or any(place.exponent for place in of.places):
             return [unit]
-        if of.below:
-            return [replace(plain, why="it is an index elsewhere", remote=False)]
+        if of.below or of.orbital:
+            return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]
     return []
 

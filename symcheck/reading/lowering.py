@@ -406,6 +406,10 @@ class Lowering:
             return [self.rounded(*part, sign=sign) for part in parts]
         if not isinstance(a, list) and not isinstance(a, Complex) and not isinstance(b, Complex):
             return [node(SIGNS[sign], a, b)]
+        calls = (part.function for side in (left, right) for part in nodes(side) if isinstance(part, Call))
+        complex_ = any(isinstance(each, Complex) for each in (*flat(a), *flat(b)))
+        if complex_ and self.notation.inferred and (name := next((f for f in calls if isinstance(f, Name)), None)):
+            raise Unsaid(f"{to_latex(name)}: may its values be complex? say what they are")
         pairs = [node(SIGNS[sign], *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
         if sign == "=" or sign == r"\equiv":
             return pairs
@@ -984,6 +988,8 @@ class Lowering:
         if self.defined.get(name.letter, ((), None))[0] and not name.subscripts:
             return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
+        if any(isinstance(argument, Complex) for argument in arguments):
+            raise Unsaid(f"{to_latex(tree)}: a function at complex numbers, whose values nothing tells")
         indices = self.places(name, letter, env)
         declared = self.arguments(letter, indices) if letter.depends else None
         if letter.named or letter.components is not None:

@@ -161,7 +161,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
     if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
-    if _is_label(inside):
+    if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
     if len(upright) == 1 and upright[0] in _TRANSPOSING:
@@ -364,8 +364,10 @@ def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
     before = toks[start - 1].text if start else ""
     texts = [tok.text for tok in toks]
     four = zip(texts, texts[1:], texts[2:], texts[3:], strict=False)
-    return texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"] or any(
-        (a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four
+    return (
+        texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"]
+        or before == "E"
+        or any((a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four)
     )
 
 

@@ -36,8 +36,8 @@ class Occurrence:
     arguments
         The texts of what stands in round brackets behind it, apart at commas; None without brackets.
     role
-        "" in an expression, "index" below a sum, "bound" in one of its bounds, "variable" behind the d of an integral or below that of a derivative,
-        "derived" behind the d above, "subscript" within one.
+        "" in an expression, "index" below a sum, "bound" in one of its bounds, "variable" behind the d of an integral
+        or below that of a derivative, "derived" behind the d above, "subscript" within one.
     before, after
         The tokens beside it, spaces left out; "" at the ends.
     """

@@ -90,7 +90,9 @@ COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
 OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
 LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "k", "T"})  # what wave numbers multiply
-_D = re.compile(r"(?:\\[a-z]+\{)?(?:d|\\text\{d\})\}?")  # upright or not, with an accent or without
+_D = re.compile(r"(?:\\[a-z]+\{)?(?:[dD]|\\text\{[dD]\})\}?")  # upright or not, with an accent or without
+_OPERATOR = re.compile(r"\\(?:hat|mathcal)\{[A-Z]\}")  # before the state to which it is applied
+_STATE = re.compile(r"\\(?:psi|Psi|phi|Phi|varphi|chi)(?![a-z])")
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _SEVERAL = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among them
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
@@ -537,6 +539,8 @@ class Builder:
             whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
             if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        if self.notation.inferred and _is_bracket(members[0]) and not any(isinstance(m, Tuple) for m in members[1:]):
+            raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
         inner = [k for k in range(1, len(signs) - 1) if signs[k] in _ARROWS]  # between relations
         if inner and (len(inner) > 1 or isinstance(members[inner[0] + 1], Number | Name | Infinity)):
             at, sign = nodes[2 * inner[0] + 1].value.at, signs[inner[0]]
@@ -759,6 +763,8 @@ class Builder:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
         if name == Name(r"\Sigma") and self.notation.inferred and self.kind(name) == "scalar":
             raise self.fail(item.at, r"a sum, or the letter \Sigma? write \sum, or say what it is")
+        if isinstance(name, Name) and _OPERATOR.match(name.letter) and _STATE.match(to_latex(after.node or Blank())):
+            raise self.fail(item.at, f"{to_latex(name)} applied to what follows, or times it? say what it is")
         if not self.in_brackets(after):
             return
         if isinstance(node, Derivative) and _is_step(node, self.inside(after)):
@@ -1529,6 +1535,11 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for node in nodes(tree))
+
+
+def _is_bracket(tree: Tree) -> bool:
+    """Are these two letters in square brackets?"""
+    return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
 
 
 def _is_words(tree: Tree) -> bool:
