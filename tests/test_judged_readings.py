@@ -155,6 +155,21 @@ def test_what_is_real_may_be_said_of_complex_numbers() -> None:
     assert decide(r"e^{i x} = \cos x + i \sin x").verdict is Status.PROVED
 
 
+IDENTITY = {  # whether the letter is the identity
+    r"\mathbf{A}^{-1} \mathbf{A} = \mathbf{I}": True,
+    r"(\mathbf{A} - \lambda \mathbf{I}) \mathbf{x} = 0": True,
+    r"\mathbf{L} = \mathbf{I} \boldsymbol{\omega}": False,
+    r"T = \frac12 \boldsymbol{\omega}^T \mathbf{I} \boldsymbol{\omega}": False,
+}
+
+
+@pytest.mark.parametrize("latex", IDENTITY)
+def test_a_capital_i_before_a_vector_only_is_no_identity(latex: str) -> None:
+    letter = first_reading(latex)[1].find(r"\mathbf{I}", 0)
+    assert letter
+    assert letter.identity == IDENTITY[latex]
+
+
 def test_no_certificate_holds_a_form() -> None:
     (formula,) = lower(*first_reading(OPAQUE[0]))
     with pytest.raises(Malformed):
@@ -239,7 +254,6 @@ def test_letters_are_taken_for_what_is_done_with_them(latex: str, kinds: dict[st
 
 NOT_READ = {  # where two things may be meant
     r"y \, \mathrm{[dB]} = 20 \log_{10} x": "no factor",
-    r"\Sigma \xi = \xi_1 + \xi_2": "a sum, or the letter",
     r"\frac{d}{dt} [f, g] = 0": "a list, or a product",
     r"a = b, \text{ where } c = d \\ = e": "which of the relations",
     r"i \hbar \frac{\partial \Psi}{\partial t} = \hat{H} \Psi": "applied to what follows",
@@ -294,6 +308,7 @@ IN_DOUBT = {  # read as one name, of which nothing is said before somebody says 
     r"Re = \frac{v L}{\nu}": "Reynolds number, or R times e",
     r"C = 0.2 Re_D^{0.5}": "Reynolds number, or R times e",
     r"\overline{AB} = 1": "one name, or something done with A B",
+    r"\Sigma \xi = \xi_1 + \xi_2": "a letter, or the sign of a sum",
     r"F = m \left(\frac{a}{b}\right)^2 [N]": "a matrix in brackets, or the unit",
     r"f_{curved} = \frac{11.6}{De}": "Dean number, or D times e",
     r"r = \frac{P \cdot MW}{T}": "one name MW, or a product",

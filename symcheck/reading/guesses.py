@@ -12,7 +12,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
 from symcheck.reading.evidence import Evidence, time
-from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
+from symcheck.reading.faces import ACCENT, FACES, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.occurrences import Occurrence
@@ -54,6 +54,8 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     found = [*_options(of, every, defined)]
     if of.spelling == r"\delta" and not of.said and any(x != of.spelling and _VARIED.match(x) for x in every):
         return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
+    if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
+        return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
@@ -159,9 +161,10 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
     elif latex in _IDENTITIES and (size := _matrix_size(every)) is not None:
         own = (size, size) if size else ()
-        yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
-        if latex != r"\mathbf{1}":
-            yield Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital", remote=True)
+        unit = Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
+        other = Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital")
+        inertia = latex != r"\mathbf{1}" and all(place.after in FACES for place in of.places)  # it need not stand there
+        yield from (other, replace(unit, remote=True)) if inertia else (unit, replace(other, remote=True))
     elif (sized := _sized_identity(latex, every)) and _matrix_size(every) is not None:
         own = (int(sized[2]), int(sized[2]))
         yield Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "its size is printed with it")

@@ -406,16 +406,22 @@ class Lowering:
             return [self.rounded(*part, sign=sign) for part in parts]
         if not isinstance(a, list) and not isinstance(a, Complex) and not isinstance(b, Complex):
             return [node(SIGNS[sign], a, b)]
-        calls = (part.function for side in (left, right) for part in nodes(side) if isinstance(part, Call))
-        complex_ = any(isinstance(each, Complex) for each in (*flat(a), *flat(b)))
-        if complex_ and self.notation.inferred and (name := next((f for f in calls if isinstance(f, Name)), None)):
-            raise Unsaid(f"{to_latex(name)}: may its values be complex? say what they are")
+        if self.notation.inferred and any(isinstance(each, Complex) for each in (*flat(a), *flat(b))):
+            self.refuse_values(left, right)
         pairs = [node(SIGNS[sign], *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
         if sign == "=" or sign == r"\equiv":
             return pairs
         if sign == r"\ne":
             return [node("or", *pairs)]
         raise Unsaid(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def refuse_values(self, *sides: Tree) -> None:
+        """An error for a function beside complex numbers whose own values nothing tells."""
+        for call in (part for side in sides for part in nodes(side) if isinstance(part, Call)):
+            name = call.function
+            letter = self.notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
+            if letter is not None and not (letter.named or letter.components or letter.latex in self.defined):
+                raise Unsaid(f"{to_latex(call)}: may its values be complex? say what they are")
 
     def limit(self, tree: Tree, value: Tree, env: Env) -> list[Formula]:
         """An equation that says what a limit is."""

@@ -761,8 +761,6 @@ class Builder:
         bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
         if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
-        if name == Name(r"\Sigma") and self.notation.inferred and self.kind(name) == "scalar":
-            raise self.fail(item.at, r"a sum, or the letter \Sigma? write \sum, or say what it is")
         if isinstance(name, Name) and _OPERATOR.match(name.letter) and _STATE.match(to_latex(after.node or Blank())):
             raise self.fail(item.at, f"{to_latex(name)} applied to what follows, or times it? say what it is")
         if not self.in_brackets(after):
