@@ -6723,6 +6723,1506 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "System(Chain(f_{n,j}, Mul(\\phi_{n,j}, Add(f_{n-1,j}, Mul(\\tilde{W}_{n-1,j}, Sqrt(D_{n-1,n-1}), q_{n-1}))); =), Chain(y_n, Add(Mul(Sqrt(D_{n,n}), q_n), BigSum(j; 1; Mul(2, J); Mul(\\tilde{U}_{n,j}, f_{n,j}))); =))",
         "dfm/celerite/paper/ms.tex",
     ),
+    (
+        "\\left[{}^AR^B\\right]^{-1} = {}^BR^A.",
+        "Chain(Pow(\\prescript { A } { } { R } ^ { B }; Neg(1)), \\prescript { B } { } { R } ^ { A }; =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\mathrm{B}_{(x_1, x_2)}(a, b) = \\int_{x_1}^{x_2} t^{a - 1} (1 - t)^{b - 1} dt",
+        "Chain(Call(\\text{B}_{(x_1,x_2)}; a, b), Integral(Mul(Pow(t; Add(a, Neg(1))), Pow(Add(1, Neg(t)); Add(b, Neg(1)))); t; x_1; x_2); =)",
+        "sympy/sympy/sympy/functions/special/beta_functions.py",
+    ),
+    (
+        "x = \\cos t + \\sin t + C e^{-t} ,",
+        "Chain(x, Add(Call(cos; t), Call(sin; t), Mul(C, Pow(e; Neg(t)))); =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "\\frac{2 \\left(1 - \\pi_2\\right)}{\\sigma} + \\frac{2 \\pi_2}{\\psi} + \\left[\\left(1 - \\pi_2\\right)\\sigma^2 + \\pi_2 \\psi^2\\right] + 2J = 0",
+        "Chain(Add(Div(Mul(2, Add(1, Neg(\\pi_2))); \\sigma), Div(Mul(2, \\pi_2); \\psi), Add(Mul(Add(1, Neg(\\pi_2)), Pow(\\sigma; 2)), Mul(\\pi_2, Pow(\\psi; 2))), Mul(2, J)), 0; =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/jacobi-constant.md",
+    ),
+    (
+        "k_{ {\\boldsymbol{\\alpha}}}(\\tau_{nm}) = \\sigma_n^2\\,\\delta_{nm} + \\sum_{j=1}^J a_j\\,\\exp(-c_j\\,\\tau_{nm}) \\quad.",
+        "Chain(Call(k_{\\boldsymbol\\alpha}; \\tau_{nm}), Add(Mul(Pow(\\sigma_n; 2), \\delta_{nm}), BigSum(j; 1; J; Mul(a_j, Call(exp; Neg(Mul(c_j, \\tau_{nm})))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "r_1 = r_2 = r_{12}\\qquad \\text{and}\\qquad \\psi = \\sigma",
+        "System(Chain(r_1, r_2, r_{12}; =, =), Chain(\\psi, \\sigma; =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\langle f(t) , g(t) \\rangle = \\int_{a}^{b} f(t) g(t) \\, dt .",
+        "Chain(Pair(Call(f; t); Call(g; t)), Integral(Mul(Call(f; t), Call(g; t)); t; a; b); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\boldsymbol{L}_C = \\boldsymbol{r}_C\\times M\\boldsymbol{v}_C",
+        "Chain(\\boldsymbol{L}_C, Cross(\\boldsymbol{r}_C; Mul(M, \\boldsymbol{v}_C)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\mathbf{K}\\hat{\\mathbf{q}} = \\lambda\\hat{\\mathbf{q}}",
+        "Chain(Mul(\\mathbf{K}, \\hat{\\mathbf{q}}), Mul(\\lambda, \\hat{\\mathbf{q}}); =)",
+        "Mayitzin/ahrs/ahrs/filters/davenport.py",
+    ),
+    (
+        "\\xi_2 = 1.0\\left[1 -\\left(\\frac{d}{D_2}\\right)^2\\right]^2",
+        "Chain(\\xi_2, Mul(1.0, Pow(Add(1, Neg(Pow(Div(d; D_2); 2))); 2)); =)",
+        "CalebBell/fluids/fluids/control_valve.py",
+    ),
+    (
+        "d(\\mathbf{R}_1, \\mathbf{R}_2) = \\|\\mathbf{I}-\\mathbf{R}_1\\mathbf{R}_2^T\\|_F",
+        "Chain(Call(d; \\mathbf{R}_1, \\mathbf{R}_2), Marked(Norm(Add(\\mathbf{I}, Neg(Mul(\\mathbf{R}_1, Transpose(\\mathbf{R}_2))))); _{ F }); =)",
+        "Mayitzin/ahrs/ahrs/utils/metrics.py",
+    ),
+    (
+        "c = \\sqrt{kR_{specific}T}",
+        "Chain(c, Sqrt(Mul(k, R_{specific}, T)); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "\\sigma_\\mathtt{new} = \\frac{\\sigma_z^2\\bar\\sigma^2}{\\bar\\sigma^2+\\sigma_z^2}",
+        "Chain(\\sigma_{new}, Div(Mul(Pow(\\sigma_z; 2), Pow(\\bar{\\sigma}; 2)); Add(Pow(\\bar{\\sigma}; 2), Pow(\\sigma_z; 2))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "u_{min} < u_t < u_{max}",
+        "Chain(u_{min}, u_t, u_{max}; <, <)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "D = 0",
+        "Chain(D, 0; =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "F_{\\text{odd}}(t) & \\overset{\\text{def}}{=} \\begin{cases} f(t) & \\text{if } \\; \\phantom{-}0 \\leq t \\leq L , \\\\ -f(-t) & \\text{if } \\; {-L} < t < 0 , \\end{cases} \\\\ F_{\\text{even}}(t) & \\overset{\\text{def}}{=} \\begin{cases} f(t) & \\text{if } \\; \\phantom{-}0 \\leq t \\leq L , \\\\ f(-t) & \\text{if } \\; {-L} < t < 0 . \\end{cases}",
+        "System(Chain(Call(F_{odd}; t), Piecewise(Call(f; t), Chain(0, t, L; \\le, \\le), Neg(Call(f; Neg(t))), Chain(Neg(L), t, 0; <, <)); =), Chain(Call(F_{even}; t), Piecewise(Call(f; t), Chain(0, t, L; \\le, \\le), Call(f; Neg(t)), Chain(Neg(L), t, 0; <, <)); =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\operatorname{Ei}(x) = \\int_{-\\infty}^x \\frac{e^t}{t} \\mathrm{d}t",
+        "Chain(Call(\\text{Ei}; x), Integral(Div(Pow(e; t); t); t; Neg(Infinity()); x); =)",
+        "sympy/sympy/sympy/functions/special/error_functions.py",
+    ),
+    (
+        "\\boldsymbol{\\omega} = -\\dot{\\phi}\\boldsymbol{\\hat{\\imath}} + \\dot{\\Lambda}\\cos\\phi\\boldsymbol{\\hat{\\jmath}} + \\dot{\\Lambda}\\sin\\phi\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{\\omega}, Add(Neg(Mul(Call(\\dot{\\phi}), \\boldsymbol{\\hat{\\imath}})), Mul(Call(\\dot{\\Lambda}), Call(cos; Call(\\phi)), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\dot{\\Lambda}), Call(sin; Call(\\phi)), \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "{\\bf x}[n+1] = {\\bf A}{\\bf x}[n] + {\\bf B}{\\bf u}[n],",
+        "Chain(Indexed(\\mathbf{x}; Add(n, 1)), Add(Mul(\\mathbf{A}, Indexed(\\mathbf{x}; n)), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; n))); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\Big(m_{\\text{sc}} [I_{3\\times3}] +\\sum_{i=1}^{N}m_{\\text{sp}_i}d_i \\bm{\\hat{s}}_{i,3} \\bm a_{\\theta_i}^T\\Big)\\ddot{\\bm r}_{B/N}+\\Big(-m_{\\text{sc}} [\\tilde{\\bm{c}}] +\\sum_{i=1}^{N}m_{\\text{sp}_i}d_i \\bm{\\hat{s}}_{i,3} \\bm b_{\\theta_i}^T\\Big) \\dot{\\bm\\omega}_{\\cal B/N} \\\\ = m_{\\text{sc}} \\ddot{\\bm r}_{C/N} - 2 m_{\\text{sc}} [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm c' -m_{\\text{sc}} [\\tilde{\\bm\\omega}_{\\cal B/N}][\\tilde{\\bm\\omega}_{\\cal B/N}]\\bm{c} -\\sum_{i=1}^{N}\\Big(m_{\\text{sp}_i}d_i \\dot{\\theta}_i^2 \\bm{\\hat{s}}_{i,1}+m_{\\text{sp}_i}d_i c_{\\theta_i} \\bm{\\hat{s}}_{i,3} \\Big)",
+        "Chain(Add(Mul(Add(Mul(m_{sc}, [ I _ { 3 \\times 3 } ]), BigSum(i; 1; N; Mul(m_{sp_i}, d_i, \\bm{\\hat{s}}_{i3}, Transpose(\\bm{a}_{\\theta_i})))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Neg(Mul(m_{sc}, [ \\tilde { \\bm { c } } ])), BigSum(i; 1; N; Mul(m_{sp_i}, d_i, \\bm{\\hat{s}}_{i3}, Transpose(\\bm{b}_{\\theta_i})))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Add(Mul(m_{sc}, Call(\\ddot{\\bm{r}}_{C/N})), Neg(Mul(2, m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c}')), Neg(Mul(m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c})), Neg(BigSum(i; 1; N; Add(Mul(m_{sp_i}, d_i, Pow(Call(\\dot{\\theta}_i); 2), \\bm{\\hat{s}}_{i1}), Mul(m_{sp_i}, d_i, c_{\\theta_i}, \\bm{\\hat{s}}_{i3}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{cases} q = \\sqrt{\\dfrac{2E}{m\\omega^2}} \\sin (\\omega t + \\phi) \\\\[1.5ex] p = \\sqrt{2mE} \\cos(\\omega t+\\phi) \\end{cases}",
+        "System(Chain(q, Mul(Sqrt(Div(Mul(2, E); Mul(m, Pow(\\omega; 2)))), Call(sin; Add(Mul(\\omega, t), \\phi))); =), Chain(p, Mul(Sqrt(Mul(2, m, E)), Call(cos; Add(Mul(\\omega, t), \\phi))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\Delta v = \\lVert\\Delta\\boldsymbol{v}\\rVert = \\sqrt{\\left(\\boldsymbol{v}_{A_t} - \\boldsymbol{v}_{A}\\right)\\cdot\\left(\\boldsymbol{v}_{A_t} - \\boldsymbol{v}_{A}\\right)}",
+        "Chain(\\Delta v, Norm(\\Delta \\boldsymbol { v }), Sqrt(Mul(Add(\\boldsymbol{v}_{A_t}, Neg(\\boldsymbol{v}_A)), Add(\\boldsymbol{v}_{A_t}, Neg(\\boldsymbol{v}_A)); 1)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "- 9 C_1 \\cos (3t) & = - C_1 \\cos (3t) + \\frac{2}{3} \\cos (3t) , \\\\ - 9 C_2 \\cos (3t) & = - 4 C_2 \\cos (3t) - \\frac{2}{3} \\cos (3t) .",
+        "System(Chain(Neg(Mul(9, C_1, Call(cos; Mul(3, t)))), Add(Neg(Mul(C_1, Call(cos; Mul(3, t)))), Mul(Div(2; 3), Call(cos; Mul(3, t)))); =), Chain(Neg(Mul(9, C_2, Call(cos; Mul(3, t)))), Add(Neg(Mul(4, C_2, Call(cos; Mul(3, t)))), Neg(Mul(Div(2; 3), Call(cos; Mul(3, t))))); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "C_{\\infty} = 0.5959 + 0.0312\\beta^{2.1} - 0.184\\beta^8 + \\frac{2.286\\beta^4}{(D_{mm}(1.0 - \\beta^4))} - \\frac{0.856\\beta^3}{D_{mm}}",
+        "Chain(C_\\infty, Add(0.5959, Mul(0.0312, Pow(\\beta; 2.1)), Neg(Mul(0.184, Pow(\\beta; 8))), Div(Mul(2.286, Pow(\\beta; 4)); Mul(D_{mm}, Add(1.0, Neg(Pow(\\beta; 4))))), Neg(Div(Mul(0.856, Pow(\\beta; 3)); D_{mm}))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\mathrm{g}_p = \\mathrm{g}_0(\\beta=90°) = \\frac{GM}{a^2}\\Big(1+\\frac{me'q_0'}{3q_0}\\Big)",
+        "Chain(\\text{g}_p, Call(\\text{g}_0; Chain(\\beta, Degrees(90); =)), Mul(Div(Mul(G, M); Pow(a; 2)), Add(1, Div(Mul(m, e', q_0'); Mul(3, q_0)))); =, =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "\\hat{u} = \\frac{\\bar{u}}{|\\bar{u}|}",
+        "Chain(\\hat{u}, Div(\\bar{u}; Bars(\\bar{u})); =)",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "T = \\frac{1}{2} \\left( f(N) + f(U) \\right) + \\sum_{k=1}^M \\frac{B_{2k}}{(2k)!} \\left(f^{(2k-1)}(U) - f^{(2k-1)}(N)\\right),",
+        "Chain(T, Add(Mul(Div(1; 2), Add(Call(f; N), Call(f; U))), BigSum(k; 1; M; Mul(Div(B_{2k}; Factorial(Mul(2, k))), Add(Call(f ^ { ( 2 k - 1 ) }; U), Neg(Call(f ^ { ( 2 k - 1 ) }; N)))))); =)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\mathbf{F} = [D]^T([D][D]^T)^{-1}\\begin{bmatrix} \\boldsymbol{\\tau}_{req} \\\\ \\mathbf{F}_{req} \\end{bmatrix}",
+        "Chain(\\mathbf{F}, Mul(Transpose([ D ]), Pow(Mul([ D ], Transpose([ D ])); Neg(1)), MatrixOf(\\boldsymbol{\\tau}_{req}, \\mathbf{F}_{req})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/forceTorqueThrForceMapping/forceTorqueThrForceMapping.rst",
+    ),
+    (
+        "y = \\left(\\tau \\alpha + \\frac{g\\tau}{v_0\\cos\\alpha}\\right) x g\\tau^2 \\ln \\left(1-\\frac{x}{v_0\\tau \\cos \\alpha}\\right)",
+        "Chain(y, Mul(Add(Mul(\\tau, \\alpha), Div(Mul(g, \\tau); Mul(v_0, Call(cos; \\alpha)))), x, g, Pow(\\tau; 2), Call(ln; Add(1, Neg(Div(x; Mul(v_0, \\tau, Call(cos; \\alpha))))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "J = \\int_0^\\infty \\left[ {\\bf x}^T {\\bf Q} {\\bf x} + {\\bf u}^T {\\bf R} {\\bf u} \\right] dt, \\quad {\\bf Q} = {\\bf Q}^T \\succeq {\\bf 0}, {\\bf R} = {\\bf R}^T \\succ 0.",
+        "System(Chain(J, Integral(Add(Mul(Transpose(\\mathbf{x}), \\mathbf{Q}, \\mathbf{x}), Mul(Transpose(\\mathbf{u}), \\mathbf{R}, \\mathbf{u})); t; 0; Infinity()); =), Chain(\\mathbf{Q}, Transpose(\\mathbf{Q}), 0; =, \\succeq), Chain(\\mathbf{R}, Transpose(\\mathbf{R}), 0; =, \\succ))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "^e\\mathbf{m} = \\mathbf{q}_e\\mathbf{q}_r \\,^b\\mathbf{m}\\mathbf{q}_r^{-1}\\mathbf{q}_e^{-1}",
+        "Chain(\\prescript { e } { } { \\mathbf { m } }, Mul(\\mathbf{q}_e, \\mathbf{q}_r, \\prescript { b } { } { \\mathbf { m } }, Pow(\\mathbf{q}_r; Neg(1)), Pow(\\mathbf{q}_e; Neg(1))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "f(x) := \\frac{\\beta^\\alpha}{\\Gamma(\\alpha)} x^{-\\alpha - 1} \\exp\\left(\\frac{-\\beta}{x}\\right)",
+        "Chain(Call(f; x), Mul(Div(Pow(\\beta; \\alpha); Call(Gamma; \\alpha)), Pow(x; Add(Neg(\\alpha), Neg(1))), Call(exp; Div(Neg(\\beta); x))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\mathbf{R}(\\mathbf{q}) = \\begin{bmatrix} 1 - 2(q_y^2 + q_z^2) & 2(q_xq_y - q_wq_z) & 2(q_xq_z + q_wq_y) \\\\ 2(q_xq_y + q_wq_z) & 1 - 2(q_x^2 + q_z^2) & 2(q_yq_z - q_wq_x) \\\\ 2(q_xq_z - q_wq_y) & 2(q_wq_x + q_yq_z) & 1 - 2(q_x^2 + q_y^2) \\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}; \\mathbf{q}), MatrixOf(Add(1, Neg(Mul(2, Add(Pow(q_y; 2), Pow(q_z; 2))))), Mul(2, Add(Mul(q_x, q_y), Neg(Mul(q_w, q_z)))), Mul(2, Add(Mul(q_x, q_z), Mul(q_w, q_y))), Mul(2, Add(Mul(q_x, q_y), Mul(q_w, q_z))), Add(1, Neg(Mul(2, Add(Pow(q_x; 2), Pow(q_z; 2))))), Mul(2, Add(Mul(q_y, q_z), Neg(Mul(q_w, q_x)))), Mul(2, Add(Mul(q_x, q_z), Neg(Mul(q_w, q_y)))), Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z))), Add(1, Neg(Mul(2, Add(Pow(q_x; 2), Pow(q_y; 2)))))); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "\\mathbf{q} = \\frac{1}{\\sqrt{q_w^2+q_x^2+q_y^2+q_z^2}}\\begin{pmatrix}q_w & q_x & q_y & q_z\\end{pmatrix}",
+        "Chain(\\mathbf{q}, Mul(Div(1; Sqrt(Add(Pow(q_w; 2), Pow(q_x; 2), Pow(q_y; 2), Pow(q_z; 2)))), MatrixOf(q_w, q_x, q_y, q_z)); =)",
+        "Mayitzin/ahrs/ahrs/filters/saam.py",
+    ),
+    (
+        "\\frac{v^2}{2} - \\frac{\\mu}{r} = \\frac{\\mu}{2a}",
+        "Chain(Add(Div(Pow(v; 2); 2), Neg(Div(\\mu; r))), Div(\\mu; Mul(2, a)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial L}{\\partial \\dot{q}_\\alpha} - \\frac{\\partial L}{\\partial q_\\alpha} + \\frac{\\partial D}{\\partial \\dot{q}_\\alpha} = 0,\\quad \\alpha=1,2,\\cdots,s",
+        "System(Chain(Add(Derivative(Derivative(Call(L); \\dot{q}_{\\alpha}, 1; True); t, 1), Neg(Derivative(Call(L); q_{\\alpha}, 1; True)), Derivative(Call(D); \\dot{q}_{\\alpha}, 1; True)), 0; =), Values(\\alpha; 1, 2, Dots(), s))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "\\boldsymbol{n}_\\varSigma = \\frac{\\dfrac{\\partial \\boldsymbol{\\varSigma}}{\\partial r} \\times \\dfrac{\\partial \\boldsymbol{\\varSigma}}{\\partial \\phi}}{\\left|\\dfrac{\\partial \\boldsymbol{\\varSigma}}{\\partial r} \\times \\dfrac{\\partial \\boldsymbol{\\varSigma}}{\\partial \\phi}\\right|} = \\frac{1}{\\sqrt{a^2+\\big[(f'(r))^2+1\\big] r^2}} \\begin{pmatrix} a\\sin\\phi-rf'(r)\\cos\\phi \\\\ -a\\cos\\phi-rf'(r)\\sin\\phi \\\\ r \\end{pmatrix}",
+        "Chain(\\boldsymbol{n}_\\varSigma, Div(Cross(Derivative(Call(\\boldsymbol{\\varSigma}); r, 1; True); Derivative(Call(\\boldsymbol{\\varSigma}); \\phi, 1; True)); Bars(Cross(Derivative(Call(\\boldsymbol{\\varSigma}); r, 1; True); Derivative(Call(\\boldsymbol{\\varSigma}); \\phi, 1; True)))), Mul(Div(1; Sqrt(Add(Pow(a; 2), Mul(Add(Pow(Call(f'; r); 2), 1), Pow(r; 2))))), MatrixOf(Add(Mul(a, Call(sin; \\phi)), Neg(Mul(r, Call(f'; r), Call(cos; \\phi)))), Add(Neg(Mul(a, Call(cos; \\phi))), Neg(Mul(r, Call(f'; r), Call(sin; \\phi)))), r)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\hat{h}_h = \\frac{r \\times v}{|r \\times v|}",
+        "Chain(\\hat{h}_h, Div(Cross(r; v); Bars(Cross(r; v))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/hillStateConverter/hillStateConverter.rst",
+    ),
+    (
+        "I_1\\dot{\\omega}_1 = 0",
+        "Chain(Mul(I_1, Call(\\dot{\\omega}_1)), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "m l^2 \\ddot\\theta(t) + mgl\\sin{\\theta(t)} = Q.",
+        "Chain(Add(Mul(m, Pow(l; 2), Call(\\ddot{\\theta}; t)), Mul(m, g, l, Call(sin; Call(\\theta; t)))), Q; =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\dot{x_1}(t) = -\\frac{2x_1(t)}{RC} + \\frac{x_2(t)}{RC} + \\frac{u(t)}{RC}",
+        "Chain(Call(\\dot{x}_1; t), Add(Neg(Div(Mul(2, Call(x_1; t)); Mul(R, C))), Div(Call(x_2; t); Mul(R, C)), Div(Call(u; t); Mul(R, C))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "f'(\\chi) = \\frac{r_0v_{r,0}}{\\sqrt{\\mu}} \\chi\\left(1 - z S(z)\\right) + \\left(1 - \\alpha r_0\\right) \\chi^2 C(z) + r_0",
+        "Chain(Call(f'; \\chi), Add(Mul(Div(Mul(r_0, v_{r,0}); Sqrt(\\mu)), \\chi, Add(1, Neg(Mul(z, Call(S; z))))), Mul(Add(1, Neg(Mul(\\alpha, r_0))), Pow(\\chi; 2), Call(C; z)), r_0); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "m\\ddot{x} =& \\sum_i f^{B_i}_{W_x} = f^A_{net,W_x},\\\\ m\\ddot{z} =& \\sum_i f^{B_i}_{W_z} - mg = f^A_{net,W_z} - mg,\\\\ I\\ddot\\theta =& \\sum_i \\left[ {}^Bp^{B_i}_W \\times f^{B_i}_W \\right]_y = [{}^Bp^A_W \\times f^A_{net,W}]_y + \\tau^A_{net,W},",
+        "System(Chain(Mul(m, Call(\\ddot{x})), BigSum(i; f _ { W _ { x } } ^ { B _ { i } }), f _ { n e t , W _ { x } } ^ { A }; =, =), Chain(Mul(m, Call(\\ddot{z})), Add(BigSum(i; f _ { W _ { z } } ^ { B _ { i } }), Neg(Mul(m, g))), Add(f _ { n e t , W _ { z } } ^ { A }, Neg(Mul(m, g))); =, =), Chain(Mul(I, Call(\\ddot{\\theta})), BigSum(i; Marked(Cross(\\prescript { B } { } { p } _ { W } ^ { B _ { i } }; f _ { W } ^ { B _ { i } }); _{ y })), Add(Marked(Cross(\\prescript { B } { } { p } _ { W } ^ { A }; f _ { n e t , W } ^ { A }); _{ y }), \\tau _ { n e t , W } ^ { A }); =, =))",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\dot{\\tilde{E}} = - k \\dot\\theta^2 \\tilde{E}.",
+        "Chain(Call(\\dot{\\tilde{E}}), Neg(Mul(k, Pow(Call(\\dot{\\theta}); 2), Call(\\tilde{E}))); =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\dot{x} = vcos(\\phi)",
+        "Chain(Call(\\dot{x}), Mul(v, Call(cos; \\phi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\dot{q}=4\\sin^3{\\theta^*}\\cos{\\theta^*}\\dot{\\theta^*},",
+        "Chain(Call(\\dot{q}), Mul(4, Pow(Call(sin; Call(\\theta ^ { * })); 3), Call(cos; Call(\\theta ^ { * })), Call(\\dot { \\theta } ^ { * })); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "x^2y' = y^2+xy, \\qquad y(1)=1.",
+        "System(Chain(Mul(Pow(x; 2), Call(y')), Add(Pow(Call(y); 2), Mul(x, Call(y))); =), Chain(Call(y; 1), 1; =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\phi \\sqrt{h^2+r^2} = \\psi r",
+        "Chain(Mul(\\phi, Sqrt(Add(Pow(h; 2), Pow(r; 2)))), Mul(\\psi, r); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\frac{\\partial k_2}{\\partial J} = -\\frac{\\pi k_2^2}{4\\omega_0K(k_2)}",
+        "Chain(Derivative(Call(k_2); J, 1; True), Neg(Div(Mul(\\pi, Pow(Call(k_2); 2)); Mul(4, \\omega_0, Call(K; Call(k_2))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\operatorname{E}(s, a) = -\\frac{\\operatorname{G}(s+1, a)}{s+1}",
+        "Chain(Call(\\text{E}; s, a), Neg(Div(Call(\\text{G}; Add(s, 1), a); Add(s, 1))); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "V_3 = \\int_w^g(r^2 - x^2)\\tan^{-1}\\frac{\\sqrt{g^2 - x^2}}{z}dx - \\frac{z}{2}\\left(g^2\\cos^{-1}\\frac{w}{g} - w\\sqrt{2g(h-h_1) - (h-h_1)^2}\\right)",
+        "Chain(V_3, Add(Integral(Mul(Add(Pow(r; 2), Neg(Pow(x; 2))), Call(arctan; Div(Sqrt(Add(Pow(g; 2), Neg(Pow(x; 2)))); z))); x; w; g), Neg(Mul(Div(z; 2), Add(Mul(Pow(g; 2), Call(arccos; Div(w; g))), Neg(Mul(w, Sqrt(Add(Mul(2, g, Add(h, Neg(h_1))), Neg(Pow(Add(h, Neg(h_1)); 2)))))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "(F_r^*)_B := {}^A\\bar{v}^{B_o}_r \\cdot \\bar{R}^* + {}^A\\bar{\\omega}^B_r \\cdot \\bar{T}^*",
+        "Chain(Marked(F _ { r } ^ { * }; _{ B }), Add(Mul(\\prescript { A } { } { \\bar { v } } _ { r } ^ { B _ { o } }, \\bar { R } ^ { * }; 1), Mul(\\prescript { A } { } { \\bar { \\omega } } _ { r } ^ { B }, \\bar { T } ^ { * }; 1)); =)",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\bm v_{\\text{rot,contr}} = U_{s_i}\\Omega_i^2[\\tilde{\\bm{r}}_{W_i/B}]\\hat{\\bm{u}}_i + U_{d_i}\\Omega_i^2\\hat{\\bm{v}}",
+        "Chain(\\bm{v}_{rot,contr}, Add(Mul(U_{s_i}, Pow(\\Omega_i; 2), [ \\tilde { \\bm { r } } _ { W _ { i } / B } ], \\hat{\\bm{u}}_i), Mul(U_{d_i}, Pow(\\Omega_i; 2), \\hat{\\bm{v}})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/reactionWheels/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\sigma' = \\begin{cases} \\sigma & \\text{if } R \\ne 3 \\\\ \\nu \\sigma & \\text{if } R = 3 \\end{cases}",
+        "Chain(\\sigma', Piecewise(\\sigma, Chain(R, 3; \\ne), Mul(\\nu, \\sigma), Chain(R, 3; =)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "^E\\mathbf{h}_t = \\begin{bmatrix}0 & h_x & h_y & h_z\\end{bmatrix} = \\,\\mathbf{q}_{t-1}\\,^S\\mathbf{m}_t\\,\\mathbf{q}_{t-1}^*",
+        "Chain(\\prescript { E } { } { \\mathbf { h } } _ { t }, MatrixOf(0, h_x, h_y, h_z), Mul(\\mathbf{q}_{t-1}, \\prescript { S } { } { \\mathbf { m } } _ { t }, \\mathbf { q } _ { t - 1 } ^ { * }); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "x(t) = \\int_0^t \\frac{\\sin (\\omega_0 \\tau)}{\\omega_0} f(t-\\tau) \\, d\\tau ,",
+        "Chain(Call(x; t), Integral(Mul(Div(Call(sin; Mul(\\omega_0, \\tau)); \\omega_0), Call(f; Add(t, Neg(\\tau)))); \\tau; 0; t); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "\\mathbf{q} = \\begin{pmatrix}q_w\\\\q_x\\\\q_y\\\\q_z\\end{pmatrix} = \\begin{pmatrix}-1\\\\\\chi\\\\\\rho\\\\\\upsilon\\end{pmatrix}",
+        "Chain(\\mathbf{q}, MatrixOf(q_w, q_x, q_y, q_z), MatrixOf(Neg(1), \\chi, \\rho, \\upsilon); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "f(x) := b \\eta e^{b x} e^{\\eta} \\exp \\left(-\\eta e^{bx} \\right)",
+        "Chain(Call(f; x), Mul(b, \\eta, Pow(e; Mul(b, x)), Pow(e; \\eta), Call(exp; Neg(Mul(\\eta, Pow(e; Mul(b, x)))))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\begin{bmatrix} x_{1} \\\\ x_2 \\\\ \\vdots \\\\ x_n \\end{bmatrix} + \\begin{bmatrix} y_{1} \\\\ y_2 \\\\ \\vdots \\\\ y_n \\end{bmatrix} = \\begin{bmatrix} x_1 + y_{1} \\\\ x_2+ y_2 \\\\ \\vdots \\\\ x_n + y_n \\end{bmatrix} .",
+        "Chain(Add(MatrixOf(x_1, x_2, Dots(), x_n), MatrixOf(y_1, y_2, Dots(), y_n)), MatrixOf(Add(x_1, y_1), Add(x_2, y_2), Dots(), Add(x_n, y_n)); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = \\boldsymbol{a}_{\\mathrm{COG}} + \\dot{\\boldsymbol{\\Omega}}\\times\\boldsymbol{r} + \\boldsymbol{\\Omega}\\times\\left(\\boldsymbol{\\Omega}\\times\\boldsymbol{r}\\right) + 2\\boldsymbol{\\Omega}\\times\\boldsymbol{v}_{\\text{rel}} + \\boldsymbol{a}_{\\text{rel}}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(\\boldsymbol{a}_{COG}, Cross(Call(\\dot{\\boldsymbol{\\Omega}}); Call(\\boldsymbol{r})), Cross(Call(\\boldsymbol{\\Omega}); Cross(Call(\\boldsymbol{\\Omega}); Call(\\boldsymbol{r}))), Cross(Mul(2, Call(\\boldsymbol{\\Omega})); \\boldsymbol{v}_{rel}), \\boldsymbol{a}_{rel}); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\bm x_{n+1} = \\bm x_{n} + \\frac{h}{6} \\left( \\bm k_{1} + 2 \\bm k_{2} + 2 \\bm k_{3} + \\bm k_{4} \\right)",
+        "Chain(\\bm{x}_{n+1}, Add(\\bm{x}_n, Mul(Div(h; 6), Add(\\bm{k}_1, Mul(2, \\bm{k}_2), Mul(2, \\bm{k}_3), \\bm{k}_4))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/Integrators/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "k_j(\\tau_{nm}) = a_j\\,\\exp\\left(-c_j\\,\\tau_{nm}\\right)",
+        "Chain(Call(k_j; \\tau_{nm}), Mul(a_j, Call(exp; Neg(Mul(c_j, \\tau_{nm})))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\text{SA} = 2\\pi f D h",
+        "Chain(\\text{SA}, Mul(2, \\pi, f, D, h); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\dot{y} = v \\sin(\\phi)",
+        "Chain(Call(\\dot{y}), Mul(v, Call(sin; \\phi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\mathbf{P}_{\\Sigma D} = \\mathbf{U}_{D_x}\\mathbf{P}_1 + \\mathbf{U}_{D_y}\\mathbf{P}_2 + \\mathbf{U}_{D_z}\\mathbf{P}_3",
+        "Chain(\\mathbf{P}_{\\Sigma D}, Add(Mul(\\mathbf{U}_{D_x}, \\mathbf{P}_1), Mul(\\mathbf{U}_{D_y}, \\mathbf{P}_2), Mul(\\mathbf{U}_{D_z}, \\mathbf{P}_3)); =)",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "z_p = \\frac{| \\bar{r}^{P/O} \\cdot \\hat{n}_z | - \\bar{r}^{P/O} \\cdot \\hat{n}_z}{2}",
+        "Chain(z_p, Div(Add(Bars(Mul(\\bar { r } ^ { P / O }, \\hat{n}_z; 1)), Neg(Mul(\\bar { r } ^ { P / O }, \\hat{n}_z; 1))); 2); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "f(r) = \\int_{0}^\\infty F_\\nu(k) J_\\nu(k r) k \\mathrm{d} k.",
+        "Chain(Call(f; r), Integral(Mul(Call(F_\\nu; k), Call(J_\\nu; Mul(k, r)), k); k; 0; Infinity()); =)",
+        "sympy/sympy/sympy/integrals/transforms.py",
+    ),
+    (
+        "\\sum_{k=K}^{\\infty} |x|^k \\frac{|(s)_k|}{k!} \\zeta(\\sigma+k,a) \\le \\sum_{k=K}^{\\infty} |x|^k \\frac{|(s)_k|}{k!} \\left[ \\frac{1}{a^{\\sigma+k}} + \\frac{1}{(\\sigma+k-1) a^{\\sigma+k-1}} \\right].",
+        "Chain(BigSum(k; K; Infinity(); Mul(Pow(Bars(x); k), Div(Bars(Marked(s; _{ k })); Factorial(k)), Call(\\zeta; Add(\\sigma, k), a))), BigSum(k; K; Infinity(); Mul(Pow(Bars(x); k), Div(Bars(Marked(s; _{ k })); Factorial(k)), Add(Div(1; Pow(a; Add(\\sigma, k))), Div(1; Mul(Add(\\sigma, k, Neg(1)), Pow(a; Add(\\sigma, k, Neg(1)))))))); \\le)",
+        "fredrik-johansson/arb/doc/source/hurwitz.rst",
+    ),
+    (
+        "\\boldsymbol\\Sigma_\\boldsymbol\\omega = \\begin{bmatrix} \\sigma_{\\boldsymbol\\omega x}^2 & 0 & 0 \\\\ 0 & \\sigma_{\\boldsymbol\\omega y}^2 & 0 \\\\ 0 & 0 & \\sigma_{\\boldsymbol\\omega z}^2 \\end{bmatrix}",
+        "Chain(\\boldsymbol{\\Sigma}_{\\boldsymbol\\omega}, MatrixOf(Pow(\\sigma_{\\boldsymbol\\omega x}; 2), 0, 0, 0, Pow(\\sigma_{\\boldsymbol\\omega y}; 2), 0, 0, 0, Pow(\\sigma_{\\boldsymbol\\omega z}; 2)); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "F_r = -\\frac{\\partial V}{\\partial q_r}",
+        "Chain(F_r, Neg(Derivative(Call(V); q_r, 1; True)); =)",
+        "moorepants/learn-multibody-dynamics/energy.rst",
+    ),
+    (
+        "\\frac{1}{2}(2x+6\\sin(x)\\cos(x))^2 \\ge \\mu(x^2 + 3\\sin^2(x)),",
+        "Chain(Mul(Div(1; 2), Pow(Add(Mul(2, x), Mul(6, Call(sin; x), Call(cos; x))); 2)), Mul(\\mu, Add(Pow(x; 2), Mul(3, Pow(Call(sin; x); 2)))); \\ge)",
+        "RussTedrake/underactuated/book/policy_search.html",
+    ),
+    (
+        "\\varepsilon_4(a,b,c,d) &= \\exp(\\pi i [-R(a,b,c,d) + (3-(2+d)b)] / 4)",
+        "Chain(Call(\\varepsilon_4; a, b, c, d), Call(exp; Div(Mul(\\pi, i, Add(Neg(Call(R; a, b, c, d)), Add(3, Neg(Mul(Add(2, d), b))))); 4)); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "{}^A\\bar{v}^{B_c} = {}^B\\bar{v}^{B_c} + {}^A\\bar{\\omega}^B\\times\\bar{r}^{B_c/S}",
+        "Chain(\\prescript { A } { } { \\bar { v } } ^ { B _ { c } }, Add(\\prescript { B } { } { \\bar { v } } ^ { B _ { c } }, Cross(\\prescript { A } { } { \\bar { \\omega } } ^ { B }; \\bar { r } ^ { B _ { c } / S })); =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "{\\bf n} {\\bf v}^+ - {\\bf n}{\\bf v}^- = -(1+e){\\bf n}{\\bf v}^-,",
+        "Chain(Add(Mul(\\mathbf{n}, \\mathbf { v } ^ { + }), Neg(Mul(\\mathbf{n}, \\mathbf { v } ^ { - }))), Neg(Mul(Add(1, e), \\mathbf{n}, \\mathbf { v } ^ { - })); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "K_{ {\\boldsymbol{\\alpha}}} = K_{ {\\boldsymbol{\\alpha}}}^{1/2} \\, {\\left(K_{ {\\boldsymbol{\\alpha}}}^{1/2}\\right)}^T\\quad.",
+        "Chain(K_{\\boldsymbol\\alpha}, Mul(Pow(K_{\\boldsymbol\\alpha}; Div(1; 2)), Transpose(Pow(K_{\\boldsymbol\\alpha}; Div(1; 2)))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\dot{\\tilde{E}} = - k \\dot\\theta^2 \\cos^2\\theta \\tilde{E}.",
+        "Chain(Call(\\dot{\\tilde{E}}), Neg(Mul(k, Pow(Call(\\dot{\\theta}); 2), Pow(Call(cos; Call(\\theta)); 2), Call(\\tilde{E}))); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "L' = T' - U'",
+        "Chain(L', Add(T', Neg(U')); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "e_1 = \\sqrt{1 - \\frac{c^2}{a^2}}",
+        "Chain(e_1, Sqrt(Add(1, Neg(Div(Pow(c; 2); Pow(a; 2))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\operatorname{Chi}(z) = -\\frac{1}{2} \\left[ e^{z} U(1,1,-z) + e^{-z} U(1,1,z) + \\log(-z) - \\log(z) \\right]",
+        "Chain(Call(\\text{Chi}; z), Neg(Mul(Div(1; 2), Add(Mul(Pow(e; z), Call(U; 1, 1, Neg(z))), Mul(Pow(e; Neg(z)), Call(U; 1, 1, z)), Call(log; Neg(z)), Neg(Call(log; z))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "E(m) = E\\left(\\tfrac{\\pi}{2}\\middle| m\\right)",
+        "Chain(Call(E; m), Call(E; Given(Div(\\pi; 2); m; |)); =)",
+        "sympy/sympy/sympy/functions/special/elliptic_integrals.py",
+    ),
+    (
+        "y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y'(1) = 0.",
+        "System(Chain(Add(Call(y''), Mul(\\lambda, Call(y))), 0; =), Chain(Call(y'; 0), 0; =), Chain(Call(y'; 1), 0; =))",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\bm{\\omega}_{RN} = \\dot{\\bm{\\omega}}_{RN} = 0",
+        "Chain(Call(\\bm{\\omega}_{RN}), Call(\\dot{\\bm{\\omega}}_{RN}), 0; =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/inertial3D/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\begin{bmatrix} \\ddot \\theta_{i1}\\\\ \\ddot \\theta_{i2} \\end{bmatrix} = [E_i][F_i] \\ddot{\\bm r}_{B/N} + [E_i][G_i]\\dot{\\bm\\omega}_{\\cal B/N} + [E_i]\\bm v_i",
+        "Chain(MatrixOf(Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2})), Add(Mul([ E _ { i } ], [ F _ { i } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ E _ { i } ], [ G _ { i } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul([ E _ { i } ], \\bm{v}_i)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{}^Ap^B_G = {}^GR^F {}^Ap^B_F.",
+        "Chain(\\prescript { A } { } { p } _ { G } ^ { B }, Mul(\\prescript { G } { } { R } ^ { F }, \\prescript { A } { } { p } _ { F } ^ { B }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\alpha = \\frac{\\rho_m - \\rho_l}{\\rho_g - \\rho_l}",
+        "Chain(\\alpha, Div(Add(\\rho_m, Neg(\\rho_l)); Add(\\rho_g, Neg(\\rho_l))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "z = S(s,a,n) = \\sum_{k=0}^{n-1} \\frac{q^k}{(k+a)^{s+t}}",
+        "Chain(z, Call(S; s, a, n), BigSum(k; 0; Add(n, Neg(1)); Div(Pow(q; k); Pow(Add(k, a); Add(s, t)))); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_poly.rst",
+    ),
+    (
+        "\\dot x_1 &=-\\frac{6x_1}{(1+x_1^2)^2}+2x_2, \\\\ \\dot x_2 &=-\\frac{2(x_1+x_2)}{(1+x_1^2)^2},",
+        "System(Chain(Call(\\dot{x}_1), Add(Neg(Div(Mul(6, Call(x_1)); Pow(Add(1, Pow(Call(x_1); 2)); 2))), Mul(2, Call(x_2))); =), Chain(Call(\\dot{x}_2), Neg(Div(Mul(2, Add(Call(x_1), Call(x_2))); Pow(Add(1, Pow(Call(x_1); 2)); 2))); =))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\sigma = |(b-2a)/z|",
+        "Chain(\\sigma, Bars(Div(Add(b, Neg(Mul(2, a))); z)); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "r_{\\mathrm{min}} = \\frac{p}{1+e}",
+        "Chain(r_{min}, Div(p; Add(1, e)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\dot{\\bm \\sigma}_{\\cal B/N} = \\frac{1}{4}[B(\\bm\\sigma_{\\cal B/N})] {\\vphantom{\\bm\\omega}}^{\\mathcal{B}\\!}{\\bm\\omega}_{\\cal B/N}",
+        "Chain(Call(\\dot { \\bm { \\sigma } } _ { \\mathcal B / \\mathcal N }), Mul(Div(1; 4), Call([ B ]; Call(\\bm{\\sigma}_{\\mathcal B/\\mathcal N})), \\prescript { \\mathcal { B } \\! } { } { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } }); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secUserGuide.tex",
+    ),
+    (
+        "\\mathbf{G}_t = \\mathbf{\\Sigma}_{\\mathbf{q}_t^-} \\big [\\mathbf{\\Sigma}_{\\mathbf{q}_t^-} + \\mathbf{\\Sigma}_{v_t}\\big ]^{-1}",
+        "Chain(\\mathbf{G}_t, Mul(\\mathbf{\\Sigma}_{\\mathbf q_t^-}, Pow(Add(\\mathbf{\\Sigma}_{\\mathbf q_t^-}, \\mathbf{\\Sigma}_{v_t}); Neg(1))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "\\alpha = 0 \\text{ for } F_t \\le 0.01032",
+        "Implies(Chain(F_t, 0.01032; \\le); Chain(\\alpha, 0; =))",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\alpha = \\frac{x}{\\rho_g}\\left[C_0\\left(\\frac{x}{\\rho_g} + \\frac{1-x} {\\rho_l}\\right) +\\frac{v_{gm}}{G} \\right]^{-1}",
+        "Chain(\\alpha, Mul(Div(x; \\rho_g), Pow(Add(Mul(C_0, Add(Div(x; \\rho_g), Div(Add(1, Neg(x)); \\rho_l))), Div(v_{gm}; G)); Neg(1))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "a_n f^{(n)}(x) + a_{n-1} f^{(n-1)}(x) + \\cdots + a_1 f'(x) + a_0 f(x) = P(x)\\text{,}",
+        "Chain(Add(Mul(a_n, Call(f ^ { ( n ) }; x)), Mul(a_{n-1}, Call(f ^ { ( n - 1 ) }; x)), Dots(), Mul(a_1, Call(f'; x)), Mul(a_0, Call(f; x))), Call(P; x); =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "{}^Bp^{\\text{ZMP}}_{W_z} m\\ddot{y} - {}^Bp^{\\text{ZMP}}_{W_y} (m\\ddot{z} + mg) = I \\ddot{\\theta}.",
+        "Chain(Add(Mul(\\prescript { B } { } { p } _ { W _ { z } } ^ { \\text { Z M P } }, m, Call(\\ddot{y})), Neg(Mul(\\prescript { B } { } { p } _ { W _ { y } } ^ { \\text { Z M P } }, Add(Mul(m, Call(\\ddot{z})), Mul(m, g))))), Mul(I, Call(\\ddot{\\theta})); =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\vec{x} = \\operatorname{proj}_{\\vec{v}_1} ( \\vec{x} ) + \\operatorname{proj}_{\\vec{v}_2} ( \\vec{x} ) + \\cdots + \\operatorname{proj}_{\\vec{v}_n} ( \\vec{x} ) = \\frac{\\langle \\vec{x}, \\vec{v}_1 \\rangle}{ \\langle \\vec{v}_1, \\vec{v}_1 \\rangle } \\vec{v}_1 + \\frac{\\langle \\vec{x}, \\vec{v}_2 \\rangle}{ \\langle \\vec{v}_2, \\vec{v}_2 \\rangle } \\vec{v}_2 + \\cdots + \\frac{\\langle \\vec{x}, \\vec{v}_n \\rangle}{ \\langle \\vec{v}_n, \\vec{v}_n \\rangle } \\vec{v}_n .",
+        "Chain(\\vec{x}, Add(Call(\\text{proj}_{\\vec v_1}; \\vec{x}), Call(\\text{proj}_{\\vec v_2}; \\vec{x}), Dots(), Call(\\text{proj}_{\\vec v_n}; \\vec{x})), Add(Mul(Div(Pair(\\vec{x}; \\vec{v}_1); Pair(\\vec{v}_1; \\vec{v}_1)), \\vec{v}_1), Mul(Div(Pair(\\vec{x}; \\vec{v}_2); Pair(\\vec{v}_2; \\vec{v}_2)), \\vec{v}_2), Dots(), Mul(Div(Pair(\\vec{x}; \\vec{v}_n); Pair(\\vec{v}_n; \\vec{v}_n)), \\vec{v}_n)); =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "J = -\\frac{1+\\chi}{\\mu^2}(\\boldsymbol{v}_{O_1}^-\\cdot \\boldsymbol{n}_1+\\boldsymbol{v}_{O_2}^-\\cdot \\boldsymbol{n}_2)",
+        "Chain(J, Neg(Mul(Div(Add(1, \\chi); Pow(\\mu; 2)), Add(Mul(\\boldsymbol { v } _ { O _ { 1 } } ^ { - }, \\boldsymbol{n}_1; 1), Mul(\\boldsymbol { v } _ { O _ { 2 } } ^ { - }, \\boldsymbol{n}_2; 1)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{aligned} A_s &= \\frac{G m_s}{R^2} & P_p &= \\frac{G m_p}{r^2} & a_p &= \\frac{G m_p}{r^2} & p_s & = \\frac{G m_s}{R^3} r \\end{aligned}",
+        "System(Chain(A_s, Div(Mul(G, m_s); Pow(R; 2)); =), Chain(P_p, Div(Mul(G, m_p); Pow(r; 2)); =), Chain(a_p, Div(Mul(G, m_p); Pow(r; 2)); =), Chain(p_s, Mul(Div(Mul(G, m_s); Pow(R; 3)), r); =))",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "x(t) = C_1 e^{r_1 t} + C_2 e^{r_2 t} .",
+        "Chain(Call(x; t), Add(Mul(C_1, Pow(e; Mul(r_1, t))), Mul(C_2, Pow(e; Mul(r_2, t)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "t_C = \\sqrt{\\frac{r_{12}^3}{\\mu}}",
+        "Chain(t_C, Sqrt(Div(Pow(r_{12}; 3); \\mu)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\boldsymbol r_{B/P} = \\boldsymbol r_{B/O} - \\boldsymbol r_{P/O}",
+        "Chain(\\boldsymbol{r}_{B/P}, Add(\\boldsymbol{r}_{B/O}, Neg(\\boldsymbol{r}_{P/O})); =)",
+        "AVSLab/basilisk/src/simulation/sensors/magnetometer/magnetometer.rst",
+    ),
+    (
+        "\\bm{\\omega}_{\\mathrm{sat}} = \\mathrm{max}\\big(\\omega_{\\mathrm{min}}, \\mathrm{min}\\big( \\bm{\\omega}_{\\mathrm{discretized}}, \\omega_{\\mathrm{max}} \\big) \\big)",
+        "Chain(\\bm{\\omega}_{sat}, Call(max; \\omega_{min}, Call(min; \\bm{\\omega}_{discretized}, \\omega_{max})); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secModelDescription.tex",
+    ),
+    (
+        "\\mathbf{q}_t = \\gamma_t \\mathbf{q}_{\\nabla, t} + (1-\\gamma_t) \\mathbf{q}_{\\omega, t}",
+        "Chain(\\mathbf{q}_t, Add(Mul(\\gamma_t, \\mathbf{q}_{\\nabla,t}), Mul(Add(1, Neg(\\gamma_t)), \\mathbf{q}_{\\omega,t})); =)",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "\\operatorname{Ci}(z) = \\log(z) - \\frac{1}{2} \\left[ e^{iz} U(1,1,-iz) + e^{-iz} U(1,1,iz) + \\log(-iz) + \\log(iz) \\right]",
+        "Chain(Call(\\text{Ci}; z), Add(Call(log; z), Neg(Mul(Div(1; 2), Add(Mul(Pow(e; Mul(i, z)), Call(U; 1, 1, Neg(Mul(i, z)))), Mul(Pow(e; Neg(Mul(i, z))), Call(U; 1, 1, Mul(i, z))), Call(log; Neg(Mul(i, z))), Call(log; Mul(i, z)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\begin{gathered} \\nu_{f,1} + n_f t_{12} = \\nu_B \\\\ \\nu_{f,1} - \\nu_{i,1} + n_f t_{12} = \\nu_B - \\nu_A \\\\ \\gamma_1 + n_f t_{12} = \\Gamma \\\\ \\gamma_1 = \\Gamma - n_f t_{12} \\end{gathered}",
+        "System(Chain(Add(\\nu_{f,1}, Mul(n_f, t_{12})), \\nu_B; =), Chain(Add(\\nu_{f,1}, Neg(\\nu_{i,1}), Mul(n_f, t_{12})), Add(\\nu_B, Neg(\\nu_A)); =), Chain(Add(\\gamma_1, Mul(n_f, t_{12})), \\varGamma; =), Chain(\\gamma_1, Add(\\varGamma, Neg(Mul(n_f, t_{12}))); =))",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "K_1 = \\left[1.205 - 3.28(0.0625-\\beta^4)-12.8\\beta^6\\sqrt{\\frac {\\alpha-60^\\circ}{120^\\circ}}\\right](1-\\beta^2)^2",
+        "Chain(K_1, Mul(Add(1.205, Neg(Mul(3.28, Add(0.0625, Neg(Pow(\\beta; 4))))), Neg(Mul(12.8, Pow(\\beta; 6), Sqrt(Div(Add(\\alpha, Neg(Degrees(60))); Degrees(120)))))), Pow(Add(1, Neg(Pow(\\beta; 2))); 2)); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "{\\bf \\lambda} =- ({\\bf H} {\\bf M}^{-1} {\\bf H}^T)^+ ({\\bf H} {\\bf M}^{-1} {\\bf \\tau} + \\dot{{\\bf H}}{\\bf v} + 2\\alpha {\\bf H}{\\bf v} + \\alpha^2 {\\bf h}).",
+        "Chain(\\mathbf{\\lambda}, Neg(Mul(Marked(Mul(Call(\\mathbf{H}), Pow(\\mathbf{M}; Neg(1)), Transpose(Call(\\mathbf{H}))); ^+), Add(Mul(Call(\\mathbf{H}), Pow(\\mathbf{M}; Neg(1)), \\mathbf{\\tau}), Mul(Call(\\dot{\\mathbf{H}}), \\mathbf{v}), Mul(2, \\alpha, Call(\\mathbf{H}), \\mathbf{v}), Mul(Pow(\\alpha; 2), \\mathbf{h})))); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\boxed{\\mathbf{P}_{yz} = \\sum_{i=0}^{2n} w_i^{(c)} (\\mathcal{Y}_i - \\bar{\\mathbf{y}})(\\mathcal{Z}_i - \\bar{\\mathbf{z}})^T}",
+        "Chain(\\mathbf{P}_{yz}, BigSum(i; 0; Mul(2, n); Mul(w _ { i } ^ { ( c ) }, Add(\\mathcal{Y}_i, Neg(\\bar{\\mathbf{y}})), Transpose(Add(\\mathcal{Z}_i, Neg(\\bar{\\mathbf{z}}))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\int_{0}^\\pi \\sin (mt) \\sin (nt) \\,dt = 0 , \\quad \\text{when } m \\neq n.",
+        "Implies(Chain(m, n; \\ne); Chain(Integral(Mul(Call(sin; Mul(m, t)), Call(sin; Mul(n, t))); t; 0; \\pi), 0; =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\boldsymbol{v}_A = (-l\\dot{\\alpha}\\sin\\alpha,l\\dot{\\alpha}\\cos\\alpha),\\quad \\boldsymbol{v}_C = (-l\\dot{\\alpha}\\sin\\alpha,-l\\dot{\\alpha}\\cos\\alpha)",
+        "System(Chain(\\boldsymbol{v}_A, Pair(Neg(Mul(l, Call(\\dot{\\alpha}), Call(sin; Call(\\alpha)))); Mul(l, Call(\\dot{\\alpha}), Call(cos; Call(\\alpha)))); =), Chain(\\boldsymbol{v}_C, Pair(Neg(Mul(l, Call(\\dot{\\alpha}), Call(sin; Call(\\alpha)))); Neg(Mul(l, Call(\\dot{\\alpha}), Call(cos; Call(\\alpha))))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{pmatrix} \\omega_1 \\\\ \\omega_2 \\\\ \\omega_3 \\end{pmatrix} = \\begin{pmatrix} \\sin\\theta\\cos\\psi & -\\sin\\psi & 0 \\\\ \\sin\\theta\\sin\\psi & \\cos\\psi & 0 \\\\ \\cos\\theta & 0 & 1 \\end{pmatrix} \\begin{pmatrix} \\dot{\\theta} \\\\ \\dot{\\phi} \\\\ \\dot{\\psi} \\end{pmatrix}",
+        "Chain(MatrixOf(\\omega_1, \\omega_2, \\omega_3), Mul(MatrixOf(Mul(Call(sin; Call(\\theta)), Call(cos; Call(\\psi))), Neg(Call(sin; Call(\\psi))), 0, Mul(Call(sin; Call(\\theta)), Call(sin; Call(\\psi))), Call(cos; Call(\\psi)), 0, Call(cos; Call(\\theta)), 0, 1), MatrixOf(Call(\\dot{\\theta}), Call(\\dot{\\phi}), Call(\\dot{\\psi}))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "k_{aa} := \\sqrt{\\frac{I_{aa}}{m}}",
+        "Chain(k_{aa}, Sqrt(Div(I_{aa}; m)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "J_{{\\bf u}(\\cdot)}({\\bf x}_0) = \\ell_f ({\\bf x}(t_f)) + \\int_{t_0}^{t_f} \\ell({\\bf x}(t),{\\bf u}(t)) dt.",
+        "Chain(Call(J_{\\mathbf u(\\cdot)}; \\mathbf{x}_0), Add(Call(\\ell_f; Call(\\mathbf{x}; t_f)), Integral(Call(\\ell; Call(\\mathbf{x}; t), Call(\\mathbf{u}; t)); t; t_0; t_f)); =)",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "&= x^{1/k} [1 - \\exp(\\log(1-r/x)/k)] \\le x^{1/k} \\min(1, -\\log(1-r/x)/k)",
+        "Chain(Blank(), Mul(Pow(x; Div(1; k)), Add(1, Neg(Call(exp; Div(Call(log; Add(1, Neg(Div(r; x)))); k))))), Mul(Pow(x; Div(1; k)), Call(min; 1, Neg(Div(Call(log; Add(1, Neg(Div(r; x)))); k)))); =, \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "X(x)T'(t) = k X''(x)T(t) .",
+        "Chain(Mul(Call(X; x), Call(T'; t)), Mul(k, Call(X''; x), Call(T; t)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{bmatrix} \\dot{x_1}(t) \\\\ \\dot{x_2}(t) \\end{bmatrix} = \\begin{bmatrix} -\\frac{2}{RC} & \\frac{1}{RC} \\\\ \\frac{1}{RC} & -\\frac{1}{RC} \\end{bmatrix} \\begin{bmatrix} x_1(t) \\\\ x_2(t) \\end{bmatrix} + \\begin{bmatrix} \\frac{1}{RC} \\\\ 0 \\end{bmatrix} u(t)",
+        "Chain(MatrixOf(Call(\\dot{x}_1; t), Call(\\dot{x}_2; t)), Add(Mul(MatrixOf(Neg(Div(2; Mul(R, C))), Div(1; Mul(R, C)), Div(1; Mul(R, C)), Neg(Div(1; Mul(R, C)))), MatrixOf(Call(x_1; t), Call(x_2; t))), Mul(MatrixOf(Div(1; Mul(R, C)), 0), Call(u; t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "\\bar{v} = & v_x \\hat{n}_x + v_y \\hat{n}_y + v_z \\hat{n}_z \\\\ \\bar{w} = & w_x \\hat{n}_x + w_y \\hat{n}_y + w_z \\hat{n}_z \\\\ \\bar{v} \\times \\bar{w} = & (v_y w_z - v_z w_y) \\hat{n}_x + (v_z w_x - v_x w_z) \\hat{n}_y + (v_x w_y - v_y w_x) \\hat{n}_z",
+        "System(Chain(\\bar{v}, Add(Mul(v_x, \\hat{n}_x), Mul(v_y, \\hat{n}_y), Mul(v_z, \\hat{n}_z)); =), Chain(\\bar{w}, Add(Mul(w_x, \\hat{n}_x), Mul(w_y, \\hat{n}_y), Mul(w_z, \\hat{n}_z)); =), Chain(Cross(\\bar{v}; \\bar{w}), Add(Mul(Add(Mul(v_y, w_z), Neg(Mul(v_z, w_y))), \\hat{n}_x), Mul(Add(Mul(v_z, w_x), Neg(Mul(v_x, w_z))), \\hat{n}_y), Mul(Add(Mul(v_x, w_y), Neg(Mul(v_y, w_x))), \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "\\mathbf{r}_3^T = \\begin{bmatrix} 0 & 0 & 1 \\end{bmatrix}",
+        "Chain(Transpose(\\mathbf{r}_3), MatrixOf(0, 0, 1); =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "a_n = \\frac{1}{2^{n - 1}} \\sum_{k=0}^{\\mathrm{floor}(n/2)}(-1)^k\\frac{1}{\\left(n - k\\right)!k!}\\left(n - 2k\\right)^{n - 1}\\sin\\left[\\left(n - 2k\\right)M_e\\right]",
+        "Chain(a_n, Mul(Div(1; Pow(2; Add(n, Neg(1)))), BigSum(k; 0; Call(floor; Div(n; 2)); Mul(Pow(Neg(1); k), Div(1; Mul(Factorial(Add(n, Neg(k))), Factorial(k))), Pow(Add(n, Neg(Mul(2, k))); Add(n, Neg(1))), Call(sin; Mul(Add(n, Neg(Mul(2, k))), M_e))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\operatorname{atan}(x) = \\operatorname{atan}(p/q) + \\operatorname{atan}(w), \\quad w = \\frac{qx-p}{px+q}, \\quad p = \\lfloor qx \\rfloor",
+        "System(Chain(Call(atan; x), Add(Call(atan; Div(p; q)), Call(atan; w)); =), Chain(w, Div(Add(Mul(q, x), Neg(p)); Add(Mul(p, x), q)); =), Chain(p, Call(floor; Mul(q, x)); =))",
+        "fredrik-johansson/arb/doc/source/arb.rst",
+    ),
+    (
+        "\\begin{split} m_{\\text{\\text{sc}}}[\\tilde{\\bm{c}}]\\ddot{\\bm r}_{B/N} + [I_{\\text{sc},B}]\\dot{\\bm\\omega} + \\sum\\limits_{i=1}^{N}\\bm{u}_{\\omega_i}\\ddot{\\gamma}_i + \\sum\\limits_{i=1}^{N}\\bm{v}_{\\omega_i}\\dot{\\Omega}_i \\\\= \\bm{L}_B - [I_{\\text{sc},B}]'\\bm{\\omega} - [\\tilde{\\bm\\omega}][I_{\\text{sc},B}]\\bm\\omega - \\sum\\limits_{i=1}^{N}\\bm{k}_{\\omega_i} \\end{split}",
+        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot{\\bm{\\omega}})), BigSum(i; 1; N; Mul(\\bm{u}_{\\omega_i}, Call(\\ddot{\\gamma}_i))), BigSum(i; 1; N; Mul(\\bm{v}_{\\omega_i}, Call(\\dot{\\Omega}_i)))), Add(\\bm{L}_B, Neg(Mul([ I _ { \\text { s c } , B } ]', Call(\\bm{\\omega}))), Neg(Mul([ \\tilde { \\bm { \\omega } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}))), Neg(BigSum(i; 1; N; \\bm{k}_{\\omega_i}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/VSCMGs/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "S(\\omega)= \\sum_{j=1}^J \\frac{q_j\\,z + r_j}{z^2+s_j\\,z + t_j} = 0",
+        "Chain(Call(S; \\omega), BigSum(j; 1; J; Div(Add(Mul(q_j, z), r_j); Add(Pow(z; 2), Mul(s_j, z), t_j))), 0; =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "T' = \\frac12 mR^2 \\dot{\\theta}^2",
+        "Chain(T', Mul(Div(1; 2), m, Pow(R; 2), Pow(Call(\\dot{\\theta}); 2)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "J = m_Av = (m_A+m_B)g\\sqrt{\\frac{m_A}{2k}}",
+        "Chain(J, Mul(m_A, v), Mul(Add(m_A, m_B), g, Sqrt(Div(m_A; Mul(2, k)))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\mathbf{\\Sigma}_{\\mathbf{q}_t} = (\\mathbf{I}_4 - \\mathbf{G}_t) \\mathbf{\\Sigma}_{\\mathbf{q}_t^-}",
+        "Chain(\\mathbf{\\Sigma}_{\\mathbf q_t}, Mul(Add(\\mathbf{I}_4, Neg(\\mathbf{G}_t)), \\mathbf{\\Sigma}_{\\mathbf q_t^-}); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "\\mathrm{d} \\omega = 2\\pi \\sin \\theta\\mathrm{d} \\theta",
+        "Chain(Total(\\omega), Mul(2, \\pi, Call(sin; \\theta), Total(\\theta)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\boldsymbol\\Sigma_\\boldsymbol\\omega = \\sigma_\\boldsymbol\\omega^2\\mathbf{I}_3",
+        "Chain(\\boldsymbol{\\Sigma}_{\\boldsymbol\\omega}, Mul(Pow(\\sigma_{\\boldsymbol\\omega}; 2), \\mathbf{I}_3); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\begin{bmatrix} [A] & [B]\\\\ [C] & [D] \\end{bmatrix} \\begin{bmatrix} \\ddot{\\bm r}_{B/N}\\\\ \\dot{\\bm\\omega}_{\\cal B/N} \\end{bmatrix} = \\begin{bmatrix} \\bm v_{\\text{trans}}\\\\ \\bm v_{\\text{rot}} \\end{bmatrix}",
+        "Chain(Mul(MatrixOf([ A ], [ B ], [ C ], [ D ]), MatrixOf(Call(\\ddot{\\bm{r}}_{B/N}), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), MatrixOf(\\bm{v}_{trans}, \\bm{v}_{rot}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\sigma^2 = \\frac{2}{\\tau}\\,\\frac{\\sigma_{st}^2}{\\mu^2 + \\sigma_{st}^2}",
+        "Chain(Pow(\\sigma; 2), Mul(Div(2; \\tau), Div(Pow(\\sigma_{st}; 2); Add(Pow(\\mu; 2), Pow(\\sigma_{st}; 2)))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/igbmNoiseStateEffector/igbmNoiseStateEffector.rst",
+    ),
+    (
+        "\\boldsymbol{y}(t_k) = \\boldsymbol{g}\\big( t_k, \\boldsymbol{x}(t_k), \\dot{\\boldsymbol{x}}(t_{k-1}), \\boldsymbol{u}(t_k) \\big)",
+        "Chain(Call(\\boldsymbol{y}; t_k), Call(\\boldsymbol{g}; t_k, Call(\\boldsymbol{x}; t_k), Call(\\dot{\\boldsymbol{x}}; t_{k-1}), Call(\\boldsymbol{u}; t_k)); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/state-propagation-contract.md",
+    ),
+    (
+        "d'_i = \\prod_{j=1}^n d_j^{P_{ij}}.",
+        "Chain(d_i', BigProduct(j; 1; n; Pow(d_j; P_{ij})); =)",
+        "sympy/sympy/doc/src/modules/physics/units/philosophy.rst",
+    ),
+    (
+        "{\\vphantom{\\bm F}}^{\\mathcal{B}\\!}{\\bm F} = {\\vphantom{\\bm F_1}}^{\\mathcal{B}\\!}{\\bm F_1} + {\\vphantom{\\bm F_2}}^{\\mathcal{B}\\!}{\\bm F_2} &\\hspace{1cm} {\\vphantom{\\bm T}}^{\\mathcal{B}\\!}{\\bm T} = {\\vphantom{\\bm T_1}}^{\\mathcal{B}\\!}{\\bm T_1} + {\\vphantom{\\bm T_2}}^{\\mathcal{B}\\!}{\\bm T_2}",
+        "System(Chain(\\prescript { \\mathcal { B } \\! } { } { \\bm { F } }, Add(\\prescript { \\mathcal { B } \\! } { } { \\bm { F } } _ { 1 }, \\prescript { \\mathcal { B } \\! } { } { \\bm { F } } _ { 2 }); =), Chain(\\prescript { \\mathcal { B } \\! } { } { \\bm { T } }, Add(\\prescript { \\mathcal { B } \\! } { } { \\bm { T } } _ { 1 }, \\prescript { \\mathcal { B } \\! } { } { \\bm { T } } _ { 2 }); =))",
+        "AVSLab/basilisk/src/simulation/dynamics/Thrusters/thrusterDynamicEffector/_Documentation/secTest.tex",
+    ),
+    (
+        "\\mathbf{Q} = \\begin{bmatrix} \\mathbf{q}_0 \\\\ \\mathbf{q}_1 \\\\ \\vdots \\\\ \\mathbf{q}_{N-1} \\end{bmatrix} = \\begin{bmatrix} w_0 & x_0 & y_0 & z_0 \\\\ w_1 & x_1 & y_1 & z_1 \\\\ \\vdots & \\vdots & \\vdots & \\vdots \\\\ w_{N-1} & x_{N-1} & y_{N-1} & z_{N-1} \\end{bmatrix}",
+        "Chain(\\mathbf{Q}, MatrixOf(\\mathbf{q}_0, \\mathbf{q}_1, Dots(), \\mathbf{q}_{N-1}), MatrixOf(w_0, x_0, y_0, z_0, w_1, x_1, y_1, z_1, Dots(), Dots(), Dots(), Dots(), w_{N-1}, x_{N-1}, y_{N-1}, z_{N-1}); =, =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\begin{bmatrix} \\mathbf{M}_d & \\mathbf{M}_{hn}^T \\\\ \\mathbf{ M}_{hn} & 0 \\end{bmatrix} \\begin{bmatrix} \\ddot{\\bar{q}} \\\\ \\bar{\\lambda} \\end{bmatrix} + \\begin{bmatrix} \\bar{g}_d \\\\ \\bar{g}_{hnd} \\end{bmatrix} = \\begin{bmatrix} 0 \\\\ 0 \\end{bmatrix}",
+        "Chain(Add(Mul(MatrixOf(\\mathbf{M}_d, Transpose(\\mathbf{M}_{hn}), \\mathbf{M}_{hn}, 0), MatrixOf(Call(\\ddot{\\bar{q}}), \\bar{\\lambda})), MatrixOf(\\bar{g}_d, \\bar{g}_{hnd})), MatrixOf(0, 0); =)",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "v = \\lVert\\boldsymbol{v}\\rVert = \\sqrt{v_x^2 + v_y^2 + v_z^2}",
+        "Chain(v, Norm(\\boldsymbol{v}), Sqrt(Add(Pow(v_x; 2), Pow(v_y; 2), Pow(v_z; 2))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "F_r := \\sum_{i=1}^\\nu {}^A\\bar{v}^{P_i}_r \\cdot \\bar{R}_i",
+        "Chain(F_r, BigSum(i; 1; \\nu; Mul(\\prescript { A } { } { \\bar { v } } _ { r } ^ { P _ { i } }, \\bar{R}_i; 1)); =)",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\begin{cases} \\dfrac12 m(v_\\theta^2 + v_\\phi^2) + mgz = \\dfrac12 mv_0^2 - mgh \\\\[1.5ex] mv_\\phi \\sqrt{r^2-z^2} = mv_0\\sqrt{r^2-h^2} \\end{cases}",
+        "System(Chain(Add(Mul(Div(1; 2), m, Add(Pow(v_\\theta; 2), Pow(v_\\phi; 2))), Mul(m, g, z)), Add(Mul(Div(1; 2), m, Pow(v_0; 2)), Neg(Mul(m, g, h))); =), Chain(Mul(m, v_\\phi, Sqrt(Add(Pow(r; 2), Neg(Pow(z; 2))))), Mul(m, v_0, Sqrt(Add(Pow(r; 2), Neg(Pow(h; 2))))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "y''+\\lambda y = 0, \\quad y(0)- y'(0) = 0, \\quad y(1) = 0 .",
+        "System(Chain(Add(Call(y''), Mul(\\lambda, Call(y))), 0; =), Chain(Add(Call(y; 0), Neg(Call(y'; 0))), 0; =), Chain(Call(y; 1), 0; =))",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\text{De} = \\frac{\\sqrt{\\text{centripetal forces}\\cdot \\text{inertial forces}}}{\\text{viscous forces}}",
+        "Chain(\\text{De}, Div(Sqrt(Mul(\\text{centripetal~forces}, \\text{inertial~forces})); \\text{viscous~forces}); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "\\int\\frac{d\\nu}{\\left(1 + e\\cos \\nu\\right)^2} = \\frac{1}{\\left(1 - e^2\\right)^{3/2}}\\left[2\\tan^{-1}\\left(\\sqrt{\\frac{1 - e}{1 + e}}\\tan\\frac{\\nu}{2}\\right)-\\frac{e\\sqrt{1 - e^2}\\sin \\nu}{1 + e \\cos \\nu}\\right]",
+        "Chain(Antiderivative(Div(1; Pow(Add(1, Mul(e, Call(cos; \\nu))); 2)); \\nu), Mul(Div(1; Pow(Add(1, Neg(Pow(e; 2))); Div(3; 2))), Add(Mul(2, Call(arctan; Mul(Sqrt(Div(Add(1, Neg(e)); Add(1, e))), Call(tan; Div(\\nu; 2))))), Neg(Div(Mul(e, Sqrt(Add(1, Neg(Pow(e; 2)))), Call(sin; \\nu)); Add(1, Mul(e, Call(cos; \\nu))))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "g = g_0\\left(\\frac{r_0}{r_0+Z}\\right)^2",
+        "Chain(g, Mul(g_0, Pow(Div(r_0; Add(r_0, Z)); 2)); =)",
+        "CalebBell/fluids/fluids/atmosphere.py",
+    ),
+    (
+        "\\wp(z, \\tau) = \\frac{1}{z^2} + \\sum_{n^2+m^2 \\ne 0} \\left[ \\frac{1}{(z+m+n\\tau)^2} - \\frac{1}{(m+n\\tau)^2} \\right]",
+        "Chain(Call(\\wp; z, \\tau), Add(Div(1; Pow(z; 2)), Limiting(sum; _{ n ^ { 2 } + m ^ { 2 } \\ne 0 }; Add(Div(1; Pow(Add(z, m, Mul(n, \\tau)); 2)), Neg(Div(1; Pow(Add(m, Mul(n, \\tau)); 2)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\mathbf{Q}_t = \\int_0^{\\Delta t} e^{\\mathbf{A}_t} \\boldsymbol\\Sigma_\\boldsymbol\\omega e^{\\mathbf{A}_t^T} dt",
+        "Chain(\\mathbf{Q}_t, Integral(Mul(Pow(e; \\mathbf{A}_t), \\boldsymbol{\\Sigma}_{\\boldsymbol\\omega}, Pow(e; Transpose(\\mathbf{A}_t))); t; 0; \\Delta t); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "i = \\cos^{-1}\\left(\\frac{h_Z}{h}\\right)",
+        "Chain(i, Call(arccos; Div(h_Z; h)); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\psi^{(1)}(z) := \\frac{\\mathrm{d}^{2}}{\\mathrm{d} z^{2}} \\log\\Gamma(z).",
+        "Chain(Call(\\psi ^ { ( 1 ) }; z), Derivative(Call(log; Call(Gamma; z)); z, 2); =)",
+        "sympy/sympy/sympy/functions/special/gamma_functions.py",
+    ),
+    (
+        "\\frac{dx(t)}{dt} = A \\times x(t), x(0) = x0",
+        "System(Chain(Derivative(Call(x; t); t, 1), Cross(A; Call(x; t)); =), Chain(Call(x; 0), \\text{x0}; =))",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "U'(r_m) = -\\frac{l^2}{\\mu r_m^3} + \\alpha n r_m^{n-1} = 0",
+        "Chain(Call(U'; r_m), Add(Neg(Div(Pow(l; 2); Mul(\\mu, Pow(r_m; 3)))), Mul(\\alpha, n, Pow(r_m; Add(n, Neg(1))))), 0; =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "I'_{3\\,3} = \\dot{m}_\\text{fuel}\\,r^2",
+        "Chain(I_{3\\,3}', Mul(Call(\\dot{m}_{fuel}), Pow(r; 2)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "y = y' + \\frac{a_1 c_2 - a_2 c_1}{a_2 b_1 - a_1 b_2}\\text{.}",
+        "Chain(y, Add(y', Div(Add(Mul(a_1, c_2), Neg(Mul(a_2, c_1))); Add(Mul(a_2, b_1), Neg(Mul(a_1, b_2))))); =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "\\int_a^b x_1(t) x_2(t) \\,dt = 0 .",
+        "Chain(Integral(Mul(Call(x_1; t), Call(x_2; t)); t; a; b), 0; =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\underbrace{X'(t)\\, \\vec{u}(t) + X(t)\\, {\\vec{u}}'(t)} _{{\\vec{x}_p}'(t)} = \\underbrace{A(t)\\, X(t)\\, \\vec{u}(t)} _{A(t) \\vec{x}_p (t)} + \\vec{f}(t) .",
+        "Chain(Add(Mul(Call(X'; t), Call(\\vec{u}; t)), Mul(Call(X; t), Call(\\vec{u}'; t))), Add(Mul(Call(A; t), Call(X; t), Call(\\vec{u}; t)), Call(\\vec{f}; t)); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "J_n({\\bf x}) = {\\bf x}^T {\\bf S}_n {\\bf x} + c_n,",
+        "Chain(Call(J_n; \\mathbf{x}), Add(Mul(Transpose(\\mathbf{x}), \\mathbf{S}_n, \\mathbf{x}), c_n); =)",
+        "RussTedrake/underactuated/book/robust.html",
+    ),
+    (
+        "\\mathbf{q}_e = \\begin{pmatrix}\\cos\\frac{\\theta}{2} \\\\ 0 \\\\ \\sin\\frac{\\theta}{2} \\\\ 0\\end{pmatrix}",
+        "Chain(\\mathbf{q}_e, MatrixOf(Call(cos; Div(\\theta; 2)), 0, Call(sin; Div(\\theta; 2)), 0); =)",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "K_{\\nu}(z) = \\left(\\frac{2z}{\\pi}\\right)^{-1/2} e^{-z} U^{*}(\\nu+\\tfrac{1}{2}, 2\\nu+1, 2z).",
+        "Chain(Call(K_\\nu; z), Mul(Pow(Div(Mul(2, z); \\pi); Neg(Div(1; 2))), Pow(e; Neg(z)), Call(U ^ { * }; Add(\\nu, Div(1; 2)), Add(Mul(2, \\nu), 1), Mul(2, z))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "dx/dt &= A x + B u \\\\ y &= C x + D u",
+        "System(Chain(Derivative(Call(x); t, 1), Add(Mul(A, Call(x)), Mul(B, u)); =), Chain(y, Add(Mul(C, Call(x)), Mul(D, u)); =))",
+        "python-control/python-control/control/statesp.py",
+    ),
+    (
+        "\\mathbf{M}_{B_1} \\bar{v}_{B_1} = \\begin{bmatrix} \\bar{p}^{B_{1o}} \\cdot \\hat{n}_x \\\\ \\bar{p}^{B_{1o}} \\cdot \\hat{n}_y \\\\ \\bar{p}^{B_{1o}} \\cdot \\hat{n}_z \\\\ \\bar{H}^{B_1/B_{1o}} \\cdot \\hat{n}_x \\\\ \\bar{H}^{B_1/B_{1o}} \\cdot \\hat{n}_y \\\\ \\bar{H}^{B_1/B_{1o}} \\cdot \\hat{n}_z \\\\ \\end{bmatrix}",
+        "Chain(Mul(\\mathbf{M}_{B_1}, \\bar{v}_{B_1}), MatrixOf(Mul(\\bar { p } ^ { B _ { 1 o } }, \\hat{n}_x; 1), Mul(\\bar { p } ^ { B _ { 1 o } }, \\hat{n}_y; 1), Mul(\\bar { p } ^ { B _ { 1 o } }, \\hat{n}_z; 1), Mul(\\bar { H } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x; 1), Mul(\\bar { H } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y; 1), Mul(\\bar { H } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z; 1)); =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\dot{\\boldsymbol{y}} = \\left[\\dot{X}_1\\ \\dot{Y}_1\\ \\dot{Z}_1\\ \\dot{X}_2\\ \\dot{Y}_2\\ \\dot{Z}_2\\ \\ddot{X}_1\\ \\ddot{Y}_1\\ \\ddot{Z}_1\\ \\ddot{X}_2\\ \\ddot{Y}_2\\ \\ddot{Z}_2\\right]",
+        "Chain(Call(\\dot{\\boldsymbol{y}}), Tuple(Call(\\dot{X}_1), Call(\\dot{Y}_1), Call(\\dot{Z}_1), Call(\\dot{X}_2), Call(\\dot{Y}_2), Call(\\dot{Z}_2), Call(\\ddot{X}_1), Call(\\ddot{Y}_1), Call(\\ddot{Z}_1), Call(\\ddot{X}_2), Call(\\ddot{Y}_2), Call(\\ddot{Z}_2); []); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-numerical-solution.md",
+    ),
+    (
+        "{\\bf A}\\, {}^W p^{B_i}_W(\\theta) \\le {\\bf b}.",
+        "Chain(Mul(\\mathbf{A}, Call(\\prescript { W } { } { p } _ { W } ^ { B _ { i } }; \\theta)), \\mathbf{b}; \\le)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\alpha = 0.823- 0.157\\ln(X_{tt})",
+        "Chain(\\alpha, Add(0.823, Neg(Mul(0.157, Call(ln; X_{tt})))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\underbrace{ \\begin{bmatrix} 2 & 2 & 2 \\\\ 1 & 1 & 3 \\\\ 1 & 4 & 1 \\end{bmatrix} }_{A} \\underbrace{ \\begin{bmatrix} x_1 \\\\ x_2 \\\\ x_3 \\end{bmatrix} }_{\\vec{x}} = \\underbrace{ \\begin{bmatrix} 2 \\\\ 5 \\\\ 10 \\end{bmatrix} }_{\\vec{b}} .",
+        "Chain(Mul(MatrixOf(2, 2, 2, 1, 1, 3, 1, 4, 1), MatrixOf(x_1, x_2, x_3)), MatrixOf(2, 5, 10); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "r = a\\frac{e^2 - 1}{1 + e\\cos\\nu}",
+        "Chain(r, Mul(a, Div(Add(Pow(e; 2), Neg(1)); Add(1, Mul(e, Call(cos; \\nu))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\mathbf{R}^T(\\Delta\\mathbf{q}_\\mathrm{mag}) \\begin{bmatrix}l_x \\\\ l_y \\\\ l_z\\end{bmatrix} = \\begin{bmatrix}\\sqrt{l_x^2+l_y^2} \\\\ 0 \\\\ l_z\\end{bmatrix}",
+        "Chain(Mul(Transpose(Call(\\mathbf{R}; \\Delta \\mathbf { q } _ { \\mathrm { m a g } })), MatrixOf(l_x, l_y, l_z)), MatrixOf(Sqrt(Add(Pow(l_x; 2), Pow(l_y; 2))), 0, l_z); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\mathbf C_{I\\!Q} = \\mathbf C_{I\\!B} \\cdot \\mathbf C_{B\\!Q}",
+        "Chain(\\mathbf{C}_{I\\!Q}, Mul(\\mathbf{C}_{I\\!B}, \\mathbf{C}_{B\\!Q}); =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\dot{x} + x = \\tanh(w x),",
+        "Chain(Add(Call(\\dot{x}), Call(x)), Call(tanh; Mul(w, Call(x))); =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "\\boldsymbol{\\hat{u}}_S = -\\boldsymbol{\\hat{u}}_{r}",
+        "Chain(\\boldsymbol{\\hat{u}}_S, Neg(\\boldsymbol{\\hat{u}}_r); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "F_{1,B}^{B_{c_1}} = {}^B R^{C_1} F_{1,C_{1}}^{B_{c_1}}.",
+        "Chain(F _ { 1 , B } ^ { B _ { c _ { 1 } } }, Mul(\\prescript { B } { } { R } ^ { C _ { 1 } }, F _ { 1 , C _ { 1 } } ^ { B _ { c _ { 1 } } }); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\frac{s^2+s+1}{s^3+s} = \\frac{A}{s} + \\frac{Bs+C}{s^2+1} .",
+        "Chain(Div(Add(Pow(s; 2), s, 1); Add(Pow(s; 3), s)), Add(Div(A; s), Div(Add(Mul(B, s), C); Add(Pow(s; 2), 1))); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "{\\bf M}({{\\bf q}})\\ddot{{\\bf q}} + {\\bf C}({\\bf q},\\dot{{\\bf q}})\\dot{\\bf q} = {\\bf \\tau}_g({\\bf q}) + {\\bf B}{\\bf u} + \\sum_i {\\bf J}_i^T({\\bf q}) {\\bf \\lambda}_i,",
+        "Chain(Add(Mul(Call(\\mathbf{M}; Call(\\mathbf{q})), Call(\\ddot{\\mathbf{q}})), Mul(Call(\\mathbf{C}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}})), Call(\\dot{\\mathbf{q}}))), Add(Call(\\mathbf{\\tau}_g; Call(\\mathbf{q})), Mul(\\mathbf{B}, \\mathbf{u}), BigSum(i; Mul(Transpose(Call(\\mathbf{J}_i; Call(\\mathbf{q}))), \\mathbf{\\lambda}_i))); =)",
+        "RussTedrake/underactuated/book/contact.html",
+    ),
+    (
+        "b_2(t) = 2 - 5t^2 + 3t^3",
+        "Chain(Call(b_2; t), Add(2, Neg(Mul(5, Pow(t; 2))), Mul(3, Pow(t; 3))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/catmull_rom_spline/catmull_rom_spline_main.rst",
+    ),
+    (
+        "\\dot{\\mathbf{M}} = \\left[\\begin{array}{c|c|c} \\mathbf{J}_{\\bar{M}_i, \\bar{q}}\\bar{u} & \\ldots & \\mathbf{J}_{\\bar{M}_{6\\nu}, \\bar{q}}\\bar{u} \\end{array}\\right], \\quad \\dot{\\mathbf{T}} = \\left[\\begin{array}{c|c|c} \\mathbf{J}_{\\bar{T}_j, \\bar{q}}\\bar{u} & \\ldots & \\mathbf{J}_{\\bar{T}_n, \\bar{q}}\\bar{u} \\end{array}\\right]",
+        "System(Chain(Call(\\dot{\\mathbf{M}}), MatrixOf(Mul(\\mathbf{J}_{\\bar M_i,\\bar q}, \\bar{u}), Dots(), Mul(\\mathbf{J}_{\\bar M_6\\nu,\\bar q}, \\bar{u})); =), Chain(Call(\\dot{\\mathbf{T}}), MatrixOf(Mul(\\mathbf{J}_{\\bar T_j,\\bar q}, \\bar{u}), Dots(), Mul(\\mathbf{J}_{\\bar T_n,\\bar q}, \\bar{u})); =))",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\mathrm{B}(x) = 2^{1 - 2x}\\mathrm{B}(x, \\frac{1}{2}) \\\\ \\mathrm{B}(x) = 2^{1 - 2x} cos(\\pi x) \\mathrm{B}(\\frac{1}{2} - x, x) \\\\ \\mathrm{B}(x) = \\int_{0}^{1} \\frac{t^x}{(1 + t)^{2x}} dt \\\\ \\mathrm{B}(x) = \\frac{2}{x} \\prod_{n = 1}^{\\infty} \\frac{n(n + 2x)}{(n + x)^2}",
+        "System(Chain(Call(\\text{B}; x), Mul(Pow(2; Add(1, Neg(Mul(2, x)))), Call(\\text{B}; x, Div(1; 2))); =), Chain(Call(\\text{B}; x), Mul(Pow(2; Add(1, Neg(Mul(2, x)))), Call(cos; Mul(\\pi, x)), Call(\\text{B}; Add(Div(1; 2), Neg(x)), x)); =), Chain(Call(\\text{B}; x), Integral(Div(Pow(t; x); Pow(Add(1, t); Mul(2, x))); t; 0; 1); =), Chain(Call(\\text{B}; x), Mul(Div(2; x), BigProduct(n; 1; Infinity(); Div(Mul(n, Add(n, Mul(2, x))); Pow(Add(n, x); 2)))); =))",
+        "sympy/sympy/sympy/functions/special/beta_functions.py",
+    ),
+    (
+        "(\\lambda_1 - \\lambda_2) x_1 x_2 = x_2'' x_1 - x_2 x_1'' .",
+        "Chain(Mul(Add(\\lambda_1, Neg(\\lambda_2)), x_1, x_2), Add(Mul(x_2'', x_1), Neg(Mul(x_2, x_1''))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "V = \\frac{\\pi D^2}{12} \\left(3h + a - \\frac{(a+h)^3}{a^2}\\right) ,\\;\\; 0 \\le h < |a|",
+        "System(Chain(V, Mul(Div(Mul(\\pi, Pow(D; 2)); 12), Add(Mul(3, h), a, Neg(Div(Pow(Add(a, h); 3); Pow(a; 2))))); =), Chain(0, h, Bars(a); \\le, <))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\rho(t) = \\mp \\ddot{\\rho}_{\\text{max}} \\left (\\frac{(t_f - t)^4}{4 t_{\\text{smooth}}^2} - \\frac{(t_f - t)^5}{10 t_{\\text{smooth}}^3} \\right ) + \\rho_{\\text{ref}}",
+        "Chain(Call(\\rho; t), Add(PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Div(Pow(Add(t_f, Neg(t)); 4); Mul(4, Pow(t_{smooth}; 2))), Neg(Div(Pow(Add(t_f, Neg(t)); 5); Mul(10, Pow(t_{smooth}; 3)))))); True), \\rho_{ref}); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\begin{bmatrix}\\cos\\alpha\\cos\\beta & \\sin\\alpha\\cos\\beta & -\\sin\\beta\\\\\\cos\\alpha\\sin\\beta\\sin\\gamma - \\sin\\alpha\\cos\\beta & \\sin\\alpha\\sin\\beta\\sin\\gamma + \\cos\\alpha\\cos\\gamma & \\cos\\beta\\sin\\gamma\\\\\\cos\\alpha\\sin\\beta\\cos\\gamma + \\sin\\alpha\\sin\\gamma & \\sin\\alpha\\sin\\beta\\cos\\gamma - \\cos\\alpha\\sin\\gamma & \\cos\\beta\\cos\\gamma\\end{bmatrix}",
+        "Chain([ \\mathbf { Q } ], MatrixOf(Mul(Call(cos; \\alpha), Call(cos; \\beta)), Mul(Call(sin; \\alpha), Call(cos; \\beta)), Neg(Call(sin; \\beta)), Add(Mul(Call(cos; \\alpha), Call(sin; \\beta), Call(sin; \\gamma)), Neg(Mul(Call(sin; \\alpha), Call(cos; \\beta)))), Add(Mul(Call(sin; \\alpha), Call(sin; \\beta), Call(sin; \\gamma)), Mul(Call(cos; \\alpha), Call(cos; \\gamma))), Mul(Call(cos; \\beta), Call(sin; \\gamma)), Add(Mul(Call(cos; \\alpha), Call(sin; \\beta), Call(cos; \\gamma)), Mul(Call(sin; \\alpha), Call(sin; \\gamma))), Add(Mul(Call(sin; \\alpha), Call(sin; \\beta), Call(cos; \\gamma)), Neg(Mul(Call(cos; \\alpha), Call(sin; \\gamma)))), Mul(Call(cos; \\beta), Call(cos; \\gamma))); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\boldsymbol{v}' = \\dot{x}\\boldsymbol{i},\\quad \\boldsymbol{a}' = \\ddot{x}\\boldsymbol{i}",
+        "System(Chain(\\boldsymbol{v}', Mul(Call(\\dot{x}), \\boldsymbol{i}); =), Chain(\\boldsymbol{a}', Mul(Call(\\ddot{x}), \\boldsymbol{i}); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "z_p = \\begin{cases} 0 & \\bar{r}^{P/O} \\cdot \\hat{n}_z > 0 \\\\ \\bar{r}^{P/O} \\cdot \\hat{n}_z & \\bar{r}^{P/O} \\cdot \\hat{n}_z \\leq 0 \\end{cases}",
+        "Chain(z_p, Piecewise(0, Chain(Mul(\\bar { r } ^ { P / O }, \\hat{n}_z; 1), 0; >), Mul(\\bar { r } ^ { P / O }, \\hat{n}_z; 1), Chain(Mul(\\bar { r } ^ { P / O }, \\hat{n}_z; 1), 0; \\le)); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "{\\bf b}[n+1] = {\\bf T}({\\bf a}[n]) {\\bf b}[n].",
+        "Chain(Indexed(\\mathbf{b}; Add(n, 1)), Mul(Call(\\mathbf{T}; Indexed(\\mathbf{a}; n)), Indexed(\\mathbf{b}; n)); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "\\mathbf{\\bar g} = (a_1[r,s,t,u] + s \\cdot a_4[r,s,t,u]) \\mathbf{\\hat i} + (a_2[r,s,t,u] + t \\cdot a_4[r,s,t,u]) \\mathbf{\\hat j} + (a_3[r,s,t,u] + u \\cdot a_4[r,s,t,u]) \\mathbf{\\hat k}",
+        "Chain(\\mathbf{\\bar{g}}, Add(Mul(Add(Indexed(a_1; r, s, t, u), Mul(s, Indexed(a_4; r, s, t, u))), \\mathbf{\\hat{i}}), Mul(Add(Indexed(a_2; r, s, t, u), Mul(t, Indexed(a_4; r, s, t, u))), \\mathbf{\\hat{j}}), Mul(Add(Indexed(a_3; r, s, t, u), Mul(u, Indexed(a_4; r, s, t, u))), \\mathbf{\\hat{k}})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "p_\\theta\\mathrm{d} \\theta = \\beta\\mathrm{d} \\varTheta - p_\\phi\\mathrm{d} \\phi",
+        "Chain(Mul(p_\\theta, Total(\\theta)), Add(Mul(\\beta, Total(\\varTheta)), Neg(Mul(p_\\phi, Total(\\phi)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\dot{X}(t) = \\begin{bmatrix} -\\frac{R}{L} & -\\frac{1}{L} \\\\ \\frac{1}{C} & 0 \\end{bmatrix} \\begin{bmatrix} x_1(t) \\\\ x_2(t) \\end{bmatrix} + \\begin{bmatrix} \\frac{1}{L} \\\\ 0 \\end{bmatrix} v_{in}(t)",
+        "Chain(Call(\\dot{X}; t), Add(Mul(MatrixOf(Neg(Div(R; L)), Neg(Div(1; L)), Div(1; C), 0), MatrixOf(Call(x_1; t), Call(x_2; t))), Mul(MatrixOf(Div(1; L), 0), Call(v_{in}; t))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "\\begin{cases} x - R\\theta\\cos \\phi_0 + C_1 = 0 \\\\ y - R\\theta\\sin \\phi_0 + C_2 = 0 \\end{cases}",
+        "System(Chain(Add(x, Neg(Mul(R, \\theta, Call(cos; \\phi_0))), C_1), 0; =), Chain(Add(y, Neg(Mul(R, \\theta, Call(sin; \\phi_0))), C_2), 0; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/analytical-mechanics/Constraint.tex",
+    ),
+    (
+        "{\\bf M}({\\bf q}) = \\begin{bmatrix} m_c + m_p & m_p l \\cos\\theta \\\\ m_p l \\cos\\theta & m_p l^2 \\end{bmatrix}, \\quad {\\bf C}({\\bf q},\\dot{{\\bf q}}) = \\begin{bmatrix} 0 & -m_p l \\dot\\theta \\sin\\theta \\\\ 0 & 0 \\end{bmatrix}, \\\\ {\\bf \\tau}_g({\\bf q}) = \\begin{bmatrix} 0 \\\\ - m_p gl \\sin\\theta \\end{bmatrix}, \\quad {\\bf B} = \\begin{bmatrix} 1 \\\\ 0 \\end{bmatrix}",
+        "System(Chain(Call(\\mathbf{M}; Call(\\mathbf{q})), MatrixOf(Add(m_c, m_p), Mul(m_p, l, Call(cos; Call(\\theta))), Mul(m_p, l, Call(cos; Call(\\theta))), Mul(m_p, Pow(l; 2))); =), Chain(Call(\\mathbf{C}; Call(\\mathbf{q}), Call(\\dot{\\mathbf{q}})), MatrixOf(0, Neg(Mul(m_p, l, Call(\\dot{\\theta}), Call(sin; Call(\\theta)))), 0, 0); =), Chain(Call(\\mathbf{\\tau}_g; Call(\\mathbf{q})), MatrixOf(0, Neg(Mul(m_p, g, l, Call(sin; Call(\\theta))))); =), Chain(\\mathbf{B}, MatrixOf(1, 0); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\alpha = \\frac{1}{1 + \\left(\\frac{1-x}{x}\\right)\\frac{\\rho_g}{\\rho_l}}",
+        "Chain(\\alpha, Div(1; Add(1, Mul(Div(Add(1, Neg(x)); x), Div(\\rho_g; \\rho_l)))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "L = \\begin{bmatrix} 1 & 0 & 0 & \\cdots & 0 & 0 & \\cdots & 0 \\\\ L_{1, 0} & 1 & 0 & \\cdots & 0 & 0 & \\cdots & 0 \\\\ L_{2, 0} & L_{2, 1} & 1 & \\cdots & 0 & 0 & \\cdots & 0 \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots & \\vdots & \\ddots & \\vdots \\\\ L_{n-1, 0} & L_{n-1, 1} & L_{n-1, 2} & \\cdots & 1 & 0 & \\cdots & 0 \\\\ L_{n, 0} & L_{n, 1} & L_{n, 2} & \\cdots & L_{n, n-1} & 1 & \\cdots & 0 \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots & \\vdots & \\ddots & \\vdots \\\\ L_{m-1, 0} & L_{m-1, 1} & L_{m-1, 2} & \\cdots & L_{m-1, n-1} & 0 & \\cdots & 1 \\\\ \\end{bmatrix}",
+        "Chain(L, MatrixOf(1, 0, 0, Dots(), 0, 0, Dots(), 0, L_{1,0}, 1, 0, Dots(), 0, 0, Dots(), 0, L_{2,0}, L_{2,1}, 1, Dots(), 0, 0, Dots(), 0, Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), L_{n-1,0}, L_{n-1,1}, L_{n-1,2}, Dots(), 1, 0, Dots(), 0, L_{n,0}, L_{n,1}, L_{n,2}, Dots(), L_{n,n-1}, 1, Dots(), 0, Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), L_{m-1,0}, L_{m-1,1}, L_{m-1,2}, Dots(), L_{m-1,n-1}, 0, Dots(), 1); =)",
+        "sympy/sympy/sympy/matrices/decompositions.py",
+    ),
+    (
+        "\\lim_{x \\to 0} ~x \\frac{Q(x)}{P(x)} = \\lim_{x \\to 0} ~x \\frac{(1+x)}{x^2} = \\lim_{x \\to 0} ~\\frac{1+x}{x} = \\text{DNE}.",
+        "Chain(Limiting(lim; _{ x \\to 0 }; Mul(x, Div(Call(Q; x); Call(P; x)))), Limiting(lim; _{ x \\to 0 }; Mul(x, Div(Add(1, x); Pow(x; 2)))), Limiting(lim; _{ x \\to 0 }; Div(Add(1, x); x)), \\text{DNE}; =, =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\begin{cases} \\displaystyle \\omega_1 = \\frac{La}{I_1}\\sqrt{\\frac{I_3}{I_2}-1} \\sin (\\omega_0t+\\phi_0) \\\\ \\displaystyle \\omega_2 = \\frac{La}{I_2}\\sqrt{\\frac{I_3}{I_1}-1} \\sin (\\omega_0t+\\phi_0) \\\\ \\displaystyle \\omega_3 = \\varOmega \\end{cases}",
+        "System(Chain(\\omega_1, Mul(Div(Mul(L, a); I_1), Sqrt(Add(Div(I_3; I_2), Neg(1))), Call(sin; Add(Mul(\\omega_0, t), \\phi_0))); =), Chain(\\omega_2, Mul(Div(Mul(L, a); I_2), Sqrt(Add(Div(I_3; I_1), Neg(1))), Call(sin; Add(Mul(\\omega_0, t), \\phi_0))); =), Chain(\\omega_3, \\varOmega; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "{\\bf T}_t = m_T [ {\\bf u} - {\\bf F}_c (1/m_T + 1/m_D)]",
+        "Chain(\\mathbf{T}_t, Mul(m_T, Add(\\mathbf{u}, Neg(Mul(\\mathbf{F}_c, Add(Div(1; m_T), Div(1; m_D)))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/etSphericalControl/etSphericalControl.rst",
+    ),
+    (
+        "\\begin{aligned} \\int 0 dt &= \\int \\frac{d}{dt} \\left(\\frac{v^2}{2}\\right) dt - \\int \\frac{d}{dt}\\left(\\frac{\\mu}{r}\\right) dt \\\\ E &= \\frac{v^2}{2} + \\left(C - \\frac{\\mu}{r}\\right) \\end{aligned}",
+        "System(Chain(Antiderivative(0; t), Add(Antiderivative(Derivative(Div(Pow(Call(v); 2); 2); t, 1); t), Neg(Antiderivative(Derivative(Div(Call(\\mu); Call(r)); t, 1); t))); =), Chain(E, Add(Div(Pow(Call(v); 2); 2), Add(C, Neg(Div(Call(\\mu); Call(r))))); =))",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "\\dot{y}=vsin\\theta",
+        "Chain(Call(\\dot{y}), Mul(v, Call(sin; \\theta)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\gamma(s, x) := \\int_0^x t^{s-1} e^{-t} \\mathrm{d}t = \\Gamma(s) - \\Gamma(s, x).",
+        "Chain(Call(\\gamma; s, x), Integral(Mul(Pow(t; Add(s, Neg(1))), Pow(e; Neg(t))); t; 0; x), Add(Call(Gamma; s), Neg(Call(Gamma; s, x))); =, =)",
+        "sympy/sympy/sympy/functions/special/gamma_functions.py",
+    ),
+    (
+        "\\boxed{\\mathbf{q}_t^- = \\Phi_t \\mathbf{q}_{t-1} + \\xi_t}",
+        "Chain(\\mathbf { q } _ { t } ^ { - }, Add(Mul(\\Phi_t, \\mathbf{q}_{t-1}), \\xi_t); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "H2 &= \\frac{2 \\cdot (6 + s)}{1 + s}",
+        "Chain(\\text{H2}, Div(Mul(2, Add(6, s)); Add(1, s)); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/control_problems.rst",
+    ),
+    (
+        "S = \\frac{1}{1 + P C}, \\qquad T = \\frac{P C}{1 + P C}",
+        "System(Chain(S, Div(1; Add(1, Mul(P, C))); =), Chain(T, Div(Mul(P, C); Add(1, Mul(P, C))); =))",
+        "python-control/python-control/doc/xferfcn.rst",
+    ),
+    (
+        "\\begin{split} 0 = y''-y & = \\Biggl( \\sum_{k=0}^\\infty (k+2)\\,(k+1) \\, a_{k+2} x^k \\Biggr) - \\Biggl( \\sum_{k=0}^\\infty a_k x^k \\Biggr) \\\\ & = \\sum_{k=0}^\\infty \\,\\Bigl( (k+2)\\,(k+1) \\, a_{k+2} x^k - a_k x^k \\Bigr) \\\\ & = \\sum_{k=0}^\\infty \\,\\bigl( (k+2)\\,(k+1) \\,a_{k+2} - a_k \\bigr) \\, x^k . \\end{split}",
+        "Chain(0, Add(y'', Neg(y)), Add(BigSum(k; 0; Infinity(); Mul(Add(k, 2), Add(k, 1), a_{k+2}, Pow(x; k))), Neg(BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; k))))), BigSum(k; 0; Infinity(); Add(Mul(Add(k, 2), Add(k, 1), a_{k+2}, Pow(x; k)), Neg(Mul(a_k, Pow(x; k))))), BigSum(k; 0; Infinity(); Mul(Add(Mul(Add(k, 2), Add(k, 1), a_{k+2}), Neg(a_k)), Pow(x; k))); =, =, =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "r = \\frac{p}{1 + e \\cos f}",
+        "Chain(r, Div(p; Add(1, Mul(e, Call(cos; f)))); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bar{v}_r = \\frac{\\partial \\bar{v}}{\\partial u_r} \\\\ \\bar{\\omega}_r = \\frac{\\partial \\bar{\\omega}}{\\partial u_r}",
+        "System(Chain(\\bar{v}_r, Derivative(Call(\\bar{v}); u_r, 1; True); =), Chain(\\bar{\\omega}_r, Derivative(Call(\\bar{\\omega}); u_r, 1; True); =))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\boldsymbol{x}(t_{k+1}) = \\boldsymbol{x}(t_k) + \\int_{t_k}^{t_{k+1}} \\dot{\\boldsymbol{x}}(\\tau)\\,\\mathrm{d}\\tau",
+        "Chain(Call(\\boldsymbol{x}; t_{k+1}), Add(Call(\\boldsymbol{x}; t_k), Integral(Call(\\dot{\\boldsymbol{x}}; \\tau); \\tau; t_k; t_{k+1})); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/state-propagation-contract.md",
+    ),
+    (
+        "\\frac{\\mathrm{d}\\boldsymbol{A}}{\\mathrm{d}t} = \\boldsymbol{0}",
+        "Chain(Derivative(Call(\\boldsymbol{A}); t, 1), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "|u_a| \\leq u_{a,max}",
+        "Chain(Bars(u_a), u_{a,max}; \\le)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{r} &= \\boldsymbol{R}_2 - \\boldsymbol{R}_1\\\\ \\boldsymbol{r} &= \\left(X_2 - X_1\\right)\\boldsymbol{\\hat{I}} + \\left(Y_2 - Y_1\\right)\\boldsymbol{\\hat{J}} + \\left(Z_2 - Z_1\\right)\\boldsymbol{\\hat{K}} \\end{aligned}",
+        "System(Chain(\\boldsymbol{r}, Add(\\boldsymbol{R}_2, Neg(\\boldsymbol{R}_1)); =), Chain(\\boldsymbol{r}, Add(Mul(Add(X_2, Neg(X_1)), \\boldsymbol{\\hat{I}}), Mul(Add(Y_2, Neg(Y_1)), \\boldsymbol{\\hat{J}}), Mul(Add(Z_2, Neg(Z_1)), \\boldsymbol{\\hat{K}})); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "C_3 = v_{\\infty}^2",
+        "Chain(C_3, Pow(v_\\infty; 2); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\operatorname{Bi}(z) = \\frac{1}{2 \\sqrt{\\pi} z^{1/4}} [2X - iY]",
+        "Chain(Call(\\text{Bi}; z), Mul(Div(1; Mul(2, Sqrt(\\pi), Pow(z; Div(1; 4)))), Add(Mul(2, X), Neg(Mul(i, Y)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "{\\bf u}_{k-1} = {\\bf u}_k + \\frac{\\sigma_{k-1} - \\sigma_k}{\\sigma_k}\\left[{\\bf u}_k + {\\bf K}{\\bf x}\\right],",
+        "Chain(\\mathbf{u}_{k-1}, Add(\\mathbf{u}_k, Mul(Div(Add(\\sigma_{k-1}, Neg(\\sigma_k)); \\sigma_k), Add(\\mathbf{u}_k, Mul(\\mathbf{K}, \\mathbf{x})))); =)",
+        "RussTedrake/underactuated/book/imitation.html",
+    ),
+    (
+        "\\boldsymbol{M}_O = \\boldsymbol{r}\\times\\boldsymbol{F} = \\boldsymbol{r}\\times m\\boldsymbol{a} = \\boldsymbol{r}\\times m\\frac{d\\boldsymbol{v}}{dt}",
+        "Chain(\\boldsymbol{M}_O, Cross(\\boldsymbol{r}; \\boldsymbol{F}), Cross(\\boldsymbol{r}; Mul(m, \\boldsymbol{a})), Cross(\\boldsymbol{r}; Mul(m, Derivative(Call(\\boldsymbol{v}); t, 1))); =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/intro/force-acceleration-and-momentum.md",
+    ),
+    (
+        "y = h({\\bf q}) = -l \\cos\\theta \\\\ \\dot{y} = l \\dot\\theta \\sin\\theta",
+        "System(Chain(Call(y), Call(h; \\mathbf{q}), Neg(Mul(l, Call(cos; Call(\\theta)))); =, =), Chain(Call(\\dot{y}), Mul(l, Call(\\dot{\\theta}), Call(sin; Call(\\theta))); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\kappa=(\\delta-A) / L",
+        "Chain(\\kappa, Div(Add(\\delta, Neg(A)); L); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/clothoid_path/clothoid_path_main.rst",
+    ),
+    (
+        "K_2 = N\\cdot f_d",
+        "Chain(K_2, Mul(N, f_d); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "a0 = \\frac{\\tanh{\\left(b \\left(e - a\\right) \\right)}}{2}",
+        "Chain(\\text{a0}, Div(Call(tanh; Mul(b, Add(e, Neg(a)))); 2); =)",
+        "sympy/sympy/sympy/physics/biomechanics/activation.py",
+    ),
+    (
+        "V = \\frac{\\pi D^2}{12} (3h + a ),\\;\\; h \\ge |a|",
+        "System(Chain(V, Mul(Div(Mul(\\pi, Pow(D; 2)); 12), Add(Mul(3, h), a)); =), Chain(h, Bars(a); \\ge))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\mathbf{\\Sigma}_{\\mathbf{q}_t^-} = \\Phi_t \\mathbf{\\Sigma}_{\\mathbf{q}_{t-1}} \\Phi_t^T + \\mathbf{\\Sigma}_{\\xi_t}",
+        "Chain(\\mathbf{\\Sigma}_{\\mathbf q_t^-}, Add(Mul(\\Phi_t, \\mathbf{\\Sigma}_{\\mathbf q_t-1}, Transpose(\\Phi_t)), \\mathbf{\\Sigma}_{\\xi_t}); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "f(x) = C-\\frac{2\\pi^2 k}{mg}(x-a)^2",
+        "Chain(Call(f; x), Add(C, Neg(Mul(Div(Mul(2, Pow(\\pi; 2), k); Mul(m, g)), Pow(Add(x, Neg(a)); 2)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "F_{1,B}^B + F_{2,B}^B + F_{g,B}^B = 0,",
+        "Chain(Add(F _ { 1 , B } ^ { B }, F _ { 2 , B } ^ { B }, F _ { g , B } ^ { B }), 0; =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\theta_4(z,\\tau) = \\sum_{n=-\\infty}^{\\infty} (-1)^n \\exp(\\pi i [n^2 \\tau + 2n z]) = 1 + 2 \\sum_{n=1}^{\\infty} (-1)^n q^{n^2} \\cos(2n \\pi z)",
+        "Chain(Call(\\theta_4; z, \\tau), BigSum(n; Neg(Infinity()); Infinity(); Mul(Pow(Neg(1); n), Call(exp; Mul(\\pi, i, Add(Mul(Pow(n; 2), \\tau), Mul(2, n, z)))))), Add(1, Mul(2, BigSum(n; 1; Infinity(); Mul(Pow(Neg(1); n), Pow(q; Pow(n; 2)), Call(cos; Mul(2, n, \\pi, z)))))); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "\\frac{^{\\mathbf{B}} d \\mathbf{c}}{dt} &= \\frac{dx}{dt} \\mathbf{\\hat{b}_x} + \\frac{dl}{dt} \\mathbf{\\hat{b}_y}\\\\ &= \\dot{x} \\mathbf{\\hat{b}_x}",
+        "Chain(Marked(Derivative(Call(\\mathbf{c}); t, 1); _{ \\mathbf { B } }), Add(Mul(Derivative(Call(x); t, 1), \\mathbf{\\hat{b}}_x), Mul(Derivative(Call(l); t, 1), \\mathbf{\\hat{b}}_y)), Mul(Call(\\dot{x}), \\mathbf{\\hat{b}}_x); =, =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\bar{v} = (\\bar{v} \\cdot \\hat{a}_x) \\hat{a}_x + (\\bar{v} \\cdot \\hat{a}_y) \\hat{a}_y + (\\bar{v} \\cdot \\hat{a}_z) \\hat{a}_z",
+        "Chain(\\bar{v}, Add(Mul(Mul(\\bar{v}, \\hat{a}_x; 1), \\hat{a}_x), Mul(Mul(\\bar{v}, \\hat{a}_y; 1), \\hat{a}_y), Mul(Mul(\\bar{v}, \\hat{a}_z; 1), \\hat{a}_z)); =)",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "\\epsilon = 1 - (0.351 + 0.256\\beta^4 + 0.93\\beta^8) \\left[1-\\left(\\frac{P_2}{P_1}\\right)^{1/\\kappa}\\right]",
+        "Chain(\\epsilon, Add(1, Neg(Mul(Add(0.351, Mul(0.256, Pow(\\beta; 4)), Mul(0.93, Pow(\\beta; 8))), Add(1, Neg(Pow(Div(P_2; P_1); Div(1; \\kappa))))))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\mathcal{L} = T - V = \\frac{1}{2}mR^2\\left(\\dot{\\theta}^2 + \\sin^2\\theta \\cdot \\dot{\\phi}^2\\right) - \\frac{1}{2}k(L_{total}(\\theta, \\phi) - L_0)^2",
+        "Chain(\\mathcal{L}, Add(T, Neg(V)), Add(Mul(Div(1; 2), m, Pow(R; 2), Add(Pow(Call(\\dot{\\theta}); 2), Mul(Pow(Call(sin; Call(\\theta)); 2), Pow(Call(\\dot{\\phi}); 2)))), Neg(Mul(Div(1; 2), k, Pow(Add(Call(L_{total}; Call(\\theta), Call(\\phi)), Neg(L_0)); 2)))); =, =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/muscle_model_example.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{a} &=& \\frac{1}{\\sqrt{a_x^2+a_y^2+a_z^2}} \\begin{bmatrix}a_x & a_y & a_z\\end{bmatrix}^T \\\\ && \\\\ \\mathbf{m} &=& \\frac{1}{\\sqrt{m_x^2+m_y^2+m_z^2}} \\begin{bmatrix}m_x & m_y & m_z\\end{bmatrix}^T \\end{array}",
+        "System(Chain(\\mathbf{a}, Mul(Div(1; Sqrt(Add(Pow(a_x; 2), Pow(a_y; 2), Pow(a_z; 2)))), Transpose(MatrixOf(a_x, a_y, a_z))); =), Chain(\\mathbf{m}, Mul(Div(1; Sqrt(Add(Pow(m_x; 2), Pow(m_y; 2), Pow(m_z; 2)))), Transpose(MatrixOf(m_x, m_y, m_z))); =))",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\mathbf{A} = \\begin{bmatrix} 0 & 1 \\\\ -\\frac{k}{m} & -\\frac{b}{m} \\end{bmatrix}, \\quad \\mathbf{B} = \\begin{bmatrix} 0 \\\\ \\frac{1}{m} \\end{bmatrix}, \\quad \\mathbf{C} = \\begin{bmatrix} 1 & 0 \\end{bmatrix}",
+        "System(Chain(\\mathbf{A}, MatrixOf(0, 1, Neg(Div(k; m)), Neg(Div(b; m))); =), Chain(\\mathbf{B}, MatrixOf(0, Div(1; m)); =), Chain(\\mathbf{C}, MatrixOf(1, 0); =))",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "\\varepsilon_3(a,b,c,d) &= \\exp(\\pi i [-R(a,b,c,d) + (4+(c-d-2)(b-a))] / 4)",
+        "Chain(Call(\\varepsilon_3; a, b, c, d), Call(exp; Div(Mul(\\pi, i, Add(Neg(Call(R; a, b, c, d)), Add(4, Mul(Add(c, Neg(d), Neg(2)), Add(b, Neg(a)))))); 4)); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "\\begin{aligned} {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!Q} \\cdot \\mathbf C_{I\\!Q} &= {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot \\mathbf C_{I\\!B} \\cdot \\mathbf C_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mbox{\\boldmath $\\omega$}}_{B\\!Q} \\cdot \\mathbf C_{B\\!Q} \\\\ &= {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot \\mathbf C_{I\\!Q} + \\mathbf C_{I\\!B} \\cdot \\mathbf C_{B\\!I} \\cdot {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{B\\!Q} \\cdot \\mathbf C_{B\\!I}^\\mathsf{T} \\cdot \\mathbf C_{B\\!Q} \\\\ &= {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot \\mathbf C_{I\\!Q} + {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{B\\!Q} \\cdot \\mathbf C_{I\\!Q}, \\end{aligned}",
+        "Chain(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! Q }, \\mathbf{C}_{I\\!Q}), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, \\mathbf{C}_{I\\!B}, \\mathbf{C}_{B\\!Q}), Mul(\\mathbf{C}_{I\\!B}, \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { B \\! Q }, \\mathbf{C}_{B\\!Q})), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, \\mathbf{C}_{I\\!Q}), Mul(\\mathbf{C}_{I\\!B}, \\mathbf{C}_{B\\!I}, \\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { B \\! Q }, Transpose(\\mathbf{C}_{B\\!I}), \\mathbf{C}_{B\\!Q})), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, \\mathbf{C}_{I\\!Q}), Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { B \\! Q }, \\mathbf{C}_{I\\!Q})); =, =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\boldsymbol{F}=\\begin{pmatrix} F_x \\\\ F_y \\\\ F_z \\end{pmatrix},\\quad \\boldsymbol{M}_O=\\begin{pmatrix} M_x \\\\ M_y \\\\ M_z \\end{pmatrix},\\quad \\boldsymbol{R}=\\begin{pmatrix} R_x \\\\ R_y \\\\ R_z \\end{pmatrix},\\quad \\boldsymbol{R}_1=\\begin{pmatrix} R_{1x} \\\\ R_{1y} \\\\ R_{1z} \\end{pmatrix},\\quad \\boldsymbol{L}_O=\\begin{pmatrix} L_x \\\\ L_y \\\\ L_z \\end{pmatrix}",
+        "System(Chain(\\boldsymbol{F}, MatrixOf(F_x, F_y, F_z); =), Chain(\\boldsymbol{M}_O, MatrixOf(M_x, M_y, M_z); =), Chain(\\boldsymbol{R}, MatrixOf(R_x, R_y, R_z); =), Chain(\\boldsymbol{R}_1, MatrixOf(R_{1x}, R_{1y}, R_{1z}); =), Chain(\\boldsymbol{L}_O, MatrixOf(L_x, L_y, L_z); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "T_{\\text{phasing}} = t_{137.2°} + n T_{\\text{one orbit}}",
+        "Chain(T_{phasing}, Add(t_{137.2^\\circ}, Mul(n, T_{one~orbit})); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/phasing-maneuvers.md",
+    ),
+    (
+        "\\delta \\approx 0",
+        "Chain(\\delta, 0; \\approx)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "x[n+1] &= Ax[n] + Bu[n] + Gw[n] \\\\ y[n] &= Cx[n] + Du[n] + v[n]",
+        "System(Chain(Indexed(x; Add(n, 1)), Add(Mul(A, Indexed(x; n)), Mul(B, Indexed(u; n)), Mul(G, Indexed(w; n))); =), Chain(Indexed(y; n), Add(Mul(C, Indexed(x; n)), Mul(D, Indexed(u; n)), Indexed(v; n)); =))",
+        "python-control/python-control/control/stochsys.py",
+    ),
+    (
+        "\\boldsymbol{M} = \\begin{pmatrix} m_1+m_2 & -m_2l \\\\ -m_2l & m_2l^2 \\end{pmatrix},\\quad \\boldsymbol{K} = \\begin{pmatrix} k & 0 \\\\ 0 & m_2gl \\end{pmatrix}",
+        "System(Chain(\\boldsymbol{M}, MatrixOf(Add(m_1, m_2), Neg(Mul(m_2, l)), Neg(Mul(m_2, l)), Mul(m_2, Pow(l; 2))); =), Chain(\\boldsymbol{K}, MatrixOf(k, 0, 0, Mul(m_2, g, l)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\tau = \\sqrt{\\frac{(I_2-I_1)(2I_3T-L^2)}{I_1I_2I_3}}t,\\quad s = \\sqrt{\\frac{I_2(I_2-I_1)}{L^2-2I_1T}}\\omega_2",
+        "System(Chain(\\tau, Mul(Sqrt(Div(Mul(Add(I_2, Neg(I_1)), Add(Mul(2, I_3, T), Neg(Pow(L; 2)))); Mul(I_1, I_2, I_3))), t); =), Chain(s, Mul(Sqrt(Div(Mul(I_2, Add(I_2, Neg(I_1))); Add(Pow(L; 2), Neg(Mul(2, I_1, T))))), \\omega_2); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "2y(x+1) = 2xy + A'(y) .",
+        "Chain(Mul(2, y, Add(x, 1)), Add(Mul(2, x, y), Call(A'; y)); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{F}_{12} &= m_1\\ddot{\\boldsymbol{R}}_1 \\\\ \\boldsymbol{F}_{21} &= m_2\\ddot{\\boldsymbol{R}}_2 \\end{aligned}",
+        "System(Chain(\\boldsymbol{F}_{12}, Mul(m_1, Call(\\ddot{\\boldsymbol{R}}_1)); =), Chain(\\boldsymbol{F}_{21}, Mul(m_2, Call(\\ddot{\\boldsymbol{R}}_2)); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "y(t) = v_2(t) = x_2(t)",
+        "Chain(Call(y; t), Call(v_2; t), Call(x_2; t); =, =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "x^2 + y^2 = l^2",
+        "Chain(Add(Pow(x; 2), Pow(y; 2)), Pow(l; 2); =)",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "u_t = [\\delta_t, a_t]^T",
+        "Chain(u_t, Transpose(Tuple(\\delta_t, a_t; [])); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "xv' = v^2+v-v = v^2 ,",
+        "Chain(Mul(x, v'), Add(Pow(v; 2), v, Neg(v)), Pow(v; 2); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "f(x) := \\frac{1}{\\Gamma(k) \\theta^k} x^{k - 1} e^{-\\frac{x}{\\theta}}",
+        "Chain(Call(f; x), Mul(Div(1; Mul(Call(Gamma; k), Pow(\\theta; k))), Pow(x; Add(k, Neg(1))), Pow(e; Neg(Div(x; \\theta)))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "C = 0.9858 - 0.196\\beta^{4.5}",
+        "Chain(C, Add(0.9858, Neg(Mul(0.196, Pow(\\beta; 4.5)))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "y(x) = C_1 e^{kx} + C_2 e^{-kx} ,",
+        "Chain(Call(y; x), Add(Mul(C_1, Pow(e; Mul(k, x))), Mul(C_2, Pow(e; Neg(Mul(k, x))))); =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "f(t) = \\frac{\\pi}{2} + \\sum_{k=1}^\\infty \\frac{2}{2k-1} \\sin \\bigl( (2k-1)\\, t \\bigr) .",
+        "Chain(Call(f; t), Add(Div(\\pi; 2), BigSum(k; 1; Infinity(); Mul(Div(2; Add(Mul(2, k), Neg(1))), Call(sin; Mul(Add(Mul(2, k), Neg(1)), t))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "J_2 \\ddot{\\theta}_2 + (B_{r2} + B_{r1}) \\dot{\\theta}_2 - B_{r1} \\dot{\\theta}_1 = 0",
+        "Chain(Add(Mul(J_2, Call(\\ddot{\\theta}_2)), Mul(Add(B_{r2}, B_{r1}), Call(\\dot{\\theta}_2)), Neg(Mul(B_{r1}, Call(\\dot{\\theta}_1)))), 0; =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "\\boldsymbol{F} = -kmg\\boldsymbol{u}",
+        "Chain(\\boldsymbol{F}, Neg(Mul(k, m, g, \\boldsymbol{u})); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\dot{\\theta}_t = \\frac{V}{L} \\tan(\\delta)",
+        "Chain(Call(\\dot{\\theta}_t), Mul(Div(V; L), Call(tan; \\delta)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "m_{\\text{sp}_i} d_i \\ddot{y}_{B/N} + \\left( I_{s_{i,2}} + m_{\\text{sp}_i} d_i^{2} \\right) \\ddot \\theta_i = - k_i \\theta_i - c_i \\dot\\theta_i",
+        "Chain(Add(Mul(m_{sp_i}, d_i, Call(\\ddot{y}_{B/N})), Mul(Add(I_{s_i,2}, Mul(m_{sp_i}, Pow(d_i; 2))), Call(\\ddot{\\theta}_i))), Add(Neg(Mul(k_i, Call(\\theta_i))), Neg(Mul(c_i, Call(\\dot{\\theta}_i)))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "Q^-_{n,k} &=& \\left[Q^-_{n-1,k}+z_n\\,\\tilde V_{n,k}\\right]\\,e^{-c_{k//2}\\,(t_{n+1}-t_{n})},\\\\ X^-_{m,n,k} &=& e^{-c_{k//2}\\,(t_m^*-t_{n+1})}\\,\\tilde U_{m,k}^*,\\\\ Q^+_{n,k} &=& \\left[Q^+_{n+1,k}+z_n\\,\\tilde U_{n,k}\\right]\\,e^{-c_{k//2}(t_{n}-t_{n-1})},\\\\ X^+_{m,n,k} &=& e^{-c_{k//2}\\,(t_{n-1}-t_m^*)}\\,\\tilde V_{m,k}^* \\quad,",
+        "System(Chain(Q _ { n , k } ^ { - }, Mul(Add(Q _ { n - 1 , k } ^ { - }, Mul(z_n, \\tilde{V}_{n,k})), Pow(e; Neg(Mul(c_{k//2}, Add(t_{n+1}, Neg(t_n)))))); =), Chain(X _ { m , n , k } ^ { - }, Mul(Pow(e; Neg(Mul(c_{k//2}, Add(t _ { m } ^ { * }, Neg(t_{n+1}))))), \\tilde { U } _ { m , k } ^ { * }); =), Chain(Q _ { n , k } ^ { + }, Mul(Add(Q _ { n + 1 , k } ^ { + }, Mul(z_n, \\tilde{U}_{n,k})), Pow(e; Neg(Mul(c_{k//2}, Add(t_n, Neg(t_{n-1})))))); =), Chain(X _ { m , n , k } ^ { + }, Mul(Pow(e; Neg(Mul(c_{k//2}, Add(t_{n-1}, Neg(t _ { m } ^ { * }))))), \\tilde { V } _ { m , k } ^ { * }); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\frac{\\mathrm{d} f}{\\mathrm{d} t} = \\frac{\\partial f}{\\partial t} + \\sum_{\\alpha=1}^s \\left(\\frac{\\partial f}{\\partial q_\\alpha} \\dot{q}_\\alpha + \\frac{\\partial f}{\\partial p_\\alpha} \\dot{p}_\\alpha\\right) = \\frac{\\partial f}{\\partial t} + \\sum_{\\alpha=1}^s \\left(\\frac{\\partial f}{\\partial q_\\alpha} \\frac{\\partial H}{\\partial p_\\alpha} - \\frac{\\partial f}{\\partial p_\\alpha} \\frac{\\partial H}{\\partial q_\\alpha}\\right)",
+        "Chain(Derivative(Call(f); t, 1), Add(Derivative(Call(f); t, 1; True), BigSum(\\alpha; 1; s; Add(Mul(Derivative(Call(f); q_{\\alpha}, 1; True), Call(\\dot{q}_{\\alpha})), Mul(Derivative(Call(f); p_{\\alpha}, 1; True), Call(\\dot{p}_{\\alpha}))))), Add(Derivative(Call(f); t, 1; True), BigSum(\\alpha; 1; s; Add(Mul(Derivative(Call(f); q_{\\alpha}, 1; True), Derivative(Call(H); p_{\\alpha}, 1; True)), Neg(Mul(Derivative(Call(f); p_{\\alpha}, 1; True), Derivative(Call(H); q_{\\alpha}, 1; True)))))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "-k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\bm{\\hat{s}}_{i2,2} \\cdot \\bm \\tau_{\\text{ext}_{i2},H_{i2}} + \\bm{\\hat{s}}_{i2,2} \\cdot \\Big[-[I_{\\text{sp}_{i2},S_{c,i2}}] \\dot{\\bm\\omega}_{\\mathcal{S}_{i2}/\\mathcal{N}} -[\\tilde{\\bm \\omega}_{\\mathcal{S}_{i2}/\\mathcal{N}}] [I_{\\text{sp}_{i2},S_{c,i2}}] \\bm \\omega_{\\mathcal{S}_{i2}/\\mathcal{N}} \\Big] \\\\ - m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T \\ddot{\\bm{r}}_{S_{c,i2}/N} = 0",
+        "Chain(Add(Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(\\bm{\\hat{s}}_{i2,2}, \\bm{\\tau}_{ext_i2,H_i2}; 1), Mul(\\bm{\\hat{s}}_{i2,2}, Add(Neg(Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal S _ i 2 / \\mathcal N }))), Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { S } _ { i 2 } / \\mathcal { N } } ], [ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal S_i2/\\mathcal N})))); 1), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), Call(\\ddot{\\bm{r}}_{S_c,i2/N})))), 0; =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "L = x+y+\\lambda(x^2+y^2-1),",
+        "Chain(L, Add(x, y, Mul(\\lambda, Add(Pow(x; 2), Pow(y; 2), Neg(1)))); =)",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\boldsymbol{r}_1 = \\left(x - x_1\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}} = \\left(x + \\pi_2 r_{12}\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{r}_1, Add(Mul(Add(x, Neg(x_1)), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})), Add(Mul(Add(x, Mul(\\pi_2, r_{12})), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})); =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "A = \\begin{pmatrix} l \\\\ 0 \\\\ 0 \\end{pmatrix},\\quad B = \\begin{pmatrix} 0 \\\\ l \\\\ 0 \\end{pmatrix},\\quad C = \\begin{pmatrix} 0 \\\\ 0 \\\\ l \\end{pmatrix},\\quad D = \\begin{pmatrix} \\dfrac13 \\left(l-\\sqrt{3L^2-2l^2}\\right) \\\\[1.5ex] \\dfrac13 \\left(l-\\sqrt{3L^2-2l^2}\\right) \\\\[1.5ex] \\dfrac13 \\left(l-\\sqrt{3L^2-2l^2}\\right) \\end{pmatrix}",
+        "System(Chain(A, MatrixOf(l, 0, 0); =), Chain(B, MatrixOf(0, l, 0); =), Chain(C, MatrixOf(0, 0, l); =), Chain(D, MatrixOf(Mul(Div(1; 3), Add(l, Neg(Sqrt(Add(Mul(3, Pow(L; 2)), Neg(Mul(2, Pow(l; 2)))))))), Mul(Div(1; 3), Add(l, Neg(Sqrt(Add(Mul(3, Pow(L; 2)), Neg(Mul(2, Pow(l; 2)))))))), Mul(Div(1; 3), Add(l, Neg(Sqrt(Add(Mul(3, Pow(L; 2)), Neg(Mul(2, Pow(l; 2))))))))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\frac{dJ^*}{dt} = \\frac{\\partial J^*}{\\partial {\\bf x}}f({\\bf x},{\\bf u}) + \\frac{\\partial J^*}{\\partial t},",
+        "Chain(Derivative(Call(J ^ { * }); t, 1), Add(Mul(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Call(f; \\mathbf{x}, \\mathbf{u})), Derivative(Call(J ^ { * }); t, 1; True)); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\bm{c}=\\frac{m_{\\text{hub}}\\,\\bm{r}_{Bc/B} + \\sum_{i=1}^{M}m_{\\text{fuel}_i}\\,\\bm{r}_{Fc_i/B}}{m_{\\text{hub}}+ \\sum_{i=1}^{M}m_{\\text{fuel}_i}}",
+        "Chain(\\bm{c}, Div(Add(Mul(m_{hub}, \\bm{r}_{Bc/B}), BigSum(i; 1; M; Mul(m_{fuel_i}, \\bm{r}_{Fc_i/B}))); Add(m_{hub}, BigSum(i; 1; M; m_{fuel_i}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bm{r}_{P_{c,j}/B} = \\bm{r}_{P_{j}/B} + \\rho_j \\hat{\\bm p}_j",
+        "Chain(\\bm{r}_{P_c,j/B}, Add(\\bm{r}_{P_j/B}, Mul(\\rho_j, \\hat{\\bm{p}}_j)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\boxed{\\mathbf{K} = \\mathbf{P}_{yz} \\mathbf{P}_{zz}^{-1}}",
+        "Chain(\\mathbf{K}, Mul(\\mathbf{P}_{yz}, Pow(\\mathbf{P}_{zz}; Neg(1))); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\dot{\\theta}_t = \\frac{V}{L} \\delta",
+        "Chain(Call(\\dot{\\theta}_t), Mul(Div(V; L), \\delta); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\bar{u}_r = \\mathbf{A}_n \\bar{u}_s + \\bar{b}_n \\in \\mathbb{R}^m",
+        "Chain(\\bar{u}_r, Add(Mul(\\mathbf{A}_n, \\bar{u}_s), \\bar{b}_n), Pow(\\mathbb{R}; m); =, \\in)",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "a = \\frac{1}{\\alpha}",
+        "Chain(a, Div(1; \\alpha); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "u_1 &= \\pi_1({\\bf x}) = - x_1 \\cos x_3, \\\\ u_2 &= \\pi_2({\\bf x}) = x_3 + \\frac{(x_2 + x_3) \\cos x_3 \\sin x_3}{x_3},",
+        "System(Chain(u_1, Call(\\pi_1; \\mathbf{x}), Neg(Mul(x_1, Call(cos; x_3))); =, =), Chain(u_2, Call(\\pi_2; \\mathbf{x}), Add(x_3, Div(Mul(Add(x_2, x_3), Call(cos; x_3), Call(sin; x_3)); x_3)); =, =))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "V = \\begin{cases} V_0,& r<a \\\\ 0,& r\\geqslant a \\end{cases}",
+        "Chain(V, Piecewise(V_0, Chain(r, a; <), 0, Chain(r, a; \\ge)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\tau =& \\text{atan2}(-x_2,x_1) \\\\ x_\\perp =& \\sqrt{x_1^2+x_2^2}-1,",
+        "System(Chain(\\tau, Call(\\text{atan2}; Neg(x_2), x_1); =), Chain(x_\\perp, Add(Sqrt(Add(Pow(x_1; 2), Pow(x_2; 2))), Neg(1)); =))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "\\Delta\\mathbf{q}_\\mathrm{mag} = \\begin{bmatrix} \\frac{\\sqrt{\\Gamma+l_x\\sqrt{\\Gamma}}}{\\sqrt{2\\Gamma}} & 0 & 0 & \\frac{l_y}{\\sqrt{2(\\Gamma+l_x\\sqrt{\\Gamma})}} \\end{bmatrix}^T",
+        "Chain(\\Delta \\mathbf { q } _ { \\mathrm { m a g } }, Transpose(MatrixOf(Div(Sqrt(Add(\\varGamma, Mul(l_x, Sqrt(\\varGamma)))); Sqrt(Mul(2, \\varGamma))), 0, 0, Div(l_y; Sqrt(Mul(2, Add(\\varGamma, Mul(l_x, Sqrt(\\varGamma)))))))); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{F}_1 &= -G\\frac{m_1 m}{r_1^2} \\left.\\boldsymbol{\\hat{u}}_r\\right)_1 = -\\frac{\\mu_1 m}{r_1^3}\\boldsymbol{r}_1 \\\\ \\boldsymbol{F}_2 &= -G\\frac{m_2 m}{r_2^2}\\left.\\boldsymbol{\\hat{u}}_r\\right)_2 = -\\frac{\\mu_2 m}{r_2^3}\\boldsymbol{r}_2 \\end{aligned}",
+        "System(Chain(\\boldsymbol{F}_1, Neg(Mul(G, Div(Mul(m_1, m); Pow(r_1; 2)), Marked(\\boldsymbol{\\hat{u}}_r; _{ 1 }))), Neg(Mul(Div(Mul(\\mu_1, m); Pow(r_1; 3)), \\boldsymbol{r}_1)); =, =), Chain(\\boldsymbol{F}_2, Neg(Mul(G, Div(Mul(m_2, m); Pow(r_2; 2)), Marked(\\boldsymbol{\\hat{u}}_r; _{ 2 }))), Neg(Mul(Div(Mul(\\mu_2, m); Pow(r_2; 3)), \\boldsymbol{r}_2)); =, =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "f(t) = \\lvert t \\rvert \\qquad \\text{for } \\; {-1} < t \\leq 1,",
+        "Implies(Chain(Neg(1), t, 1; <, \\le); Chain(Call(f; t), Bars(t); =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{B} &=& \\frac{1}{2}\\big(\\,^b\\mathbf{a}(\\,^r\\mathbf{a})^T+\\,^b\\mathbf{m}(^r\\mathbf{m})^T\\big) \\\\ && \\\\ \\mathbf{z}^T &=& \\begin{bmatrix}B_{23}-B_{32}\\\\B_{31}-B_{13}\\\\B_{12}-B_{21}\\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{B}, Mul(Div(1; 2), Add(Mul(\\prescript { b } { } { \\mathbf { a } }, Transpose(\\prescript { r } { } { \\mathbf { a } })), Mul(\\prescript { b } { } { \\mathbf { m } }, Transpose(\\prescript { r } { } { \\mathbf { m } })))); =), Chain(Transpose(\\mathbf{z}), MatrixOf(Add(B_{23}, Neg(B_{32})), Add(B_{31}, Neg(B_{13})), Add(B_{12}, Neg(B_{21}))); =))",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "\\begin{array}{rcl} a &=& \\sigma^2-\\kappa \\\\ && \\\\ b &=& \\sigma^2 + \\mathbf{Z}^T\\mathbf{Z} \\\\ && \\\\ c &=& \\Delta + \\mathbf{Z}^T\\mathbf{SZ} \\\\ && \\\\ d &=& \\mathbf{Z}^T\\mathbf{S}^2\\mathbf{Z} \\\\ && \\\\ \\sigma &=& \\frac{1}{2}\\mathrm{tr}\\mathbf{S} \\\\ && \\\\ \\kappa &=& \\mathrm{tr}\\big(\\mathrm{adj}(\\mathbf{S})\\big) \\\\ && \\\\ \\Delta &=& \\mathrm{det}(\\mathbf{S}) \\end{array}",
+        "System(Chain(a, Add(Pow(\\sigma; 2), Neg(\\kappa)); =), Chain(b, Add(Pow(\\sigma; 2), Mul(Transpose(\\mathbf{Z}), \\mathbf{Z})); =), Chain(c, Add(\\Delta, Mul(Transpose(\\mathbf{Z}), \\mathbf{S}, \\mathbf{Z})); =), Chain(d, Mul(Transpose(\\mathbf{Z}), Pow(\\mathbf{S}; 2), \\mathbf{Z}); =), Chain(\\sigma, Mul(Div(1; 2), Call(tr; \\mathbf{S})); =), Chain(\\kappa, Call(tr; Call(adj; \\mathbf{S})); =), Chain(\\Delta, Call(det; \\mathbf{S}); =))",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "v_{\\perp} = \\sqrt{v^2 - v_r^2}",
+        "Chain(v_\\perp, Sqrt(Add(Pow(v; 2), Neg(Pow(v_r; 2)))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\begin{cases} f = \\dfrac{Qa\\cos \\phi}{r\\sin(\\phi+\\theta)}-P \\\\[1.5ex] N = \\dfrac{Qa\\sin \\phi}{r\\sin(\\phi+\\theta)} \\end{cases}",
+        "System(Chain(f, Add(Div(Mul(Q, a, Call(cos; \\phi)); Mul(r, Call(sin; Add(\\phi, \\theta)))), Neg(P)); =), Chain(N, Div(Mul(Q, a, Call(sin; \\phi)); Mul(r, Call(sin; Add(\\phi, \\theta)))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "e^2 = 2f - f^2",
+        "Chain(Pow(e; 2), Add(Mul(2, f), Neg(Pow(f; 2))); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "a_1 = \\frac{1}{1} a_0 = 1 , \\quad a_2 = \\frac{1}{2} a_1 = \\frac{1}{2} , \\quad a_3 = \\frac{1}{3} a_2 = \\frac{1}{3 \\cdot 2} , \\quad a_4 = \\frac{1}{4} a_3 = \\frac{1}{4 \\cdot 3 \\cdot 2} , \\quad \\cdots",
+        "System(Chain(a_1, Mul(Div(1; 1), a_0), 1; =, =), Chain(a_2, Mul(Div(1; 2), a_1), Div(1; 2); =, =), Chain(a_3, Mul(Div(1; 3), a_2), Div(1; Mul(3, 2)); =, =), Chain(a_4, Mul(Div(1; 4), a_3), Div(1; Mul(4, 3, 2)); =, =), Words(Dots()))",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "h = v_{\\infty} y",
+        "Chain(h, Mul(v_\\infty, y); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-capture.md",
+    ),
+    (
+        "\\frac{\\partial}{\\partial q_r}(\\bar{v} \\cdot \\bar{w}) = & \\frac{\\partial \\bar{v}}{\\partial q_r} \\cdot \\bar{w} + \\bar{v} \\cdot \\frac{\\partial \\bar{w}}{\\partial q_r}",
+        "Chain(Derivative(Mul(Call(\\bar{v}), Call(\\bar{w})); q_r, 1; True), Add(Mul(Derivative(Call(\\bar{v}); q_r, 1; True), Call(\\bar{w})), Mul(Call(\\bar{v}), Derivative(Call(\\bar{w}); q_r, 1; True))); =)",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "J = \\int_0^{\\infty} [3x^2(t) + u^2(t)] dt.",
+        "Chain(J, Integral(Add(Mul(3, Pow(Call(x; t); 2)), Pow(Call(u; t); 2)); t; 0; Infinity()); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "[colback=white,colframe=black,boxrule=0.5pt,top=1.5pt,bottom=1.5pt]{ ~~ u(x,y) = \\sum_{n=1}^\\infty b_n u_n(x,y) = \\sum_{n=1}^\\infty b_n \\sin \\left( \\frac{n \\pi}{w} x \\right) \\left( \\frac{\\sinh \\left( \\frac{n \\pi (h-y) }{w} \\right)} {\\sinh \\left( \\frac{n \\pi h }{w} \\right)} \\right) . ~~ }",
+        "Chain(Call(u; x, y), BigSum(n; 1; Infinity(); Mul(b_n, Call(u_n; x, y))), BigSum(n; 1; Infinity(); Mul(b_n, Call(sin; Mul(Div(Mul(n, \\pi); w), x)), Div(Call(sinh; Div(Mul(n, \\pi, Add(h, Neg(y))); w)); Call(sinh; Div(Mul(n, \\pi, h); w))))); =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "{\\bf x}[n+1] = {\\bf A}{\\bf x}[n] + {\\bf B}{\\bf u}[n] + {\\bf w}[n], \\\\ {\\bf y}[n] = {\\bf C}{\\bf x}[n] + {\\bf D}{\\bf u}[n] + {\\bf v}[n], \\\\ {\\bf w}[n] \\sim \\mathcal{N}({\\bf 0}, {\\bf \\Sigma}_w), \\quad {\\bf v}[n] \\sim \\mathcal{N}({\\bf 0}, {\\bf \\Sigma}_v).",
+        "System(Chain(Indexed(\\mathbf{x}; Add(n, 1)), Add(Mul(\\mathbf{A}, Indexed(\\mathbf{x}; n)), Mul(\\mathbf{B}, Indexed(\\mathbf{u}; n)), Indexed(\\mathbf{w}; n)); =), Chain(Indexed(\\mathbf{y}; n), Add(Mul(\\mathbf{C}, Indexed(\\mathbf{x}; n)), Mul(\\mathbf{D}, Indexed(\\mathbf{u}; n)), Indexed(\\mathbf{v}; n)); =), Chain(Indexed(\\mathbf{w}; n), Call(\\mathcal{N}; 0, \\mathbf{\\Sigma}_w); \\sim), Chain(Indexed(\\mathbf{v}; n), Call(\\mathcal{N}; 0, \\mathbf{\\Sigma}_v); \\sim))",
+        "RussTedrake/underactuated/book/imitation.html",
+    ),
+    (
+        "\\frac{d\\boldsymbol{A}}{dt} = \\boldsymbol{\\omega}\\times\\boldsymbol{A}",
+        "Chain(Derivative(Call(\\boldsymbol{A}); t, 1), Cross(\\boldsymbol{\\omega}; Call(\\boldsymbol{A})); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "v_{\\text{GEO}} = 3.075~\\mathrm{km/s}",
+        "Chain(v_{GEO}, Mul(3.075, \\text{km/s}); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/circular-orbits.md",
+    ),
+    (
+        "t_{pregrasp} = k \\left\\|{}^{G_0}p^{G_{pregrasp}}\\right\\|_2.",
+        "Chain(t_{pregrasp}, Mul(k, Marked(Norm(\\prescript { G _ { 0 } } { } { p } ^ { G _ { p r e g r a s p } }); _{ 2 })); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\ddot{q}(t) = u = -1, \\\\\\dot{q}(t) = \\dot{q}(0) - t, \\\\ q(t) = q(0) + \\dot{q}(0) t - \\frac{1}{2} t^2.",
+        "System(Chain(Call(\\ddot{q}; t), u, Neg(1); =, =), Chain(Call(\\dot{q}; t), Add(Call(\\dot{q}; 0), Neg(t)); =), Chain(Call(q; t), Add(Call(q; 0), Mul(Call(\\dot{q}; 0), t), Neg(Mul(Div(1; 2), Pow(t; 2)))); =))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\frac{d\\boldsymbol{h}}{dt} = \\dot{\\boldsymbol{r}}\\times\\dot{\\boldsymbol{r}} + \\boldsymbol{r}\\times\\ddot{\\boldsymbol{r}}",
+        "Chain(Derivative(Call(\\boldsymbol{h}); t, 1), Add(Cross(Call(\\dot{\\boldsymbol{r}}); Call(\\dot{\\boldsymbol{r}})), Cross(Call(\\boldsymbol{r}); Call(\\ddot{\\boldsymbol{r}}))); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/angular-momentum-is-conserved.md",
+    ),
+    (
+        "X(s) = \\frac{F(s)}{1-G(s)} .",
+        "Chain(Call(X; s), Div(Call(F; s); Add(1, Neg(Call(G; s)))); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "y_c = C_1 e^{-2x} + C_2 e^{-3x}.",
+        "Chain(y_c, Add(Mul(C_1, Pow(e; Neg(Mul(2, x)))), Mul(C_2, Pow(e; Neg(Mul(3, x))))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "Q_0(z) = \\sum_{j=1}^J (q_j z + r_j)\\prod_{k \\ne j}\\left(z^2+s_kz + t_k\\right) = 0\\quad,",
+        "Chain(Call(Q_0; z), BigSum(j; 1; J; Mul(Add(Mul(q_j, z), r_j), Limiting(prod; _{ k \\ne j }; Add(Pow(z; 2), Mul(s_k, z), t_k)))), 0; =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\bm v_{\\text{trans}} = \\bm F - 2m_\\text{sc} [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm c'- m_\\text{sc} [\\tilde{\\bm\\omega}_{\\cal B/N}][\\tilde{\\bm\\omega}_{\\cal B/N}]\\bm{c} + \\bm v_{\\text{trans,contr}}",
+        "Chain(\\bm{v}_{trans}, Add(\\bm{F}, Neg(Mul(2, m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c}')), Neg(Mul(m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c})), \\bm{v}_{trans,contr}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/NHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{aligned}\\ddot{x} &= -\\mu\\frac{x}{r^3} + \\frac{T}{m}\\frac{\\dot{x}}{v} & \\ddot{y} &= -\\mu\\frac{y}{r^3} + \\frac{T}{m}\\frac{\\dot{y}}{v} & \\ddot{z} &= -\\mu\\frac{z}{r^3} + \\frac{T}{m}\\frac{\\dot{z}}{v}\\end{aligned}",
+        "System(Chain(Call(\\ddot{x}), Add(Neg(Mul(\\mu, Div(Call(x); Pow(r; 3)))), Mul(Div(T; m), Div(Call(\\dot{x}); v))); =), Chain(Call(\\ddot{y}), Add(Neg(Mul(\\mu, Div(Call(y); Pow(r; 3)))), Mul(Div(T; m), Div(Call(\\dot{y}); v))); =), Chain(Call(\\ddot{z}), Add(Neg(Mul(\\mu, Div(Call(z); Pow(r; 3)))), Mul(Div(T; m), Div(Call(\\dot{z}); v))); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/nonimpulsive-orbital-maneuvers.md",
+    ),
+    (
+        "y_{tt} = a^2 y_{xx} + F_0 \\cos ( \\omega t) ,",
+        "Chain(y_{tt}, Add(Mul(Pow(a; 2), y_{xx}), Mul(F_0, Call(cos; Mul(\\omega, t)))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "S(\\omega) = \\sqrt{\\frac{2}{\\pi}}\\frac{S_1\\,{\\omega_1}^4}{(\\omega^2 - {\\omega_1}^2)^2 + 2\\,{\\omega_1}^2\\,\\omega^2} + \\sqrt{\\frac{2}{\\pi}}\\frac{S_2\\,{\\omega_2}^4}{(\\omega^2 - {\\omega_2}^2)^2 + {\\omega_2}^2\\,\\omega^2/Q^2}",
+        "Chain(Call(S; \\omega), Add(Mul(Sqrt(Div(2; \\pi)), Div(Mul(S_1, Pow(\\omega_1; 4)); Add(Pow(Add(Pow(\\omega; 2), Neg(Pow(\\omega_1; 2))); 2), Mul(2, Pow(\\omega_1; 2), Pow(\\omega; 2))))), Mul(Sqrt(Div(2; \\pi)), Div(Mul(S_2, Pow(\\omega_2; 4)); Add(Pow(Add(Pow(\\omega; 2), Neg(Pow(\\omega_2; 2))); 2), Div(Mul(Pow(\\omega_2; 2), Pow(\\omega; 2)); Pow(Q; 2)))))); =)",
+        "dfm/celerite/docs/tutorials/first.rst",
+    ),
+    (
+        "f({\\bf b}, a, o) = \\frac{\\text{diag}({\\bf c}(o)) \\, {\\bf T}(a) \\, {\\bf b}}{{\\bf c}^T(o) \\, {\\bf T}(a) \\, {\\bf b}},",
+        "Chain(Call(f; \\mathbf{b}, a, o), Div(Mul(Diag(Call(\\mathbf{c}; o)), Call(\\mathbf{T}; a), \\mathbf{b}); Mul(Transpose(Call(\\mathbf{c}; o)), Call(\\mathbf{T}; a), \\mathbf{b})); =)",
+        "RussTedrake/underactuated/book/output_feedback.html",
+    ),
+    (
+        "\\bm a_{d} = -\\frac{\\rho}{2} C_{d} \\frac{A v^{2}}{m} \\cdot \\frac{\\dot{\\bm r}}{|\\bm r|}",
+        "Chain(\\bm{a}_d, Neg(Mul(Div(\\rho; 2), C_d, Div(Mul(A, Pow(v; 2)); m), Div(Call(\\dot{\\bm{r}}); Bars(Call(\\bm{r}))))); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "m\\ddot{x} &= F_1 \\cos \\theta + F_2 \\sin \\theta \\\\ m\\ddot{y} &= F_1 \\sin \\theta - F_2 \\cos \\theta - mg \\\\ I\\ddot{\\theta} &= rF_1",
+        "System(Chain(Mul(m, Call(\\ddot{x})), Add(Mul(F_1, Call(cos; Call(\\theta))), Mul(F_2, Call(sin; Call(\\theta)))); =), Chain(Mul(m, Call(\\ddot{y})), Add(Mul(F_1, Call(sin; Call(\\theta))), Neg(Mul(F_2, Call(cos; Call(\\theta)))), Neg(Mul(m, g))); =), Chain(Mul(I, Call(\\ddot{\\theta})), Mul(r, F_1); =))",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\boxed{\\bar{\\mathbf{z}} = \\sum_{i=0}^{2n} w_i^{(m)} \\mathcal{Z}_i}",
+        "Chain(\\bar{\\mathbf{z}}, BigSum(i; 0; Mul(2, n); Mul(w _ { i } ^ { ( m ) }, \\mathcal{Z}_i)); =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "S(\\boldsymbol{r},\\boldsymbol{D},t) = W(\\boldsymbol{r},\\boldsymbol{D}) - Et",
+        "Chain(Call(S; \\boldsymbol{r}, \\boldsymbol{D}, t), Add(Call(W; \\boldsymbol{r}, \\boldsymbol{D}), Neg(Mul(E, t))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{Kq} &=& \\lambda_{\\mathrm{max}}\\mathbf{q} \\\\ \\begin{bmatrix} \\mathbf{B}+\\mathbf{B}-\\mathrm{tr}(\\mathbf{B})\\mathbf{I} & \\mathbf{z} \\\\ \\mathbf{z}^T & \\mathrm{tr}(\\mathbf{B}) \\end{bmatrix} \\begin{bmatrix}q_x\\\\q_y\\\\q_z\\\\q_w\\end{bmatrix} &=& \\lambda_{\\mathrm{max}}\\begin{bmatrix}q_x\\\\q_y\\\\q_z\\\\q_w\\end{bmatrix} \\end{array}",
+        "System(Chain(Mul(\\mathbf{K}, \\mathbf{q}), Mul(\\lambda_{max}, \\mathbf{q}); =), Chain(Mul(MatrixOf(Add(\\mathbf{B}, \\mathbf{B}, Neg(Mul(Call(tr; \\mathbf{B}), \\mathbf{I}))), \\mathbf{z}, Transpose(\\mathbf{z}), Call(tr; \\mathbf{B})), MatrixOf(q_x, q_y, q_z, q_w)), Mul(\\lambda_{max}, MatrixOf(q_x, q_y, q_z, q_w)); =))",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "\\begin{aligned}\\dot{x} &= \\left(R_E + z\\right) \\dot{\\Lambda}\\cos\\phi & \\dot{y} &= \\left(R_E + z\\right)\\dot{\\phi}\\end{aligned}",
+        "System(Chain(Call(\\dot{x}), Mul(Add(R_E, z), Call(\\dot{\\Lambda}), Call(cos; Call(\\phi))); =), Chain(Call(\\dot{y}), Mul(Add(R_E, z), Call(\\dot{\\phi})); =))",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "J_n(x) = {(-1)}^nJ_{-n}(x) .",
+        "Chain(Call(J_n; x), Mul(Pow(Neg(1); n), Call(J_{-n}; x)); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{B} &=& \\frac{1}{3} \\mathbf{b}_1\\mathbf{r}_1^T + \\frac{1}{3} \\mathbf{b}_2\\mathbf{r}_2^T + \\frac{1}{3} \\mathbf{b}_3\\mathbf{r}_3^T \\\\ &=& \\frac{1}{3}\\begin{bmatrix} \\mathbf{d}_1 & \\mathbf{d}_2 & \\mathbf{d}_3 \\end{bmatrix} \\\\ &=& \\frac{1}{3}\\mathbf{D} \\end{array}",
+        "Chain(\\mathbf{B}, Add(Mul(Div(1; 3), \\mathbf{b}_1, Transpose(\\mathbf{r}_1)), Mul(Div(1; 3), \\mathbf{b}_2, Transpose(\\mathbf{r}_2)), Mul(Div(1; 3), \\mathbf{b}_3, Transpose(\\mathbf{r}_3))), Mul(Div(1; 3), MatrixOf(\\mathbf{d}_1, \\mathbf{d}_2, \\mathbf{d}_3)), Mul(Div(1; 3), \\mathbf{D}); =, =, =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "k(\\tau) = a_1\\,e^{-c_1\\,\\tau} + a_2\\,e^{-c_2\\,\\tau} + \\frac{1}{2}\\left[ (a_3 + i\\,b_3)\\,e^{-(c_3+i\\,d_3)\\,\\tau} + (a_3 - i\\,b_3)\\,e^{-(c_3-i\\,d_3)\\,\\tau} \\right]",
+        "Chain(Call(k; \\tau), Add(Mul(a_1, Pow(e; Neg(Mul(c_1, \\tau)))), Mul(a_2, Pow(e; Neg(Mul(c_2, \\tau)))), Mul(Div(1; 2), Add(Mul(Add(a_3, Mul(i, b_3)), Pow(e; Neg(Mul(Add(c_3, Mul(i, d_3)), \\tau)))), Mul(Add(a_3, Neg(Mul(i, b_3))), Pow(e; Neg(Mul(Add(c_3, Neg(Mul(i, d_3))), \\tau))))))); =)",
+        "dfm/celerite/docs/cpp/start.rst",
+    ),
+    (
+        "V = mgh",
+        "Chain(V, Mul(m, g, h); =)",
+        "moorepants/learn-multibody-dynamics/energy.rst",
+    ),
+    (
+        "Y_n(z) = -\\frac{2}{\\pi} \\left( i^n K_n(iz) + \\left[\\log(iz)-\\log(z)\\right] J_n(z) \\right)",
+        "Chain(Call(Y_n; z), Neg(Mul(Div(2; \\pi), Add(Mul(Pow(i; n), Call(K_n; Mul(i, z))), Mul(Add(Call(log; Mul(i, z)), Neg(Call(log; z))), Call(J_n; z))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "-\\sum_{\\zeta=1}^s \\frac{\\partial P_\\zeta}{\\partial p_\\alpha} \\frac{\\partial Q_\\zeta}{\\partial p_\\beta} - \\sum_{\\zeta=1}^s P_\\zeta \\frac{\\partial^2 Q_\\zeta}{\\partial p_\\alpha \\partial p_\\beta} = -\\sum_{\\zeta=1}^s \\frac{\\partial P_\\zeta}{\\partial p_\\beta} \\frac{\\partial Q_\\zeta}{\\partial p_\\alpha} - \\sum_{\\zeta=1}^s P_\\zeta \\frac{\\partial^2 Q_\\zeta}{\\partial p_\\beta \\partial p_\\alpha}",
+        "Chain(Add(Neg(BigSum(\\zeta; 1; s; Mul(Derivative(Call(P_{\\zeta}); p_\\alpha, 1; True), Derivative(Call(Q_{\\zeta}); p_\\beta, 1; True)))), Neg(BigSum(\\zeta; 1; s; Mul(Call(P_{\\zeta}), Derivative(Call(Q_{\\zeta}); p_\\alpha, 1, p_\\beta, 1; True))))), Add(Neg(BigSum(\\zeta; 1; s; Mul(Derivative(Call(P_{\\zeta}); p_\\beta, 1; True), Derivative(Call(Q_{\\zeta}); p_\\alpha, 1; True)))), Neg(BigSum(\\zeta; 1; s; Mul(Call(P_{\\zeta}), Derivative(Call(Q_{\\zeta}); p_\\beta, 1, p_\\alpha, 1; True))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\dddot{\\bf q}(t) = {\\bf r}'''(s) \\dot{s}^3(t) + 3{\\bf r}''(s) \\dot{s}(t) \\ddot{s}(t) + {\\bf r}'(s)\\dddot{s}(t).",
+        "Chain(Call(\\dddot{\\mathbf{q}}; t), Add(Mul(Call(\\mathbf{r}'''; Call(s)), Pow(Call(\\dot{s}; t); 3)), Mul(3, Call(\\mathbf{r}''; Call(s)), Call(\\dot{s}; t), Call(\\ddot{s}; t)), Mul(Call(\\mathbf{r}'; Call(s)), Call(\\dddot{s}; t))); =)",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "x_0 = a+\\frac{mg\\cot\\alpha}{4\\pi^2k}",
+        "Chain(x_0, Add(a, Div(Mul(m, g, Call(cot; \\alpha)); Mul(4, Pow(\\pi; 2), k))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "X'' = A * X",
+        "Chain(X'', Operated(*; A; X); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path

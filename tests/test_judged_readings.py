@@ -212,6 +212,7 @@ SAME = {  # two ways to print one thing
     r"i = 1 \ldots n": r"i = 1, \ldots, n",
     r"y = mcos\theta": r"y = m \cos \theta",
     r"y = \left[ a_1 \ b_1 \ \dot{c} \right]": r"y = [a_1, b_1, \dot{c}]",
+    r"\mathbf{B} = {}^b \mathbf{a} ({}^r \mathbf{a})^T": r"\mathbf{B} = {}^b \mathbf{a} \, {}^r \mathbf{a}^T",
     r"a = b \text{, where } c = d": r"a = b, \quad c = d",
     r"\operatorname{\text{argmin}}_x f = 1": r"\operatorname{argmin}_x f = 1",
 }
@@ -239,6 +240,9 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"\dot{x}_0 = a x_0", {"x_0": ("scalar", "t")}),
     (r"N = \frac{\partial}{\partial \theta} (r - R) + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", "")}),
     (r"N = \frac{d r}{d \theta} + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", r"\theta")}),
+    (r"S = \Phi_t P \Phi_t^T", {r"\Phi_t": ("matrix", "")}),
+    (r"\frac{{}^B d \mathbf{c}}{dt} = \frac{dx}{dt} \mathbf{b}", {r"\mathbf{c}": ("vector", "t")}),
+    (r"\dot{\mathbf{s}} = \frac14 [B(\mathbf{s})] \mathbf{w}", {r"[ B ]": ("function", r"\mathbf { s }")}),
     (r"\Delta G^\circ = -R T \ln K", {r"\Delta G ^ { \circ }": ("scalar", "")}),
     (r"\dot{\omega} = \sin^2 i - 2", {"i": ("scalar", "")}),
     (r"[\mathcal{F} \mathcal{N}] = 2", {r"[ \mathcal { F } \mathcal { N } ]": ("matrix", "")}),

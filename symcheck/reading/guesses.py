@@ -132,7 +132,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
     elif applied:
         depends = ", ".join(simple) if simple else None
-        yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
+        size = (0, 0) if latex.startswith("[") else ()
+        function = _letter(of, kind="function", depends=depends, size=size)
+        yield Guess(function, "a function", "it stands before its arguments only")
     elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
@@ -177,7 +179,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif face(latex):
         yield from _styled(of)
     elif of.transposed and "T" not in every:
-        kind = "matrix" if latex[:1].isupper() else "vector"
+        kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
     elif (
         latex.isupper()
@@ -379,6 +381,8 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         )
         if latex[0] == "\\" or any(place.exponent for place in of.places):
             return [unit]
+        if any((place.before, place.after) == ("", "=") and not place.superscript for place in of.places):
+            return [replace(plain, why="it is equal to something", remote=False), unit]
         if of.below or of.orbital:
             return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]
@@ -428,11 +432,8 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         return
     kind = of.framed or ("vector" if face(of.spelling) else "scalar")
     primed = any(place.primes for place in of.places)
-    direct = (
-        of.dotted
-        or primed
-        or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
-    )
+    behind = any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    direct = of.dotted or primed or behind
     within = any(x in every and _stands_in_body(every[x]) for x in on)
     within |= any(place.role == "variable" and place.before == r"\partial" for place in of.places)
     varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)

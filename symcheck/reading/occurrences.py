@@ -112,6 +112,13 @@ class Scan(tex.Reader):
         self.i = start
         return inside in TRANSPOSED
 
+    def transposed(self, place: int) -> bool:
+        """Is what ends before this place transposed?"""
+        start, self.i = self.i, place
+        found = self.peek() == "^" and self.transposes()
+        self.i = start
+        return found
+
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
         stop = len(self.toks) if stop is None else stop
         while self.i < stop:
@@ -313,11 +320,9 @@ class Scan(tex.Reader):
 
     def letter(self, scope: Scope) -> Iterator[Occurrence]:
         """One letter with its scripts and arguments; then the letters in these."""
-        start, before = self.i, ""
-        for k in range(self.i - 1, -1, -1):
-            if (text := self.toks[k].text) not in SPACES:
-                before = text
-                break
+        start, before, k = self.i, "", self.i
+        while not before and (k := k - 1) >= 0:
+            before = self.toks[k].text if self.toks[k].text not in SPACES else ""
         try:
             word, dots = undotted(self.spelling())
         except SymcheckError:
@@ -350,11 +355,9 @@ class Scan(tex.Reader):
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
-        after = ""
-        for k in range(self.i, len(self.toks)):
-            if (text := self.toks[k].text) not in _UNPRINTED:
-                after = text
-                break
+        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in _UNPRINTED), "")
+        if k > 0 and (before, after) == ("(", ")") and self.peek_at(k - 1) in DIFFERENTIALS:
+            before = self.peek_at(k - 1)  # alone in brackets behind the d
         yield Occurrence(
             word,
             dots,
@@ -404,6 +407,8 @@ class Scan(tex.Reader):
             tok = self.toks[k]
             depth += (tok.text in OPEN or tok.text in _ALSO_OPEN) - (tok.text in CLOSE or tok.text in _ALSO_CLOSE)
             if depth == 0:
+                if parts[0][:1] == [r"\prescript"] and self.transposed(k + 1):
+                    return None  # they are needed around a letter in a frame
                 break
             if tok.text == "," and depth == 1:
                 parts.append([])

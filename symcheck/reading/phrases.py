@@ -37,13 +37,16 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
         ),
         r"\\left ( \\frac { \2 } \3 ( \4 ) \\right ) _ \1",
     ),
-    # the matrix between two frames as a function of their attitude, a bold letter: `[BN(\bm{\sigma})]`
-    (
-        re.compile(
-            r"\[ ((?:[A-Z] (?:_ (?:\w|\{ [^{}]* \}) )?){2})(?:\\left )?"
-            r"(\( -? ?\\(?:bm|boldsymbol|mathbf|pmb) [^()\[\]]*\)) \]"
-        ),
-        r"[ \1] \2",
+    # the matrix between two frames as a function of their attitude, a bold letter: `[BN(\bm{\sigma})]`, `[B(\bm{x})]`
+    *(
+        (
+            re.compile(
+                rf"{before}\[ ((?:[A-Z] (?:_ (?:\w|\{{ [^{{}}]* \}}) )?){count})(?:\\left )?"
+                r"(\( -? ?\\(?:bm|boldsymbol|mathbf|pmb) [^()\[\]]*\)) \]"
+            ),
+            r"[ \1] \2",
+        )
+        for before, count in (("", "{2}"), (r"(?:^|(?<=[-+=(] )|(?<=\d \} ))", ""))
     ),
     # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
     (
