@@ -2580,7 +2580,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\mathbf{M}_{B_1} = \\begin{bmatrix} m_{B_1} & 0 & 0 & 0 & 0 & 0 \\\\ 0 & m_{B_1} & 0 & 0 & 0 & 0 \\\\ 0 & 0 & m_{B_1} & 0 & 0 & 0 \\\\ 0 & 0 & 0 & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_x\\hat{n}_x & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_x\\hat{n}_y & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_x\\hat{n}_z \\\\ 0 & 0 & 0 & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_y\\hat{n}_x & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_y\\hat{n}_y & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_y\\hat{n}_z \\\\ 0 & 0 & 0 & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_z\\hat{n}_x & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_z\\hat{n}_y & \\breve{I}^{B_1/B_{1o}} \\cdot \\hat{n}_z\\hat{n}_z \\\\ \\end{bmatrix}",
-        "Chain(\\mathbf{M}_{B_1}, MatrixOf(m_{B_1}, 0, 0, 0, 0, 0, 0, m_{B_1}, 0, 0, 0, 0, 0, 0, m_{B_1}, 0, 0, 0, 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_x; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_y; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_z; 1), 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_x; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_y; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_z; 1), 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_x; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_y; 1), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_z; 1)); =)",
+        "Chain(\\mathbf{M}_{B_1}, MatrixOf(m_{B_1}, 0, 0, 0, 0, 0, 0, m_{B_1}, 0, 0, 0, 0, 0, 0, m_{B_1}, 0, 0, 0, 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_x), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_y), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_x, \\hat{n}_z), 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_x), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_y), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_y, \\hat{n}_z), 0, 0, 0, Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_x), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_y), Mul(\\breve { I } ^ { B _ { 1 } / B _ { 1 o } }, \\hat{n}_z, \\hat{n}_z)); =)",
         "moorepants/learn-multibody-dynamics/tmt.rst",
     ),
     (
@@ -8223,6 +8223,1491 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(X'', Operated(*; A; X); =)",
         "sympy/sympy/sympy/solvers/ode/systems.py",
     ),
+    (
+        "s^2 X(s) + \\omega_0^2 X(s) = F(s) .",
+        "Chain(Add(Mul(Pow(s; 2), Call(X; s)), Mul(Pow(\\omega_0; 2), Call(X; s))), Call(F; s); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "L(\\mathbf{D}) = \\frac{1}{2}\\sum_{i=1}^{k}a_i|\\mathbf{b}_i - \\mathbf{D}\\mathbf{r}_i|^2",
+        "Chain(Call(L; \\mathbf{D}), Mul(Div(1; 2), BigSum(i; 1; k; Mul(a_i, Pow(Bars(Add(\\mathbf{b}_i, Neg(Mul(\\mathbf{D}, \\mathbf{r}_i)))); 2)))); =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "k_j(\\tau_{nm}) = a_j\\,\\exp\\left(-c_j\\,\\tau_{nm}\\right)\\,\\cos\\left(d_j\\,\\tau_{nm}\\right)",
+        "Chain(Call(k_j; \\tau_{nm}), Mul(a_j, Call(exp; Neg(Mul(c_j, \\tau_{nm}))), Call(cos; Mul(d_j, \\tau_{nm}))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "V = \\frac{\\alpha}{r},\\quad \\alpha > 0",
+        "System(Chain(V, Div(\\alpha; r); =), Chain(\\alpha, 0; >))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "p_0 \\cdot f(x) + p_1 \\cdot f^{(1)}(x) + p_2 \\cdot f^{(2)}(x) + ... + p_r \\cdot f^{(r)}(x) = 0",
+        "Chain(Add(Mul(p_0, Call(f; x)), Mul(p_1, Call(f ^ { ( 1 ) }; x)), Mul(p_2, Call(f ^ { ( 2 ) }; x)), Dots(), Mul(p_r, Call(f ^ { ( r ) }; x))), 0; =)",
+        "sympy/sympy/doc/src/modules/holonomic/about.rst",
+    ),
+    (
+        "y_{tt} = a^2 y_{xx}",
+        "Chain(y_{tt}, Mul(Pow(a; 2), y_{xx}); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{cases} \\bar A=T^{-1}AT\\\\ \\bar B=T^{-1}B\\\\ \\bar C=CT\\\\ \\bar D=D\\end{cases}",
+        "System(Chain(\\bar{A}, Mul(Pow(T; Neg(1)), A, T); =), Chain(\\bar{B}, Mul(Pow(T; Neg(1)), B); =), Chain(\\bar{C}, Mul(C, T); =), Chain(\\bar{D}, D; =))",
+        "sympy/sympy/sympy/physics/control/lti.py",
+    ),
+    (
+        "\\begin{cases} r = r_0 \\\\ z = a\\phi+f(r) \\end{cases}",
+        "System(Chain(r, r_0; =), Chain(z, Add(Mul(a, \\phi), Call(f; r)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "El = \\tan{\\frac{z}{\\sqrt{x^2+y^2}}}",
+        "Chain(\\text{El}, Call(tan; Div(z; Sqrt(Add(Pow(x; 2), Pow(y; 2))))); =)",
+        "AVSLab/basilisk/src/simulation/environment/groundLocation/groundLocation.rst",
+    ),
+    (
+        "L = \\begin{bmatrix} 1 & 0 & 0 & \\cdots & 0 \\\\ L_{1, 0} & 1 & 0 & \\cdots & 0 \\\\ L_{2, 0} & L_{2, 1} & 1 & \\cdots & 0 \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots \\\\ L_{n-1, 0} & L_{n-1, 1} & L_{n-1, 2} & \\cdots & 1 \\end{bmatrix}",
+        "Chain(L, MatrixOf(1, 0, 0, Dots(), 0, L_{1,0}, 1, 0, Dots(), 0, L_{2,0}, L_{2,1}, 1, Dots(), 0, Dots(), Dots(), Dots(), Dots(), Dots(), L_{n-1,0}, L_{n-1,1}, L_{n-1,2}, Dots(), 1); =)",
+        "sympy/sympy/sympy/matrices/decompositions.py",
+    ),
+    (
+        "\\frac{\\partial f}{\\partial \\boldsymbol{r}} \\cdot \\mathrm{d} \\boldsymbol{r} = 0",
+        "Chain(Mul(Derivative(Call(f); \\boldsymbol{r}, 1; True), Total(\\boldsymbol{r}); 1), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/analytical-mechanics/Constraint.tex",
+    ),
+    (
+        "\\left| \\frac{1}{\\sqrt{x+a}} - \\frac{1}{\\sqrt{x}} \\right| \\le \\frac{|a|}{2 (x-|a|)^{3/2}}.",
+        "Chain(Bars(Add(Div(1; Sqrt(Add(x, a))), Neg(Div(1; Sqrt(x))))), Div(Bars(a); Mul(2, Pow(Add(x, Neg(Bars(a))); Div(3; 2)))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "R^{-}_{k+1}\\leftarrow R^{-}_{k+1} + R_{meas}",
+        "Chain(R _ { k + 1 } ^ { - }, Add(R _ { k + 1 } ^ { - }, R_{meas}); \\leftarrow)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavUKF/smallBodyNavUKF.rst",
+    ),
+    (
+        "f_i({\\bf b}, a, o) = \\frac{p_{o|s}(o \\,|\\, s_i) \\sum_{j \\in |S|} p(s_i\\,|\\,s_j,a) b_j}{p_{o|b,a}(o \\,|\\, {\\bf b}, a)} = \\frac{p_{o|s}(o \\,|\\, s_i) \\sum_{j \\in |S|} p(s_i\\,|\\,s_j,a) b_j}{\\sum_{i \\in |S|} p_{o|s}(o \\,|\\, s_i) \\sum_{j \\in |S|} p(s_i | s_j, a) b_j}.",
+        "Chain(Call(f_i; \\mathbf{b}, a, o), Div(Mul(Call(p_{o|s}; Given(o; s_i; |)), Limiting(sum; _{ j \\in | S | }; Mul(Call(p; Given(s_i; s_j, a; |)), b_j))); Call(p_{o|b,a}; Given(o; \\mathbf{b}, a; |))), Div(Mul(Call(p_{o|s}; Given(o; s_i; |)), Limiting(sum; _{ j \\in | S | }; Mul(Call(p; Given(s_i; s_j, a; |)), b_j))); Limiting(sum; _{ i \\in | S | }; Mul(Call(p_{o|s}; Given(o; s_i; |)), Limiting(sum; _{ j \\in | S | }; Mul(Call(p; Given(s_i; s_j, a; |)), b_j))))); =, =)",
+        "RussTedrake/underactuated/book/output_feedback.html",
+    ),
+    (
+        "\\begin{cases} x = \\rho \\cos \\phi \\\\ y = \\rho \\sin \\phi \\\\ z = z \\end{cases}",
+        "System(Chain(x, Mul(\\rho, Call(cos; \\phi)); =), Chain(y, Mul(\\rho, Call(sin; \\phi)); =), Chain(z, z; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Kinematics.tex",
+    ),
+    (
+        "v_{\\text{esc}} = \\sqrt{2} v_{\\text{circular}}",
+        "Chain(v_{esc}, Mul(Sqrt(2), v_{circular}); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/parabolic-trajectories.md",
+    ),
+    (
+        "E = M_e + \\sum_{n=1}^{\\infty}\\frac{2}{n} J_n(ne)\\sin n M_e",
+        "Chain(E, Add(M_e, BigSum(n; 1; Infinity(); Mul(Div(2; n), Call(J_n; Mul(n, e)), Call(sin; Mul(n, M_e))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\boldsymbol{F}_{12} = -\\boldsymbol{F}_{21}",
+        "Chain(\\boldsymbol{F}_{12}, Neg(\\boldsymbol{F}_{21}); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "v^* = \\left[ J^G(q) \\right]^+V^{G_d}.",
+        "Chain(v ^ { * }, Mul(Marked(Call(J ^ { G }; q); ^+), V ^ { G _ { d } }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "v_2 = v_a = \\frac{h}{r_a} = \\frac{h}{R_E + z_0}",
+        "Chain(v_2, v_a, Div(h; r_a), Div(h; Add(R_E, z_0)); =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/single-impulse-example.md",
+    ),
+    (
+        "\\left[I_{\\text{hub},\\,B}\\right]= \\left[I_{\\text{hub},\\,Bc}\\right] + m_\\text{hub}\\, \\left[\\tilde{\\bm{r}}_{Bc/B}\\right]\\left[\\tilde{\\bm{r}}_{Bc/B}\\right]^T",
+        "Chain([ I _ { \\text { h u b } , \\, B } ], Add([ I _ { \\text { h u b } , \\, B c } ], Mul(m_{hub}, [ \\tilde { \\bm { r } } _ { B c / B } ], Transpose([ \\tilde { \\bm { r } } _ { B c / B } ]))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{\\bf h}_{A,B}({\\bf q}) = {}^W{\\bf p}^{C_a}_{C_{a;z}} - {}^W{\\bf p}^{C_b}_{C_{a;z}} = 0,",
+        "Chain(Call(\\mathbf{h}_{A,B}; \\mathbf{q}), Add(\\prescript { W } { } { \\mathbf { p } } _ { C _ { a ; z } } ^ { C _ { a } }, Neg(\\prescript { W } { } { \\mathbf { p } } _ { C _ { a ; z } } ^ { C _ { b } })), 0; =, =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "e'^2 = \\frac{a^2-b^2}{b^2}",
+        "Chain(Pow(e'; 2), Div(Add(Pow(a; 2), Neg(Pow(b; 2))); Pow(b; 2)); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "{}_pf_{q}(z) = \\sum_{k=0}^{\\infty} T(k) = \\sum_{k=0}^{n-1} T(k) + \\varepsilon",
+        "Chain(Call(\\prescript { } { p } { f } _ { q }; z), BigSum(k; 0; Infinity(); Call(T; k)), Add(BigSum(k; 0; Add(n, Neg(1)); Call(T; k)), \\varepsilon); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "K_{\\nu}(z) = \\frac{1}{2} \\frac{\\pi}{\\sin(\\pi \\nu)} \\left[ \\left(\\frac{z}{2}\\right)^{-\\nu} {}_0{\\widetilde F}_1\\left(1-\\nu, \\frac{z^2}{4}\\right) - \\left(\\frac{z}{2}\\right)^{\\nu} {}_0{\\widetilde F}_1\\left(1+\\nu, \\frac{z^2}{4}\\right) \\right].",
+        "Chain(Call(K_\\nu; z), Mul(Div(1; 2), Div(\\pi; Call(sin; Mul(\\pi, \\nu))), Add(Mul(Pow(Div(z; 2); Neg(\\nu)), Call(\\prescript { } { 0 } { \\widetilde { F } } _ { 1 }; Add(1, Neg(\\nu)), Div(Pow(z; 2); 4))), Neg(Mul(Pow(Div(z; 2); \\nu), Call(\\prescript { } { 0 } { \\widetilde { F } } _ { 1 }; Add(1, \\nu), Div(Pow(z; 2); 4)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\mathbf{Q} = \\begin{bmatrix} 0.1^2 & 0 & 0 & 0 \\\\ 0 & 0.1^2 & 0 & 0 \\\\ 0 & 0 & (0.017)^2 & 0 \\\\ 0 & 0 & 0 & 1.0^2 \\end{bmatrix}",
+        "Chain(\\mathbf{Q}, MatrixOf(Pow(0.1; 2), 0, 0, 0, 0, Pow(0.1; 2), 0, 0, 0, 0, Pow(0.017; 2), 0, 0, 0, 0, Pow(1.0; 2)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/unscented_kalman_filter_localization/unscented_kalman_filter_localization_main.rst",
+    ),
+    (
+        "p(x[n+1]|x[n]) = \\frac{1}{\\sqrt{2 \\pi \\sigma_w^2}} e^{-\\frac{(x[n+1]-ax[n])^2}{2\\sigma_w^2}},",
+        "Chain(Call(p; Given(Indexed(x; Add(n, 1)); Indexed(x; n); |)), Mul(Div(1; Sqrt(Mul(2, \\pi, Pow(\\sigma_w; 2)))), Pow(e; Neg(Div(Pow(Add(Indexed(x; Add(n, 1)), Neg(Mul(a, Indexed(x; n)))); 2); Mul(2, Pow(\\sigma_w; 2)))))); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "\\Pi(n, m) = \\int_0^{\\pi/2} \\frac{dt}{(1-n \\sin^2 t) \\sqrt{1-m \\sin^2 t}} = \\int_0^1 \\frac{dt}{(1-nt^2) \\sqrt{1-t^2} \\sqrt{1-mt^2}}.",
+        "Chain(Call(\\Pi; n, m), Integral(Div(1; Mul(Add(1, Neg(Mul(n, Pow(Call(sin; t); 2)))), Sqrt(Add(1, Neg(Mul(m, Pow(Call(sin; t); 2))))))); t; 0; Div(\\pi; 2)), Integral(Div(1; Mul(Add(1, Neg(Mul(n, Pow(t; 2)))), Sqrt(Add(1, Neg(Pow(t; 2)))), Sqrt(Add(1, Neg(Mul(m, Pow(t; 2))))))); t; 0; 1); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\frac{1}{1-v^2} \\,dv = dx .",
+        "Chain(Mul(Div(1; Add(1, Neg(Pow(v; 2)))), Total(v)), Total(x); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\delta y = -\\delta x \\cot \\alpha",
+        "Chain(\\delta y, Neg(Mul(\\delta x, Call(cot; \\alpha))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\lambda_{t+1} \\gets \\lambda_t - \\frac{f(\\lambda)}{f'(\\lambda)} = \\lambda_t - \\frac{\\lambda^4-(a+b)\\lambda^2-c\\lambda+(ab+c\\sigma-d)}{4\\lambda^3-2(a+b)\\lambda-c}",
+        "Chain(\\lambda_{t+1}, Add(\\lambda_t, Neg(Div(Call(f; \\lambda); Call(f'; \\lambda)))), Add(\\lambda_t, Neg(Div(Add(Pow(\\lambda; 4), Neg(Mul(Add(a, b), Pow(\\lambda; 2))), Neg(Mul(c, \\lambda)), Add(Mul(a, b), Mul(c, \\sigma), Neg(d))); Add(Mul(4, Pow(\\lambda; 3)), Neg(Mul(2, Add(a, b), \\lambda)), Neg(c))))); \\leftarrow, =)",
+        "Mayitzin/ahrs/ahrs/filters/quest.py",
+    ),
+    (
+        "\\mu^*_m &=& \\sum_{j=1}^J\\sum_{n=1}^{n_0} e^{-c_j\\,(t^*_m-t_n)}\\,\\left[a_j\\,\\cos{(d_j\\,(t^*_m-t_n))} +b_j\\,\\sin{(d_j\\,(t^*_m-t_n))}\\right]\\,z_n \\\\ &+& \\sum_{j=1}^J\\sum_{n=n_0+1}^N e^{-c_j\\,(t_n-t^*_m)}\\,\\left[ a_j\\,\\cos{(d_j\\,(t_n-t^*_m))}+b_j\\,\\sin{(d_j\\,(t_n-t^*_m))}\\right]\\,z_n \\quad.",
+        "Chain(\\mu _ { m } ^ { * }, Add(BigSum(j; 1; J; BigSum(n; 1; n_0; Mul(Pow(e; Neg(Mul(c_j, Add(t _ { m } ^ { * }, Neg(t_n))))), Add(Mul(a_j, Call(cos; Mul(d_j, Add(t _ { m } ^ { * }, Neg(t_n))))), Mul(b_j, Call(sin; Mul(d_j, Add(t _ { m } ^ { * }, Neg(t_n)))))), z_n))), BigSum(j; 1; J; BigSum(n; Add(n_0, 1); N; Mul(Pow(e; Neg(Mul(c_j, Add(t_n, Neg(t _ { m } ^ { * }))))), Add(Mul(a_j, Call(cos; Mul(d_j, Add(t_n, Neg(t _ { m } ^ { * }))))), Mul(b_j, Call(sin; Mul(d_j, Add(t_n, Neg(t _ { m } ^ { * })))))), z_n)))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "u = -\\tau_g(q) + K_p(q_d - q) + K_d(\\dot{q}_d - \\dot{q}) + \\tau_{ff},",
+        "Chain(u, Add(Neg(Call(\\tau_g; Call(q))), Mul(K_p, Add(Call(q_d), Neg(Call(q)))), Mul(K_d, Add(Call(\\dot{q}_d), Neg(Call(\\dot{q})))), \\tau_{ff}); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\bm F(\\bm X) =\\dot{\\bm d} = - \\bm \\omega \\times \\bm d",
+        "Chain(Call(\\bm{F}; \\bm{X}), Call(\\dot{\\bm{d}}), Neg(Cross(\\bm{\\omega}; Call(\\bm{d}))); =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attDetermination/okeefeEKF/_Documentation/Okeefe_EKF.tex",
+    ),
+    (
+        "C_{\\infty} = 0.6276 + 0.0828\\beta^{2.1} + 0.2739\\beta^8 - \\frac{0.0934\\beta^4}{(1-\\beta^4)} - 0.1132\\beta^3",
+        "Chain(C_\\infty, Add(0.6276, Mul(0.0828, Pow(\\beta; 2.1)), Mul(0.2739, Pow(\\beta; 8)), Neg(Div(Mul(0.0934, Pow(\\beta; 4)); Add(1, Neg(Pow(\\beta; 4))))), Neg(Mul(0.1132, Pow(\\beta; 3)))); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "x = \\frac{p}{2} - \\frac{y^2}{2p}",
+        "Chain(x, Add(Div(p; 2), Neg(Div(Pow(y; 2); Mul(2, p)))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/parabolic-trajectories.md",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{q}&=&\\begin{pmatrix}q_w & q_x & q_y & q_z\\end{pmatrix}^T \\\\ &=& \\begin{pmatrix}\\cos\\frac{\\theta}{2} & n_x\\sin\\frac{\\theta}{2} & n_y\\sin\\frac{\\theta}{2} & n_z\\sin\\frac{\\theta}{2}\\end{pmatrix}^T \\end{array}",
+        "Chain(\\mathbf{q}, Transpose(MatrixOf(q_w, q_x, q_y, q_z)), Transpose(MatrixOf(Call(cos; Div(\\theta; 2)), Mul(n_x, Call(sin; Div(\\theta; 2))), Mul(n_y, Call(sin; Div(\\theta; 2))), Mul(n_z, Call(sin; Div(\\theta; 2))))); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/flae.py",
+    ),
+    (
+        "\\left| (x+a)^{1/k} - x^{1/k} \\right| \\le x^{1/k} \\min\\left(1, \\frac{1}{k} \\, \\log\\left(1+\\frac{|a|}{x-|a|}\\right)\\right).",
+        "Chain(Bars(Add(Pow(Add(x, a); Div(1; k)), Neg(Pow(x; Div(1; k))))), Mul(Pow(x; Div(1; k)), Call(min; 1, Mul(Div(1; k), Call(log; Add(1, Div(Bars(a); Add(x, Neg(Bars(a))))))))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{B} &=& w\\,^b\\mathbf{a}\\,^r\\mathbf{a}^T + (1-w)\\,^b\\mathbf{m}\\,^r\\mathbf{m}^T \\\\ \\mathbf{z} &=& \\begin{bmatrix}B_{23}-B_{32}\\\\B_{31}-B_{13}\\\\B_{12}-B_{21}\\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{B}, Add(Mul(w, \\prescript { b } { } { \\mathbf { a } }, Transpose(\\prescript { r } { } { \\mathbf { a } })), Mul(Add(1, Neg(w)), \\prescript { b } { } { \\mathbf { m } }, Transpose(\\prescript { r } { } { \\mathbf { m } }))); =), Chain(\\mathbf{z}, MatrixOf(Add(B_{23}, Neg(B_{32})), Add(B_{31}, Neg(B_{13})), Add(B_{12}, Neg(B_{21}))); =))",
+        "Mayitzin/ahrs/ahrs/filters/saam.py",
+    ),
+    (
+        "[D] = \\Big\\{[I_{\\text{sc},B}] - \\sum\\limits_{j=1}^{N_P}m_j l_j [\\tilde{\\bm{r}}_{P_{c,j}/B}] \\bigg[ \\Big(\\sin(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1}-\\cos(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}\\Big)\\bm b_{\\varphi_j}^T \\\\ +\\Big(\\cos(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1} +\\sin(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}+\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,3} \\Big)\\bm b_{\\vartheta_j}^T \\bigg] \\Big\\}",
+        "Chain([ D ], Tuple(Add([ I _ { \\text { s c } , B } ], Neg(BigSum(j; 1; N_P; Mul(m_j, l_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], Add(Mul(Add(Mul(Call(sin; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Neg(Mul(Call(cos; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}))), Transpose(\\bm{b}_{\\varphi_j})), Mul(Add(Mul(Call(cos; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Mul(Call(sin; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}), Mul(Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,3})), Transpose(\\bm{b}_{\\vartheta_j}))))))); {}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{\\bf M}\\dot{{\\bf v}} = {\\bf \\tau} + \\frac{\\partial {\\bf h}_v}{\\partial {\\bf v}}^T {\\bf \\lambda}.",
+        "Chain(Mul(\\mathbf{M}, Call(\\dot{\\mathbf{v}})), Add(\\mathbf{\\tau}, Mul(Transpose(Derivative(Call(\\mathbf{h}_v); \\mathbf{v}, 1; True)), \\mathbf{\\lambda})); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\frac{dx}{dt} = (\\text{rate in} \\times \\text{concentration in}) - (\\text{rate out} \\times \\text{concentration out}) .",
+        "Chain(Derivative(Call(x); t, 1), Add(Cross(\\text{rate~in}; \\text{concentration~in}), Neg(Cross(\\text{rate~out}; \\text{concentration~out}))); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "{\\bf S}[n-1] = {\\bf Q} + {\\bf A}^T{\\bf S}[n]{\\bf A} - ({\\bf A}^T{\\bf S}[n]{\\bf B})({\\bf R} + {\\bf B}^T {\\bf S}[n] {\\bf B})^{-1} ({\\bf B}^T {\\bf S}[n]{\\bf A}), \\quad {\\bf S}[N] = 0,",
+        "System(Chain(Indexed(\\mathbf{S}; Add(n, Neg(1))), Add(\\mathbf{Q}, Mul(Transpose(\\mathbf{A}), Indexed(\\mathbf{S}; n), \\mathbf{A}), Neg(Mul(Mul(Transpose(\\mathbf{A}), Indexed(\\mathbf{S}; n), \\mathbf{B}), Pow(Add(\\mathbf{R}, Mul(Transpose(\\mathbf{B}), Indexed(\\mathbf{S}; n), \\mathbf{B})); Neg(1)), Mul(Transpose(\\mathbf{B}), Indexed(\\mathbf{S}; n), \\mathbf{A})))); =), Chain(Indexed(\\mathbf{S}; N), 0; =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\sum_{i=1}^nm_i\\ddot{\\boldsymbol{r}}_i\\cdot \\frac{\\partial \\boldsymbol{r}_i}{\\partial q_\\alpha} = \\frac{\\mathrm{d}}{\\mathrm{d} t}\\frac{\\partial T}{\\partial \\dot{q}_\\alpha} - \\frac{\\partial T}{\\partial q_\\alpha}",
+        "Chain(BigSum(i; 1; n; Mul(m_i, Call(\\ddot{\\boldsymbol{r}}_i), Derivative(Call(\\boldsymbol{r}_i); q_\\alpha, 1; True); 2)), Add(Derivative(Derivative(Call(T); \\dot{q}_\\alpha, 1; True); t, 1), Neg(Derivative(Call(T); q_\\alpha, 1; True))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "|A + B| \\le |A| + |B|, \\quad |A B| \\le |A| |B|, \\quad |A / B| \\le |A| / \\mathcal{R}(B).",
+        "System(Chain(Bars(Add(A, B)), Add(Bars(A), Bars(B)); \\le), Chain(Bars(Mul(A, B)), Mul(Bars(A), Bars(B)); \\le), Chain(Bars(Div(A; B)), Div(Bars(A); Call(\\mathcal{R}; B)); \\le))",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\mathbf{z}_t = [x_t, y_t]^T",
+        "Chain(\\mathbf{z}_t, Transpose(Tuple(x_t, y_t; [])); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/unscented_kalman_filter_localization/unscented_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\widehat{\\mathbf{r}} = \\frac{\\overline{\\mathbf{r}}}{\\|\\overline{\\mathbf{r}}\\|}",
+        "Chain(\\widehat{\\mathbf{r}}, Div(\\overline{\\mathbf{r}}; Norm(\\overline{\\mathbf{r}})); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "f_d = \\frac{K D}{L}",
+        "Chain(f_d, Div(Mul(K, D); L); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "k(\\tau) = k_\\mathrm{SHO}(\\tau;\\,S_0,\\,Q,\\,\\omega_1) \\, k_\\mathrm{SHO}(\\tau;\\,S_0 = 1,\\,Q = 1/\\sqrt{2},\\,\\omega_2)",
+        "Chain(Call(k; \\tau), Mul(Call(k_{SHO}; Given(\\tau; S_0, Q, \\omega_1; ;)), Call(k_{SHO}; Given(\\tau; Chain(S_0, 1; =), Chain(Q, Div(1; Sqrt(2)); =), \\omega_2; ;))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\begin{array}{ll} g_n^m(t) & = g_n^m(t_0) + \\Delta_t \\dot{g}_n^m (t_0) \\\\ h_n^m(t) & = h_n^m(t_0) + \\Delta_t \\dot{h}_n^m (t_0) \\end{array}",
+        "System(Chain(Call(g _ { n } ^ { m }; t), Add(Call(g _ { n } ^ { m }; t_0), Mul(\\Delta_t, Call(\\dot { g } _ { n } ^ { m }; t_0))); =), Chain(Call(h _ { n } ^ { m }; t), Add(Call(h _ { n } ^ { m }; t_0), Mul(\\Delta_t, Call(\\dot { h } _ { n } ^ { m }; t_0))); =))",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "p^{P_i} = X^C {}^Cp^{P_i}.",
+        "Chain(p ^ { P _ { i } }, Mul(X ^ { C }, \\prescript { C } { } { p } ^ { P _ { i } }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{a}_x \\\\ \\hat{a}_y \\\\ \\hat{a}_z \\end{bmatrix} = {}^A\\mathbf{C}^N \\begin{bmatrix} \\hat{n}_x \\\\ \\hat{n}_y \\\\ \\hat{n}_z \\end{bmatrix}",
+        "Chain(MatrixOf(\\hat{a}_x, \\hat{a}_y, \\hat{a}_z), Mul(\\prescript { A } { } { \\mathbf { C } } ^ { N }, MatrixOf(\\hat{n}_x, \\hat{n}_y, \\hat{n}_z)); =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "f\\left(\\frac{a+b}{2}\\right) = \\frac{\\pi^2}{4} + 3 \\approx 5.47 > \\frac{f(a)+f(b)}{2} = \\frac{5\\pi^2}{16} + \\frac{3}{2} \\approx 4.58.",
+        "Chain(Call(f; Div(Add(a, b); 2)), Add(Div(Pow(\\pi; 2); 4), 3), 5.47, Div(Add(Call(f; a), Call(f; b)); 2), Add(Div(Mul(5, Pow(\\pi; 2)); 16), Div(3; 2)), 4.58; =, \\approx, >, =, \\approx)",
+        "RussTedrake/underactuated/book/policy_search.html",
+    ),
+    (
+        "M(q)\\ddot{q} + C(q,\\dot{q})\\dot{q} = \\tau_g(q) + u.",
+        "Chain(Add(Mul(Call(M; Call(q)), Call(\\ddot{q})), Mul(Call(C; Call(q), Call(\\dot{q})), Call(\\dot{q}))), Add(Call(\\tau_g; Call(q)), u); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "p({ {\\boldsymbol{\\theta}}},\\,{ {\\boldsymbol{\\alpha}}}\\,|\\,{ {\\boldsymbol{y}}},\\,X) \\propto p({ {\\boldsymbol{y}}}\\,|\\,{X,\\,{ {\\boldsymbol{\\theta}}}},\\,{ {\\boldsymbol{\\alpha}}})\\, p({ {\\boldsymbol{\\theta}}},\\,{ {\\boldsymbol{\\alpha}}})",
+        "Chain(Call(p; Given(\\boldsymbol{\\theta}, \\boldsymbol{\\alpha}; \\boldsymbol{y}, X; |)), Mul(Call(p; Given(\\boldsymbol{y}; X, \\boldsymbol{\\theta}, \\boldsymbol{\\alpha}; |)), Call(p; \\boldsymbol{\\theta}, \\boldsymbol{\\alpha})); \\propto)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "F(\\phi,m) = \\int_0^{\\phi} \\frac{dt}{\\sqrt{1-m \\sin^2 t}} = \\int_0^{\\sin \\phi} \\frac{dt}{\\left(\\sqrt{1-t^2}\\right)\\left(\\sqrt{1-mt^2}\\right)}",
+        "Chain(Call(F; \\phi, m), Integral(Div(1; Sqrt(Add(1, Neg(Mul(m, Pow(Call(sin; t); 2)))))); t; 0; \\phi), Integral(Div(1; Mul(Sqrt(Add(1, Neg(Pow(t; 2)))), Sqrt(Add(1, Neg(Mul(m, Pow(t; 2))))))); t; 0; Call(sin; \\phi)); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "F(t) = e^{\\int f(t) \\,dt}, P(t) = e^{\\int p(t) \\,dt}",
+        "System(Chain(Call(F; t), Pow(e; Antiderivative(Call(f; t); t)); =), Chain(Call(P; t), Pow(e; Antiderivative(Call(p; t); t)); =))",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\mathbf{M}_m \\dot{\\bar{x}} + \\bar{g}_m = \\bar{0}",
+        "Chain(Add(Mul(\\mathbf{M}_m, Call(\\dot{\\bar{x}})), \\bar{g}_m), 0; =)",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "\\bar{f}_n(\\bar{u}, \\bar{q}, t) = 0 \\\\ \\textrm{ where } \\\\ \\bar{f}_n \\in \\mathbb{R}^m \\\\ \\bar{u} = \\left[ u_1, \\ldots, u_n\\right]^T \\in \\mathbb{R}^n\\\\ \\bar{q} = \\left[ q_1, \\ldots, q_n\\right]^T \\in \\mathbb{R}^n",
+        "System(Chain(Call(\\bar{f}_n; \\bar{u}, \\bar{q}, t), 0; =), Chain(Call(\\bar{f}_n), Pow(\\mathbb{R}; m); \\in), Chain(\\bar{u}, Transpose(Tuple(u_1, Dots(), u_n; [])), Pow(\\mathbb{R}; n); =, \\in), Chain(\\bar{q}, Transpose(Tuple(q_1, Dots(), q_n; [])), Pow(\\mathbb{R}; n); =, \\in))",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "{(60+2t)}^{3/2} \\frac{dx}{dt} + {(60+2t)}^{3/2} \\frac{3}{60+2t} x & = 0.5{(60+2t)}^{3/2} ,\\\\ \\frac{d}{dt}\\left[ {(60+2t)}^{3/2} x \\right] & = 0.5{(60+2t)}^{3/2} .",
+        "System(Chain(Add(Mul(Pow(Add(60, Mul(2, t)); Div(3; 2)), Derivative(Call(x); t, 1)), Mul(Pow(Add(60, Mul(2, t)); Div(3; 2)), Div(3; Add(60, Mul(2, t))), Call(x))), Mul(0.5, Pow(Add(60, Mul(2, t)); Div(3; 2))); =), Chain(Derivative(Mul(Pow(Add(60, Mul(2, t)); Div(3; 2)), Call(x)); t, 1), Mul(0.5, Pow(Add(60, Mul(2, t)); Div(3; 2))); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\mathcal{K}^{B_p}_{\\text{total},C}= \\mathcal{K}^{B_p}_{0,C} \\oplus \\mathcal{K}^{B_p}_{1,C} \\oplus \\cdots",
+        "Chain(\\mathcal { K } _ { \\text { t o t a l } , C } ^ { B _ { p } }, Operated(\\oplus; Operated(\\oplus; \\mathcal { K } _ { 0 , C } ^ { B _ { p } }; \\mathcal { K } _ { 1 , C } ^ { B _ { p } }); Dots()); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\begin{array}{rcl} \\alpha &=& a_xm_x + a_ym_y + a_zm_z \\\\ V &=& m_N\\sqrt{1-\\alpha^2} \\end{array}",
+        "System(Chain(\\alpha, Add(Mul(a_x, m_x), Mul(a_y, m_y), Mul(a_z, m_z)); =), Chain(V, Mul(m_N, Sqrt(Add(1, Neg(Pow(\\alpha; 2))))); =))",
+        "Mayitzin/ahrs/ahrs/filters/saam.py",
+    ),
+    (
+        "f(x) := \\frac{\\Gamma \\left(\\frac{\\nu+1}{2} \\right)} {\\sqrt{\\nu\\pi}\\Gamma \\left(\\frac{\\nu}{2} \\right)} \\left(1+\\frac{x^2}{\\nu} \\right)^{-\\frac{\\nu+1}{2}}",
+        "Chain(Call(f; x), Mul(Div(Call(Gamma; Div(Add(\\nu, 1); 2)); Mul(Sqrt(Mul(\\nu, \\pi)), Call(Gamma; Div(\\nu; 2)))), Pow(Add(1, Div(Pow(x; 2); \\nu)); Neg(Div(Add(\\nu, 1); 2)))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\bar{r}^{S_o/O} = \\frac{ \\sum_{i=1}^\\nu m_i \\bar{r}^{P_i/O} }{\\sum_{i=1}^\\nu m_i}\\textrm{.}",
+        "Chain(\\bar { r } ^ { S _ { o } / O }, Div(BigSum(i; 1; \\nu; Mul(m_i, \\bar { r } ^ { P _ { i } / O })); BigSum(i; 1; \\nu; m_i)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "f(x) := \\begin{cases} \\frac{k}{\\lambda}\\left(\\frac{x}{\\lambda}\\right)^{k-1} e^{-(x/\\lambda)^{k}} & x\\geq0\\\\ 0 & x<0 \\end{cases}",
+        "Chain(Call(f; x), Piecewise(Mul(Div(k; \\lambda), Pow(Div(x; \\lambda); Add(k, Neg(1))), Pow(e; Neg(Pow(Div(x; \\lambda); k)))), Chain(x, 0; \\ge), 0, Chain(x, 0; <)); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "{\\bf u}(s) = {\\bf m}(s)\\ddot{s} + {\\bf c}(s)\\dot{s}^2 + \\bar{\\bf \\tau}_g(s),",
+        "Chain(Call(\\mathbf{u}; Call(s)), Add(Mul(Call(\\mathbf{m}; Call(s)), Call(\\ddot{s})), Mul(Call(\\mathbf{c}; Call(s)), Pow(Call(\\dot{s}); 2)), Call(\\bar{\\mathbf{\\tau}}_g; Call(s))); =)",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "a = \\frac{-r_a - r_p}{2} = \\frac{h^2}{\\mu}\\frac{1}{e^2 - 1}",
+        "Chain(a, Div(Add(Neg(r_a), Neg(r_p)); 2), Mul(Div(Pow(h; 2); \\mu), Div(1; Add(Pow(e; 2), Neg(1)))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "{\\bf h}_{A,B}({\\bf q}) = {}^W{\\bf p}^{C_a}_{C_a} - {}^W{\\bf p}^{C_b}_{C_a} = 0.",
+        "Chain(Call(\\mathbf{h}_{A,B}; \\mathbf{q}), Add(\\prescript { W } { } { \\mathbf { p } } _ { C _ { a } } ^ { C _ { a } }, Neg(\\prescript { W } { } { \\mathbf { p } } _ { C _ { a } } ^ { C _ { b } })), 0; =, =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\bar{F} = & \\frac{{}^N d \\bar{p}}{dt} \\quad \\textrm{ where } \\bar{p} = m_B{}^N\\bar{v}^{B_o} \\\\ \\bar{M} = & \\frac{{}^N d\\bar{H}}{dt} \\quad \\textrm{ where } \\bar{H} = \\breve{I}^{B/B_o} \\cdot {}^N\\bar{\\omega}^{B}",
+        "System(Chain(\\bar{F}, Marked(Derivative(Call(\\bar{p}); t, 1); _{ N }); =), Chain(Call(\\bar{p}), Mul(m_B, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }); =), Chain(\\bar{M}, Marked(Derivative(Call(\\bar{H}); t, 1); _{ N }); =), Chain(Call(\\bar{H}), Mul(\\breve { I } ^ { B / B _ { o } }, \\prescript { N } { } { \\bar { \\omega } } ^ { B }); =))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\bar{f}_n(\\dot{\\bar{q}}, \\bar{q}, t) = 0 \\\\ \\textrm{ where } \\\\ \\bar{f}_n \\in \\mathbb{R}^m \\\\ \\bar{q} = \\left[ q_1, \\ldots, q_n\\right]^T \\in \\mathbb{R}^n",
+        "System(Chain(Call(\\bar{f}_n; Call(\\dot{\\bar{q}}), Call(\\bar{q}), t), 0; =), Chain(Call(\\bar{f}_n), Pow(\\mathbb{R}; m); \\in), Chain(Call(\\bar{q}), Transpose(Tuple(q_1, Dots(), q_n; [])), Pow(\\mathbb{R}; n); =, \\in))",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "\\chi^2 := \\sum_{j=1}^M (\\mathbf{e}_j(\\mathbf{z}_j, \\hat{\\mathbf{z}}_j))^{\\scriptstyle{\\mathsf{T}}}\\Omega_j \\mathbf{e}_j(\\mathbf{z}_j, \\hat{\\mathbf{z}}_j),",
+        "Chain(Pow(\\chi; 2), BigSum(j; 1; M; Mul(Transpose(Call(\\mathbf{e}_j; \\mathbf{z}_j, \\hat{\\mathbf{z}}_j)), \\Omega_j, Call(\\mathbf{e}_j; \\mathbf{z}_j, \\hat{\\mathbf{z}}_j))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "\\bar{F}_r^\\textrm{c} = -\\frac{\\partial V}{\\partial q_r}",
+        "Chain(\\bar { F } _ { r } ^ { \\text { c } }, Neg(Derivative(Call(V); q_r, 1; True)); =)",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "\\operatorname{Shi}(z) = \\int_0^z \\frac{\\sinh{t}}{t} \\mathrm{d}t.",
+        "Chain(Call(\\text{Shi}; z), Integral(Div(Call(sinh; t); t); t; 0; z); =)",
+        "sympy/sympy/sympy/functions/special/error_functions.py",
+    ),
+    (
+        "x'' + \\omega_0^2 x = f(t) ,",
+        "Chain(Add(x'', Mul(Pow(\\omega_0; 2), x)), Call(f; t); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "({\\bf A} - {\\bf B}{\\bf K})^T{\\bf P} + {\\bf P}({\\bf A} - {\\bf B}{\\bf K}) + {\\bf Q} + {\\bf K}^T{\\bf R}{\\bf K} = 0.",
+        "Chain(Add(Mul(Transpose(Add(\\mathbf{A}, Neg(Mul(\\mathbf{B}, \\mathbf{K})))), \\mathbf{P}), Mul(\\mathbf{P}, Add(\\mathbf{A}, Neg(Mul(\\mathbf{B}, \\mathbf{K})))), \\mathbf{Q}, Mul(Transpose(\\mathbf{K}), \\mathbf{R}, \\mathbf{K})), 0; =)",
+        "RussTedrake/underactuated/book/policy_search.html",
+    ),
+    (
+        "b = a\\sqrt{1 - e^2}",
+        "Chain(b, Mul(a, Sqrt(Add(1, Neg(Pow(e; 2))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\Big[m_{\\text{sp}_{i1}} d_{i1} \\bm{\\hat{s}}_{i1,3}^T + m_{sp_{i2}} l_{i1} \\bm{\\hat{s}}_{i1,3}^T \\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i1,2}} \\bm{\\hat{s}}_{i1,2}^T - m_{\\text{sp}_{i1}} d_{i1} \\bm{\\hat{s}}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i1}/B}] - m_{sp_{i2}} l_{i1} \\bm{\\hat{s}}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}] \\Big] \\dot{\\bm \\omega}_{\\cal{B/N}} \\\\ + \\Big[I_{s_{i1,2}} + m_{\\text{sp}_{i1}} d_{i1}^2 + m_{sp_{i2}} l_{i1}^2 + m_{sp_{i2}} l_{i1} d_{i2} \\bm{\\hat{s}}_{i1,3}^T \\bm{\\hat{s}}_{i2,3} \\Big] \\ddot{\\theta}_{i1} + \\Big[m_{sp_{i2}} l_{i1} d_{i2} \\bm{\\hat{s}}_{i1,3}^T \\bm{\\hat{s}}_{i2,3} \\Big]\\ddot{\\theta}_{i2} = - (I_{s_{i1,1}} - I_{s_{i1,3}}) \\omega_{s_{i1,3}} \\omega_{s_{i1,1}}\\\\ -k_{i1} \\theta_{i1} - c_{i1} \\dot{\\theta}_{i1} + k_{i2} \\theta_{i2} + c_{i2} \\dot{\\theta}_{i2} + \\bm{\\hat{s}}_{i1,2}^T \\bm \\tau_{\\text{ext}_{i1},H_{i1}} + l_{i1} \\bm{\\hat{s}}_{i1,3}^T \\bm F_{\\text{ext}_{i2}} - m_{\\text{sp}_{i1}} d_{i1} \\bm{\\hat{s}}_{i1,3}^T [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i1}/B}\\\\ - m_{sp_{i2}} l_{i1} \\bm{\\hat{s}}_{i1,3}^T\\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B} + d_{i2} \\big(\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2}\\big)^2 \\bm{\\hat{s}}_{i2,1}\\Big]",
+        "Chain(Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3})), Mul(m_{sp_i2}, l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i1,2}, Transpose(\\bm{\\hat{s}}_{i1,2})), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 1 } / B } ])), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\cal B / N })), Mul(Add(I_{s_i1,2}, Mul(m_{sp_i1}, Pow(d_{i1}; 2)), Mul(m_{sp_i2}, Pow(l_{i1}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3})), Call(\\ddot{\\theta}_{i1})), Mul(Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3}), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i1,1}, Neg(I_{s_i1,3})), \\omega_{s_i1,3}, \\omega_{s_i1,1})), Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(Transpose(\\bm{\\hat{s}}_{i1,2}), \\bm{\\tau}_{ext_i1,H_i1}), Mul(l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i1/B})), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(d_{i2}, Pow(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})); 2), \\bm{\\hat{s}}_{i2,1}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "W(t) = \\int_{t_0}^{t_f} P(t) \\text{d}t",
+        "Chain(Call(W; t), Integral(Call(P; t); t; t_0; t_f); =)",
+        "moorepants/learn-multibody-dynamics/energy.rst",
+    ),
+    (
+        "\\max_{v_n, \\alpha} \\quad & \\alpha, \\\\ \\textrm{subject to} \\quad & J^G(q)v_n = \\alpha V^{G_d}, \\\\ & 0 \\le \\alpha \\le 1, \\\\ & \\text{additional constraints}.",
+        "System(Words(Limiting(max; _{ v _ { n } , \\alpha }; \\alpha)), Words(\\text{subject~to}), Chain(Mul(Call(J ^ { G }; q), v_n), Mul(\\alpha, V ^ { G _ { d } }); =), Chain(0, \\alpha, 1; \\le, \\le), Words(\\text{additional~constraints}))",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "z = [x, y, v,\\phi]",
+        "Chain(z, Tuple(x, y, v, \\phi; []); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "M_E(q) \\ddot{p}^E + C_E(q,\\dot{q})\\dot{q} = f^{B_E}_g(q) + f^{B_E}_u + f^{B_E}_{ext} ,",
+        "Chain(Add(Mul(Call(M_E; Call(q)), Call(\\ddot { p } ^ { E })), Mul(Call(C_E; Call(q), Call(\\dot{q})), Call(\\dot{q}))), Add(Call(f _ { g } ^ { B _ { E } }; Call(q)), f _ { u } ^ { B _ { E } }, f _ { e x t } ^ { B _ { E } }); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\Delta\\Omega_i = \\Omega_i - \\Omega_{i,d}",
+        "Chain(\\Delta \\Omega _ { i }, Add(\\Omega_i, Neg(\\Omega_{i,d})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "\\{\\boldsymbol{v}_{xyz}\\} = \\left[\\mathbf{Q}\\right]^T\\{\\boldsymbol{v}_{\\ell mn}\\}",
+        "Chain(Tuple(\\boldsymbol{v}_{xyz}; {}), Mul(Transpose([ \\mathbf { Q } ]), Tuple(\\boldsymbol{v}_{\\ell mn}; {})); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}} = (\\sigma_{1}, \\sigma_{2}, \\sigma_{3})^{T}",
+        "Chain(\\pmb{\\sigma}_{\\mathcal B/\\mathcal R}, Transpose(Tuple(\\sigma_1, \\sigma_2, \\sigma_3; ())); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "p_t=p_{t-1}*h(z)",
+        "Chain(p_t, Operated(*; p_{t-1}; Call(h; z)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/histogram_filter_localization/histogram_filter_localization_main.rst",
+    ),
+    (
+        "\\frac{da}{dt} = \\left(\\frac{\\frac{1}{2} + a0}{\\tau_a \\left(\\frac{1}{2} + \\frac{3a}{2}\\right)} + \\frac{\\left(\\frac{1}{2} + \\frac{3a}{2}\\right) \\left(\\frac{1}{2} - a0\\right)}{\\tau_d}\\right) \\left(e - a\\right)",
+        "Chain(Derivative(Call(a); t, 1), Mul(Add(Div(Add(Div(1; 2), \\text{a0}); Mul(\\tau_a, Add(Div(1; 2), Div(Mul(3, Call(a)); 2)))), Div(Mul(Add(Div(1; 2), Div(Mul(3, Call(a)); 2)), Add(Div(1; 2), Neg(\\text{a0}))); \\tau_d)), Add(e, Neg(Call(a)))); =)",
+        "sympy/sympy/sympy/physics/biomechanics/activation.py",
+    ),
+    (
+        "\\cos\\nu = \\frac{e - \\cos E}{e\\cos E - 1}",
+        "Chain(Call(cos; \\nu), Div(Add(e, Neg(Call(cos; E))); Add(Mul(e, Call(cos; E)), Neg(1))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\dot{\\bm\\omega}_{R/N} = \\dot{\\bm\\omega}_{R/R_{0}} + \\dot{\\bm\\omega}_{R_{0}/N} = \\dot{\\bm\\omega}_{R_{0}/N} = \\left( \\frac{1+e\\cos f}{1+e^{2}+2 e \\cos f} \\ddot f - \\frac{ e (e^{2}-1)\\sin f }{ (1+e^{2}+2 e \\cos f)^{2} } \\dot f^{2} \\right) \\hat{\\bm\\imath}_{h}",
+        "Chain(Call(\\dot{\\bm{\\omega}}_{R/N}), Add(Call(\\dot{\\bm{\\omega}}_{R/R_0}), Call(\\dot{\\bm{\\omega}}_{R_0/N})), Call(\\dot{\\bm{\\omega}}_{R_0/N}), Mul(Add(Mul(Div(Add(1, Mul(e, Call(cos; Call(f)))); Add(1, Pow(e; 2), Mul(2, e, Call(cos; Call(f))))), Call(\\ddot{f})), Neg(Mul(Div(Mul(e, Add(Pow(e; 2), Neg(1)), Call(sin; Call(f))); Pow(Add(1, Pow(e; 2), Mul(2, e, Call(cos; Call(f)))); 2)), Pow(Call(\\dot{f}); 2)))), \\hat{\\bm{\\imath}}_h); =, =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/velocityPoint/_Documentation/velocityPoint.tex",
+    ),
+    (
+        "p_r = \\frac{\\partial L}{\\partial \\dot{q_r}}",
+        "Chain(p_r, Derivative(Call(L); \\dot{q}_r, 1; True); =)",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "\\operatorname{proj}_{S}(\\vec{x}) = \\frac{\\langle \\vec{x}, \\vec{v}_1 \\rangle}{ \\langle \\vec{v}_1, \\vec{v}_1 \\rangle } \\vec{v}_1 + \\frac{\\langle \\vec{x}, \\vec{v}_2 \\rangle}{ \\langle \\vec{v}_2, \\vec{v}_2 \\rangle } \\vec{v}_2 + \\cdots + \\frac{\\langle \\vec{x}, \\vec{v}_n \\rangle}{ \\langle \\vec{v}_n, \\vec{v}_n \\rangle } \\vec{v}_n .",
+        "Chain(Call(\\text{proj}_S; \\vec{x}), Add(Mul(Div(Pair(\\vec{x}; \\vec{v}_1); Pair(\\vec{v}_1; \\vec{v}_1)), \\vec{v}_1), Mul(Div(Pair(\\vec{x}; \\vec{v}_2); Pair(\\vec{v}_2; \\vec{v}_2)), \\vec{v}_2), Dots(), Mul(Div(Pair(\\vec{x}; \\vec{v}_n); Pair(\\vec{v}_n; \\vec{v}_n)), \\vec{v}_n)); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "P_1 = P_3 + \\frac{1}{2}\\rho_p V_n^2 + K_p\\left(\\frac{1}{2}\\rho_p V_n^2\\right)",
+        "Chain(P_1, Add(P_3, Mul(Div(1; 2), \\rho_p, Pow(V_n; 2)), Mul(K_p, Mul(Div(1; 2), \\rho_p, Pow(V_n; 2)))); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "A = \\frac{\\sqrt{2} m \\sqrt{\\frac{K}{\\rho \\left(P_{1} - P_{2}\\right)}}}{2}",
+        "Chain(A, Div(Mul(Sqrt(2), m, Sqrt(Div(K; Mul(\\rho, Add(P_1, Neg(P_2)))))); 2); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "\\tilde{U}_{n,2\\,j-1} &=& a_j\\,\\cos(d_j\\,t_n) + b_j\\,\\sin(d_j\\,t_n) \\\\ \\tilde{U}_{n,2\\,j} &=& a_j\\,\\sin(d_j\\,t_n) - b_j\\,\\cos(d_j\\,t_n) \\\\ \\tilde{V}_{m,2\\,j-1} &=& \\cos(d_j\\,t_m) \\\\ \\tilde{V}_{m,2\\,j} &=& \\sin(d_j\\,t_m) \\\\ \\tilde{W}_{n,2\\,j-1} &=& e^{-c_j\\,t_n}\\,W_{n,2\\,j-1} \\\\ \\tilde{W}_{n,2\\,j} &=& e^{-c_j\\,t_n}\\,W_{n,2\\,j}",
+        "System(Chain(\\tilde{U}_{n,2\\,j-1}, Add(Mul(a_j, Call(cos; Mul(d_j, t_n))), Mul(b_j, Call(sin; Mul(d_j, t_n)))); =), Chain(\\tilde{U}_{n,2\\,j}, Add(Mul(a_j, Call(sin; Mul(d_j, t_n))), Neg(Mul(b_j, Call(cos; Mul(d_j, t_n))))); =), Chain(\\tilde{V}_{m,2\\,j-1}, Call(cos; Mul(d_j, t_m)); =), Chain(\\tilde{V}_{m,2\\,j}, Call(sin; Mul(d_j, t_m)); =), Chain(\\tilde{W}_{n,2\\,j-1}, Mul(Pow(e; Neg(Mul(c_j, t_n))), W_{n,2\\,j-1}); =), Chain(\\tilde{W}_{n,2\\,j}, Mul(Pow(e; Neg(Mul(c_j, t_n))), W_{n,2\\,j}); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "{\\bf p}_{c1} = \\begin{bmatrix} l_{c1} s_1 \\\\ -l_{c1} c_1 \\end{bmatrix}, \\quad {\\bf p}_{c2} = \\begin{bmatrix} l_1 s_1 + l_{c2} s_{1+2} \\\\ -l_1 c_1 - l_{c2} c_{1+2} \\end{bmatrix},",
+        "System(Chain(\\mathbf{p}_{c1}, MatrixOf(Mul(l_{c1}, s_1), Neg(Mul(l_{c1}, c_1))); =), Chain(\\mathbf{p}_{c2}, MatrixOf(Add(Mul(l_1, s_1), Mul(l_{c2}, s_{1+2})), Add(Neg(Mul(l_1, c_1)), Neg(Mul(l_{c2}, c_{1+2})))); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "{}^A\\bar{\\alpha}^Z \\neq {}^A\\bar{\\alpha}^B + {}^B\\bar{\\alpha}^C + \\ldots + {}^Y\\bar{\\alpha}^Z",
+        "Chain(\\prescript { A } { } { \\bar { \\alpha } } ^ { Z }, Add(\\prescript { A } { } { \\bar { \\alpha } } ^ { B }, \\prescript { B } { } { \\bar { \\alpha } } ^ { C }, Dots(), \\prescript { Y } { } { \\bar { \\alpha } } ^ { Z }); \\ne)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "K_{1,sharp} = \\left[1.2 + \\frac{160}{\\text{Re}_1}\\right] \\left[ \\left(\\frac{D_1} {D_2} \\right)^4 -1 \\right]",
+        "Chain(K_{1,sharp}, Mul(Add(1.2, Div(160; \\text{Re}_1)), Add(Pow(Div(D_1; D_2); 4), Neg(1))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "V_{\\text{orb}} = \\frac{\\mu}{\\vert \\bm r_{C/N} \\vert}",
+        "Chain(V_{orb}, Div(\\mu; Bars(\\bm{r}_{C/N})); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/spacecraft/_Documentation/Spacecraft/secModelDescription.tex",
+    ),
+    (
+        "J=\\frac{1}{2}(u_a^2+u_{\\delta}^2)-\\phi_a d_a-\\phi_\\delta d_\\delta",
+        "Chain(J, Add(Mul(Div(1; 2), Add(Pow(u_a; 2), Pow(u_\\delta; 2))), Neg(Mul(\\phi_a, d_a)), Neg(Mul(\\phi_\\delta, d_\\delta))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\begin{bmatrix} \\hat{b}_x \\\\ \\hat{b}_y \\\\ \\hat{b}_z \\end{bmatrix} = {}^B\\mathbf{C}^A \\begin{bmatrix} \\hat{a}_x \\\\ \\hat{a}_y \\\\ \\hat{a}_z \\end{bmatrix}",
+        "Chain(MatrixOf(\\hat{b}_x, \\hat{b}_y, \\hat{b}_z), Mul(\\prescript { B } { } { \\mathbf { C } } ^ { A }, MatrixOf(\\hat{a}_x, \\hat{a}_y, \\hat{a}_z)); =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "U = \\begin{bmatrix} U_{0, 0} & U_{0, 1} & U_{0, 2} & \\cdots & U_{0, m-1} & \\cdots & U_{0, n-1} \\\\ 0 & U_{1, 1} & U_{1, 2} & \\cdots & U_{1, m-1} & \\cdots & U_{1, n-1} \\\\ 0 & 0 & U_{2, 2} & \\cdots & U_{2, m-1} & \\cdots & U_{2, n-1} \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots & \\cdots & \\vdots \\\\ 0 & 0 & 0 & \\cdots & U_{m-1, m-1} & \\cdots & U_{m-1, n-1} \\\\ \\end{bmatrix}",
+        "Chain(U, MatrixOf(U_{0,0}, U_{0,1}, U_{0,2}, Dots(), U_{0,m-1}, Dots(), U_{0,n-1}, 0, U_{1,1}, U_{1,2}, Dots(), U_{1,m-1}, Dots(), U_{1,n-1}, 0, 0, U_{2,2}, Dots(), U_{2,m-1}, Dots(), U_{2,n-1}, Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), 0, 0, 0, Dots(), U_{m-1,m-1}, Dots(), U_{m-1,n-1}); =)",
+        "sympy/sympy/sympy/matrices/decompositions.py",
+    ),
+    (
+        "L = L_\\mathrm{basic} \\big(\\alpha_\\mathrm{B},\\phi_\\mathrm{hyst}\\big) + \\Delta L \\big(\\delta_\\mathrm{flap}\\big) + \\Delta L \\big(\\delta_\\mathrm{e}\\big) + \\Delta L \\big(\\dot{\\alpha}_\\mathrm{B}\\big) + \\Delta L \\big( q \\big)",
+        "Chain(L, Add(Call(L_{basic}; Call(\\alpha_B), \\phi_{hyst}), Call(\\Delta L; \\delta_{flap}), Call(\\Delta L; \\delta_e), Call(\\Delta L; Call(\\dot{\\alpha}_B)), Call(\\Delta L; q)); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/user/concepts/forces-and-moments.md",
+    ),
+    (
+        "S = \\frac{4(1-\\epsilon)}{d_{wire}}",
+        "Chain(S, Div(Mul(4, Add(1, Neg(\\epsilon))); d_{wire}); =)",
+        "CalebBell/fluids/fluids/packed_tower.py",
+    ),
+    (
+        "M = \\frac{GM}{G}",
+        "Chain(M, Div(Mul(G, M); G); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "U(\\mathbf{\\bar r}) = \\frac{\\mu}{r} \\sum_{l=0}^\\infty \\sum_{m=0}^l \\bigg(\\frac{R_{\\text{ref}}}{r}\\bigg)^l \\bar A_{l,m}[u] \\{\\bar C_{l,m} R_m[s,t] + \\bar S_{l,m} I_m[s,t]\\}",
+        "Chain(Call(U; \\mathbf{\\bar{r}}), Mul(Div(\\mu; r), BigSum(l; 0; Infinity(); BigSum(m; 0; l; Mul(Pow(Div(R_{ref}; r); l), Indexed(\\bar{A}_{lm}; u), Tuple(Add(Mul(\\bar{C}_{lm}, Indexed(R_m; s, t)), Mul(\\bar{S}_{lm}, Indexed(I_m; s, t))); {}))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "\\dfrac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial R}{\\partial q_i} - \\frac{\\partial R}{\\partial q_i} = 0\\quad (i=1,2,\\cdots,l)",
+        "System(Chain(Add(Derivative(Derivative(Call(R); q_i, 1; True); t, 1), Neg(Derivative(Call(R); q_i, 1; True))), 0; =), Values(i; 1, 2, Dots(), l))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\mathbf{a}_{\\mathrm{measured}} = \\mathbf{a}_{\\mathrm{truth}} + \\mathbf{e}_{\\mathrm{a,noise}} + \\mathbf{e}_{\\mathrm{a, bias}}",
+        "Chain(\\mathbf{a}_{measured}, Add(\\mathbf{a}_{truth}, \\mathbf{e}_{a,noise}, \\mathbf{e}_{a,bias}); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secModelDescription.tex",
+    ),
+    (
+        "u = u_\\text{d} - K (\\hat x - x_\\text{d}).",
+        "Chain(u, Add(u_d, Neg(Mul(K, Add(\\hat{x}, Neg(x_d))))); =)",
+        "python-control/python-control/doc/stochastic.rst",
+    ),
+    (
+        "\\dot\\theta_{n+1}^{+} = - \\cos(2\\alpha)\\sqrt{(\\dot\\theta_n^{+})^2 - 4 \\frac{g}{l} \\sin\\alpha \\sin\\gamma}.",
+        "Chain(Call(\\dot { \\theta } _ { n + 1 } ^ { + }), Neg(Mul(Call(cos; Mul(2, \\alpha)), Sqrt(Add(Pow(Call(\\dot { \\theta } _ { n } ^ { + }); 2), Neg(Mul(4, Div(g; l), Call(sin; \\alpha), Call(sin; \\gamma))))))); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "\\kappa^{\\prime}=2 A / L^{2}",
+        "Chain(\\kappa', Div(Mul(2, A); Pow(L; 2)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/clothoid_path/clothoid_path_main.rst",
+    ),
+    (
+        "C = \\left( \\begin{matrix} 1 \\\\ 0 \\\\ 0 \\end{matrix} \\right)",
+        "Chain(C, MatrixOf(1, 0, 0); =)",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "e^\\mathbf{v} = e^{\\mathbf{u}\\theta} = \\Big(1 - \\frac{\\theta^2}{2!} + \\frac{\\theta^4}{4!} + \\cdots\\Big) + \\Big(\\mathbf{u}\\theta - \\frac{\\mathbf{u}\\theta^3}{3!} + \\frac{\\mathbf{u}\\theta^5}{5!} + \\cdots\\Big)",
+        "Chain(Pow(e; \\mathbf{v}), Pow(e; Mul(\\mathbf{u}, \\theta)), Add(Add(1, Neg(Div(Pow(\\theta; 2); Factorial(2))), Div(Pow(\\theta; 4); Factorial(4)), Dots()), Add(Mul(\\mathbf{u}, \\theta), Neg(Div(Mul(\\mathbf{u}, Pow(\\theta; 3)); Factorial(3))), Div(Mul(\\mathbf{u}, Pow(\\theta; 5)); Factorial(5)), Dots())); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "x[k+1] &= A x[k] + B u[k] \\\\\\\\ y[k] &= C x[k] + D u[k]",
+        "System(Chain(Indexed(x; Add(k, 1)), Add(Mul(A, Indexed(x; k)), Mul(B, Indexed(u; k))); =), Chain(Indexed(y; k), Add(Mul(C, Indexed(x; k)), Mul(D, Indexed(u; k))); =))",
+        "python-control/python-control/control/modelsimp.py",
+    ),
+    (
+        "x = \\begin{bmatrix} x_1 \\\\ x_2 \\\\ x_3 \\end{bmatrix} = \\begin{bmatrix} \\theta_1 \\\\ \\dot{\\theta}_1 \\\\ \\theta_2 \\end{bmatrix}",
+        "Chain(x, MatrixOf(x_1, x_2, x_3), MatrixOf(Call(\\theta_1), Call(\\dot{\\theta}_1), \\theta_2); =, =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "\\boldsymbol{r} = \\boldsymbol{r}_0 + \\boldsymbol{r}'",
+        "Chain(\\boldsymbol{r}, Add(\\boldsymbol{r}_0, \\boldsymbol{r}'); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "\\mu'' = \\left(\\frac{m_2}{m_1 + m_2}\\right)^3\\mu",
+        "Chain(\\mu'', Mul(Pow(Div(m_2; Add(m_1, m_2)); 3), \\mu); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "\\Phi(t) = a (t - t_0)^2",
+        "Chain(Call(\\Phi; t), Mul(a, Pow(Add(t, Neg(t_0)); 2)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/prescribedRot2DOF/prescribedRot2DOF.rst",
+    ),
+    (
+        "[D_\\text{contr}] = -\\sum_{i=1}^{N}J_{\\text{s}_i} \\hat{\\bm g}_{\\text{s}_i} \\hat{\\bm g}_{\\text{s}_i}^T",
+        "Chain([ D _ { \\text { c o n t r } } ], Neg(BigSum(i; 1; N; Mul(J_{s_i}, \\hat{\\bm{g}}_{s_i}, Transpose(\\hat{\\bm{g}}_{s_i})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/reactionWheels/_Documentation/RWJitterBackSubstitution/Basilisk-RWJitterBackSub-20161221.tex",
+    ),
+    (
+        "x = x_c + x_p = x_{tr} + x_{sp} .",
+        "Chain(x, Add(x_c, x_p), Add(x_{tr}, x_{sp}); =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "= \\sum_{n=M+1}^{\\infty} \\frac{1}{N^{2n}} \\left(1 + \\frac{N}{2n-1}\\right) \\le \\sum_{n=M+1}^{\\infty} \\frac{N+1}{N^{2n}} = \\frac{1}{N^{2M} (N-1)} \\le \\frac{1}{N^{2M}}.",
+        "Chain(Blank(), BigSum(n; Add(M, 1); Infinity(); Mul(Div(1; Pow(N; Mul(2, n))), Add(1, Div(N; Add(Mul(2, n), Neg(1)))))), BigSum(n; Add(M, 1); Infinity(); Div(Add(N, 1); Pow(N; Mul(2, n)))), Div(1; Mul(Pow(N; Mul(2, M)), Add(N, Neg(1)))), Div(1; Pow(N; Mul(2, M))); =, \\le, =, \\le)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "\\mathbf{x}_t = [x_t, y_t, \\phi_t, v_t]^T",
+        "Chain(\\mathbf{x}_t, Transpose(Tuple(x_t, y_t, \\phi_t, v_t; [])); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "W = 0.026P^{0.34}V^{0.6}",
+        "Chain(W, Mul(0.026, Pow(P; 0.34), Pow(V; 0.6)); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "\\Big[m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T\\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i2,2}} \\bm{\\hat{s}}_{i2,2}^T - m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}] \\Big] \\dot{\\bm \\omega}_{\\cal{B/N}} + \\Big[I_{s_{i2,2}}\\Big] \\ddot{\\theta}_{i1} + \\Big[I_{s_{i2,2}}\\Big] \\ddot{\\theta}_{i2} \\\\+ m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T \\Big[ \\bm{r}''_{S_{c,i2}/B}\\Big] = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} -k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\bm{\\hat{s}}_{i2,2} \\cdot \\bm \\tau_{\\text{ext}_{i2},H_{i2}} \\\\ - m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T \\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B}\\Big]",
+        "Chain(Add(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i2,2}, Transpose(\\bm{\\hat{s}}_{i2,2})), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\cal B / N })), Mul(I_{s_i2,2}, Call(\\ddot{\\theta}_{i1})), Mul(I_{s_i2,2}, Call(\\ddot{\\theta}_{i2})), Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), \\bm{r}_{S_c,i2/B}'')), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(\\bm{\\hat{s}}_{i2,2}, \\bm{\\tau}_{ext_i2,H_i2}; 1), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bar{g}_d = \\mathbf{T}^T\\left(\\bar{F} - \\bar{g}\\right)",
+        "Chain(\\bar{g}_d, Mul(Transpose(\\mathbf{T}), Add(\\bar{F}, Neg(\\bar{g}))); =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\dot{\\theta}(t) = \\dot{\\theta}(t_{s2})",
+        "Chain(Call(\\dot{\\theta}; t), Call(\\dot{\\theta}; t_{s2}); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "\\dot{\\theta}_{i1} \\hat{\\bm s}_{i1,2} \\times [I_{\\text{sp}_{i1},S_{c,i1}}]\\bm \\omega_{\\cal{B/N}} = \\dot{\\theta}_{i1} {\\vphantom{\\begin{bmatrix} 0 & 0 & I_{s_{i1,3}} \\\\ 0 & 0 & 0 \\\\ -I_{s_{i1,1}} & 0 & 0 \\end{bmatrix}}}^{\\mathcal{S}_{i1}\\!}{\\begin{bmatrix} 0 & 0 & I_{s_{i1,3}} \\\\ 0 & 0 & 0 \\\\ -I_{s_{i1,1}} & 0 & 0 \\end{bmatrix}} {\\vphantom{\\bm \\omega_{\\cal{B/N}}}}^{\\mathcal{S}_{i1}\\!}{\\bm \\omega_{\\cal{B/N}}}",
+        "Chain(Cross(Mul(Call(\\dot{\\theta}_{i1}), \\hat{\\bm{s}}_{i1,2}); Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], \\bm{\\omega}_{\\cal B/N})), Mul(Call(\\dot{\\theta}_{i1}), Marked(MatrixOf(0, 0, I_{s_i1,3}, 0, 0, 0, Neg(I_{s_i1,1}), 0, 0); _{ \\mathcal { S } _ { i 1 } }), \\prescript { \\mathcal { S } _ { i 1 } \\! } { } { \\bm { \\omega } } _ { \\cal B / N }); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bar{f}_h(\\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^M",
+        "Chain(Call(\\bar{f}_h; \\bar{q}, \\bar{q}_r, t), 0, Pow(\\mathbb{R}; M); =, \\in)",
+        "moorepants/learn-multibody-dynamics/holonomic-eom.rst",
+    ),
+    (
+        "\\log(2x) - 15 = 0",
+        "Chain(Add(Call(log; Mul(2, x)), Neg(15)), 0; =)",
+        "sympy/sympy/sympy/solvers/solveset.py",
+    ),
+    (
+        "u_1' = u_2, \\qquad u_2' = u_3, \\qquad u_3' = 2u_3 + 8u_2 + u_1 + t .",
+        "System(Chain(u_1', u_2; =), Chain(u_2', u_3; =), Chain(u_3', Add(Mul(2, u_3), Mul(8, u_2), u_1, t); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "e = \\frac{z_0}{R_E \\left(1 + \\cos\\nu\\right) + z_0}",
+        "Chain(e, Div(z_0; Add(Mul(R_E, Add(1, Call(cos; \\nu))), z_0)); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/single-impulse-example.md",
+    ),
+    (
+        "z(t) = \\sum_{i=1}^N c_i \\psi_i(t), \\qquad c_i \\in R",
+        "System(Chain(Call(z; t), BigSum(i; 1; N; Mul(c_i, Call(\\psi_i; t))); =), Chain(c_i, R; \\in))",
+        "python-control/python-control/doc/flatsys.rst",
+    ),
+    (
+        "f(x) := \\frac{1}{2s}\\left(1+\\cos\\left(\\frac{x-\\mu}{s}\\pi\\right)\\right)",
+        "Chain(Call(f; x), Mul(Div(1; Mul(2, s)), Add(1, Call(cos; Mul(Div(Add(x, Neg(\\mu)); s), \\pi)))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\mathbf{q} = \\frac{\\mathbf{W} + \\mathbf{I}}{2} \\mathbf{q}_\\mathrm{rand}",
+        "Chain(\\mathbf{q}, Mul(Div(Add(\\mathbf{W}, \\mathbf{I}); 2), \\mathbf{q}_{rand}); =)",
+        "Mayitzin/ahrs/ahrs/filters/oleq.py",
+    ),
+    (
+        "\\mathbf{m}_d(\\mathbf{q}, t) \\ddot{\\mathbf{q}} + \\mathbf{\\Lambda}(\\mathbf{q}, t) \\mathbf{\\lambda} + \\mathbf{f}_d(\\dot{\\mathbf{q}}, \\mathbf{q}, t) = 0",
+        "Chain(Add(Mul(Call(\\mathbf{m}_d; Call(\\mathbf{q}), t), Call(\\ddot{\\mathbf{q}})), Mul(Call(\\mathbf{\\Lambda}; Call(\\mathbf{q}), t), \\mathbf{\\lambda}), Call(\\mathbf{f}_d; Call(\\dot{\\mathbf{q}}), Call(\\mathbf{q}), t)), 0; =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/lagrange.rst",
+    ),
+    (
+        "r^2 \\dot{\\theta} = l = av_0 = a\\sqrt{\\frac{9ag}{2}}",
+        "Chain(Mul(Pow(r; 2), Call(\\dot{\\theta})), l, Mul(a, v_0), Mul(a, Sqrt(Div(Mul(9, a, g); 2))); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\mu_m = x\\mu_g + (1-x)\\mu_l",
+        "Chain(\\mu_m, Add(Mul(x, \\mu_g), Mul(Add(1, Neg(x)), \\mu_l)); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\psi(s,z) = \\frac{\\zeta'(s+1,z) + (\\gamma + \\psi(-s)) \\zeta(s+1,z)}{\\Gamma(-s)}",
+        "Chain(Call(\\psi; s, z), Div(Add(Call(\\zeta'; Add(s, 1), z), Mul(Add(\\gamma, Call(\\psi; Neg(s))), Call(\\zeta; Add(s, 1), z))); Call(Gamma; Neg(s))); =)",
+        "fredrik-johansson/arb/doc/source/acb.rst",
+    ),
+    (
+        "r^{+}_{\\text{ellipse}} = r_a",
+        "Chain(r _ { \\text { e l l i p s e } } ^ { + }, r_a; =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "\\begin{array}{rcl} a_y &=& -\\cos\\theta\\sin\\phi \\\\ a_z &=& -\\cos\\theta\\cos\\phi \\end{array}",
+        "System(Chain(a_y, Neg(Mul(Call(cos; \\theta), Call(sin; \\phi))); =), Chain(a_z, Neg(Mul(Call(cos; \\theta), Call(cos; \\phi))); =))",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "\\frac{d}{dt}\\left(\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h}\\right) = \\ddot{\\boldsymbol{r}}\\times\\boldsymbol{h} + \\dot{\\boldsymbol{r}}\\times\\dot{\\boldsymbol{h}}",
+        "Chain(Derivative(Cross(Call(\\dot{\\boldsymbol{r}}); Call(\\boldsymbol{h})); t, 1), Add(Cross(Call(\\ddot{\\boldsymbol{r}}); Call(\\boldsymbol{h})), Cross(Call(\\dot{\\boldsymbol{r}}); Call(\\dot{\\boldsymbol{h}}))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\tan(\\delta) = \\delta",
+        "Chain(Call(tan; \\delta), \\delta; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "A_{l,l}[u] &= (2 l -1) A_{l-1,l-1}[u] \\\\ A_{l,l-1}[u] &= u A_{l,l}[u]",
+        "System(Chain(Indexed(A_{l,l}; u), Mul(Add(Mul(2, l), Neg(1)), Indexed(A_{l-1,l-1}; u)); =), Chain(Indexed(A_{l,l-1}; u), Mul(u, Indexed(A_{l,l}; u)); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "\\boldsymbol{a} = \\sum_{\\alpha=1}^3 a_\\alpha \\boldsymbol{e}_\\alpha",
+        "Chain(\\boldsymbol{a}, BigSum(\\alpha; 1; 3; Mul(a_{\\alpha}, \\boldsymbol{e}_{\\alpha})); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Kinematics.tex",
+    ),
+    (
+        "\\gamma'_1 = - \\gamma_2",
+        "Chain(\\gamma_1', Neg(\\gamma_2); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "{\\bf A}^T {\\bf P}{\\bf E} + {\\bf E}^T {\\bf P} {\\bf A} = -{\\bf Q},",
+        "Chain(Add(Mul(Transpose(\\mathbf{A}), \\mathbf{P}, \\mathbf{E}), Mul(Transpose(\\mathbf{E}), \\mathbf{P}, \\mathbf{A})), Neg(\\mathbf{Q}); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\dot{\\theta} = \\sqrt{\\frac{2g}{\\pi R} \\left(\\frac12 \\theta^2 - \\cos \\theta + 1\\right)} = 2\\sqrt{\\frac{g}{\\pi R}\\left[\\left(\\frac{\\theta}{2}\\right)^2+ \\sin^2 \\frac{\\theta}{2}\\right]}",
+        "Chain(Call(\\dot{\\theta}), Sqrt(Mul(Div(Mul(2, g); Mul(\\pi, R)), Add(Mul(Div(1; 2), Pow(Call(\\theta); 2)), Neg(Call(cos; Call(\\theta))), 1))), Mul(2, Sqrt(Mul(Div(g; Mul(\\pi, R)), Add(Pow(Div(Call(\\theta); 2); 2), Pow(Call(sin; Div(Call(\\theta); 2)); 2))))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "A = \\frac{190.5m}{P_1 K_d K_b K_c K_N K_{SH}}",
+        "Chain(A, Div(Mul(190.5, m); Mul(P_1, K_d, K_b, K_c, K_N, K_{SH})); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "x' = f_1(x) g_1(y) \\phi(x,y,t)",
+        "Chain(x', Mul(Call(f_1; x), Call(g_1; y), Call(\\phi; x, y, t)); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "[I_{\\text{sp}_{i1},S_{c,i1}}] \\dot{\\theta}_{i1} \\hat{\\bm s}_{i1,2} \\times \\bm \\omega_{\\cal{B/N}} = \\dot{\\theta}_{i1} {\\vphantom{\\begin{bmatrix} I_{s_{i1,1}} & 0 & 0 \\\\ 0 & I_{s_{i1,2}} & 0 \\\\ 0 & 0 & I_{s_{i1,3}} \\end{bmatrix}}}^{\\mathcal{S}_{i1}\\!}{\\begin{bmatrix} 0 & 0 & I_{s_{i1,1}} \\\\ 0 & 0 & 0 \\\\ -I_{s_{i1,3}} & 0 & 0 \\end{bmatrix}} {\\vphantom{\\bm \\omega_{\\cal{B/N}}}}^{\\mathcal{S}_{i1}\\!}{\\bm \\omega_{\\cal{B/N}}}",
+        "Chain(Cross(Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\dot{\\theta}_{i1}), \\hat{\\bm{s}}_{i1,2}); \\bm{\\omega}_{\\cal B/N}), Mul(Call(\\dot{\\theta}_{i1}), Marked(MatrixOf(0, 0, I_{s_i1,1}, 0, 0, 0, Neg(I_{s_i1,3}), 0, 0); _{ \\mathcal { S } _ { i 1 } }), \\prescript { \\mathcal { S } _ { i 1 } \\! } { } { \\bm { \\omega } } _ { \\cal B / N }); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\Delta \\theta_{\\text{coast}} = (\\theta_{\\text{ref}} - \\theta_0) - 2 (\\theta(t_{b1}) - \\theta_0)",
+        "Chain(\\Delta \\theta _ { \\text { c o a s t } }, Add(Add(\\theta_{ref}, Neg(\\theta_0)), Neg(Mul(2, Add(Call(\\theta; t_{b1}), Neg(\\theta_0))))); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "\\alpha = 0.833\\alpha_h",
+        "Chain(\\alpha, Mul(0.833, \\alpha_h); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d}t}\\left(\\frac{\\partial L}{\\partial \\dot{q}_r} \\right) - \\frac{\\partial L}{\\partial q_r} = F_r^\\textrm{nc} \\textrm{ for } r = 1,\\ldots,n",
+        "System(Chain(Add(Derivative(Derivative(Call(L); \\dot{q}_r, 1; True); t, 1), Neg(Derivative(Call(L); q_r, 1; True))), F _ { r } ^ { \\text { n c } }; =), Values(r; 1, Dots(), n))",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "V({\\bf x}) = {\\bf x}^T {\\bf P} {\\bf x}, \\quad {\\bf P} = {\\bf P^T} \\succ 0,",
+        "System(Chain(Call(V; \\mathbf{x}), Mul(Transpose(\\mathbf{x}), \\mathbf{P}, \\mathbf{x}); =), Chain(\\mathbf{P}, Transpose(\\mathbf{P}), 0; =, \\succ))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\zeta(s, a) = \\sum_{n=0}^\\infty \\frac{1}{(n + a)^s},",
+        "Chain(Call(\\zeta; s, a), BigSum(n; 0; Infinity(); Div(1; Pow(Add(n, a); s))); =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "\\begin{split} {^{\\cal N}\\hat{{\\bm x}}} &= {^{\\cal N}\\hat{{\\bm \\rho}}} \\\\ {^{\\cal N}\\hat{{\\bm y}}} &= {\\hat{\\bm z}} \\times {^{\\cal N}\\hat{{\\bm \\rho}}} \\\\ {^{\\cal N}\\hat{{\\bm z}}} &= {^{\\cal N}\\hat{{\\bm x}}} \\times {^{\\cal N}\\hat{{\\bm y}}} \\end{split}",
+        "System(Chain(\\prescript { \\mathcal { N } } { } { \\hat { \\bm { x } } }, \\prescript { \\mathcal { N } } { } { \\hat { \\bm { \\rho } } }; =), Chain(\\prescript { \\mathcal { N } } { } { \\hat { \\bm { y } } }, Cross(\\hat{\\bm{z}}; \\prescript { \\mathcal { N } } { } { \\hat { \\bm { \\rho } } }); =), Chain(\\prescript { \\mathcal { N } } { } { \\hat { \\bm { z } } }, Cross(\\prescript { \\mathcal { N } } { } { \\hat { \\bm { x } } }; \\prescript { \\mathcal { N } } { } { \\hat { \\bm { y } } }); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "E_{\\min} \\approx 0.1,\\quad E_{\\max} \\approx E_{\\mathrm{grid,max}}",
+        "System(Chain(E_\\min, 0.1; \\approx), Chain(E_\\max, E_{grid,max}; \\approx))",
+        "AVSLab/basilisk/src/simulation/environment/spacecraftChargingEquilibrium/spacecraftChargingEquilibrium.rst",
+    ),
+    (
+        "T = \\left[\\frac{(dP/dL)_{l,s,f}}{(\\rho_l-\\rho_g)g\\cos\\theta}\\right]^{0.5}",
+        "Chain(T, Pow(Div(Marked(Derivative(Call(P); L, 1); _{ l , s , f }); Mul(Add(\\rho_l, Neg(\\rho_g)), g, Call(cos; \\theta))); 0.5); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "{ {\\boldsymbol{z}}} = K^{-1}\\,{ {\\boldsymbol{y}}} = {(L^\\mathrm{T})}^{-1}\\,D^{-1}\\,L^{-1}\\,{ {\\boldsymbol{y}}} \\quad.",
+        "Chain(\\boldsymbol{z}, Mul(Pow(K; Neg(1)), \\boldsymbol{y}), Mul(Pow(Transpose(L); Neg(1)), Pow(D; Neg(1)), Pow(L; Neg(1)), \\boldsymbol{y}); =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "p^E = f_{kin}(q), \\qquad v^E = \\dot{p}^E = J(q) \\dot{q}, \\qquad a^E = \\ddot{p}^E = J(q)\\ddot{q} + \\dot{J}(q) \\dot{q}.",
+        "System(Chain(Call(p ^ { E }), Call(f_{kin}; Call(q)); =), Chain(v ^ { E }, Call(\\dot { p } ^ { E }), Mul(Call(J; Call(q)), Call(\\dot{q})); =, =), Chain(a ^ { E }, Call(\\ddot { p } ^ { E }), Add(Mul(Call(J; Call(q)), Call(\\ddot{q})), Mul(Call(\\dot{J}; Call(q)), Call(\\dot{q}))); =, =))",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "V_f = \\frac{\\pi h^2}{4}\\left(2a_1 + \\frac{D_1^2}{2a_1} - \\frac{4h}{3}\\right),\\; 0 \\le h \\le a_1",
+        "System(Chain(V_f, Mul(Div(Mul(\\pi, Pow(h; 2)); 4), Add(Mul(2, a_1), Div(Pow(D_1; 2); Mul(2, a_1)), Neg(Div(Mul(4, h); 3)))); =), Chain(0, h, a_1; \\le, \\le))",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "H = \\frac{1}{2m\\sigma^2(\\xi^2-\\eta^2)}\\left[(\\xi^2-1)p_\\xi^2+(1-\\eta^2)p_\\eta^2+\\left(\\frac{1}{\\xi^2-1}+\\frac{1}{1-\\eta^2}\\right)p_\\phi^2\\right] + V(\\xi,\\eta,\\phi)",
+        "Chain(H, Add(Mul(Div(1; Mul(2, m, Pow(\\sigma; 2), Add(Pow(\\xi; 2), Neg(Pow(\\eta; 2))))), Add(Mul(Add(Pow(\\xi; 2), Neg(1)), Pow(p_\\xi; 2)), Mul(Add(1, Neg(Pow(\\eta; 2))), Pow(p_\\eta; 2)), Mul(Add(Div(1; Add(Pow(\\xi; 2), Neg(1))), Div(1; Add(1, Neg(Pow(\\eta; 2))))), Pow(p_\\phi; 2)))), Call(V; \\xi, \\eta, \\phi)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "L_P = m\\mathbf{v}",
+        "Chain(L_P, Mul(m, \\mathbf{v}); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/masses.rst",
+    ),
+    (
+        "{}^B\\mathbf{C}^N &= {}^B\\mathbf{C}^A {}^A\\mathbf{C}^N \\\\ {}^A\\mathbf{C}^B &= \\left({}^B\\mathbf{C}^N \\left({}^A\\mathbf{C}^N\\right)^T\\right)^T = {}^A\\mathbf{C}^N\\left({}^B\\mathbf{C}^N\\right)^T",
+        "System(Chain(\\prescript { B } { } { \\mathbf { C } } ^ { N }, Mul(\\prescript { B } { } { \\mathbf { C } } ^ { A }, \\prescript { A } { } { \\mathbf { C } } ^ { N }); =), Chain(\\prescript { A } { } { \\mathbf { C } } ^ { B }, Transpose(Mul(\\prescript { B } { } { \\mathbf { C } } ^ { N }, Transpose(\\prescript { A } { } { \\mathbf { C } } ^ { N }))), Mul(\\prescript { A } { } { \\mathbf { C } } ^ { N }, Transpose(\\prescript { B } { } { \\mathbf { C } } ^ { N })); =, =))",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "m \\ddot{\\boldsymbol{r}} = \\boldsymbol{F}_1 + \\boldsymbol{F}_2",
+        "Chain(Mul(m, Call(\\ddot{\\boldsymbol{r}})), Add(\\boldsymbol{F}_1, \\boldsymbol{F}_2); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "g(s) = f\\left(\\frac{L}{\\pi} s \\right)",
+        "Chain(Call(g; s), Call(f; Mul(Div(L; \\pi), s)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\bm u_{s,\\text{cont}} = \\begin{bmatrix} 0.1 & 0.2 & 0.15 & -0.2 \\end{bmatrix} \\text{ Nm}",
+        "Chain(\\bm{u}_{s,cont}, Mul(MatrixOf(0.1, 0.2, 0.15, Neg(0.2)), \\text{Nm}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwNullSpace/_Documentation/secTest.tex",
+    ),
+    (
+        "\\sin(\\theta) = \\theta",
+        "Chain(Call(sin; \\theta), \\theta; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "[P_2P_1] = [PN]_2[NP]_1",
+        "Chain([ P _ { 2 } P _ { 1 } ], Mul([ P N ] _ { 2 }, [ N P ] _ { 1 }); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secModelDescription.tex",
+    ),
+    (
+        "A_f = R^2\\cos^{-1}\\frac{R-h}{R} - (R-h)\\sqrt{2Rh - h^2}",
+        "Chain(A_f, Add(Mul(Pow(R; 2), Call(arccos; Div(Add(R, Neg(h)); R))), Neg(Mul(Add(R, Neg(h)), Sqrt(Add(Mul(2, R, h), Neg(Pow(h; 2))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{B}} = (\\frac{{}^{\\mathbf{N}}d \\mathbf{\\hat{b}_y}}{dt}\\cdot\\mathbf{\\hat{b}_z} )\\mathbf{\\hat{b}_x} + (\\frac{{}^{\\mathbf{N}}d \\mathbf{\\hat{b}_z}}{dt}\\cdot \\mathbf{\\hat{b}_x})\\mathbf{\\hat{b}_y} + (\\frac{{}^{\\mathbf{N}}d \\mathbf{\\hat{b}_x}}{dt}\\cdot\\mathbf{\\hat{b}_y})\\mathbf{\\hat{b}_z}",
+        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Add(Mul(Mul(Marked(Derivative(Call(\\mathbf{\\hat{b}}_y); t, 1); _{ \\mathbf { N } }), Call(\\mathbf{\\hat{b}}_z); 1), Call(\\mathbf{\\hat{b}}_x)), Mul(Mul(Marked(Derivative(Call(\\mathbf{\\hat{b}}_z); t, 1); _{ \\mathbf { N } }), Call(\\mathbf{\\hat{b}}_x); 1), Call(\\mathbf{\\hat{b}}_y)), Mul(Mul(Marked(Derivative(Call(\\mathbf{\\hat{b}}_x); t, 1); _{ \\mathbf { N } }), Call(\\mathbf{\\hat{b}}_y); 1), Call(\\mathbf{\\hat{b}}_z))); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
+    ),
+    (
+        "T = \\frac{2\\pi ab}{h}",
+        "Chain(T, Div(Mul(2, \\pi, a, b); h); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\begin{aligned} r_p &= a\\left(e - 1\\right) & r_a &= -a\\left(e + 1\\right) \\end{aligned}",
+        "System(Chain(r_p, Mul(a, Add(e, Neg(1))); =), Chain(r_a, Neg(Mul(a, Add(e, 1))); =))",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "J^*({\\bf x}) = {\\bf x}^T {\\bf E}^T {\\bf S} {\\bf E} {\\bf x}, \\qquad {\\bf u}^* = -{\\bf R}^{-1} {\\bf B}^T {\\bf S} {\\bf E} {\\bf x},",
+        "System(Chain(Call(J ^ { * }; \\mathbf{x}), Mul(Transpose(\\mathbf{x}), Transpose(\\mathbf{E}), \\mathbf{S}, \\mathbf{E}, \\mathbf{x}); =), Chain(\\mathbf { u } ^ { * }, Neg(Mul(Pow(\\mathbf{R}; Neg(1)), Transpose(\\mathbf{B}), \\mathbf{S}, \\mathbf{E}, \\mathbf{x})); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "E(\\phi + n \\pi, m) = 2 n E(m) + E(\\phi,m), n \\in \\mathbb{Z}.",
+        "System(Chain(Call(E; Add(\\phi, Mul(n, \\pi)), m), Add(Mul(2, n, Call(E; m)), Call(E; \\phi, m)); =), Chain(n, \\mathbb{Z}; \\in))",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\mu_m = \\mu_l(1-\\alpha_m)(1 + 2.5\\alpha_m) + \\mu_g\\alpha_m",
+        "Chain(\\mu_m, Add(Mul(\\mu_l, Add(1, Neg(\\alpha_m)), Add(1, Mul(2.5, \\alpha_m))), Mul(\\mu_g, \\alpha_m)); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "m_{\\text{sp}_i} d_i \\hat{\\bm s}_{i,3}^{T} \\ddot{\\bm r}_{B/N}+ \\biggl[\\left(I_{s_{i,2}} + m_{\\text{sp}_i}d_i^{2}\\right) \\hat{\\bm s}_{i,2}^{T}-m_{\\text{sp}_i} d_i \\hat{\\bm s}_{i,3}^{T} [\\tilde{\\bm r}_{H_i/B}]\\biggr] \\dot{\\bm\\omega}_{\\cal B/N} \\\\ + \\left( I_{s_{i,2}} + m_{\\text{sp}_i} d_i^{2} \\right) \\ddot \\theta_i = u_i - k_i \\theta_i - c_i \\dot\\theta_i + \\hat{\\bm s}_{i,2}^T \\bm \\tau_{\\text{ext},H_i} + \\left( I_{s_{i,3}} - I_{s_{i,1}} + m_{\\text{sp}_i}d_i^{2}\\right) \\omega_{s_{i,3}} \\omega_{s_{i,1}}\\\\ - m_{\\text{sp}_i} d_i \\hat{\\bm s}_{i,3}^{T} [\\tilde{\\bm\\omega}_{\\cal B/N}][\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm r_{H_i/B}",
+        "Chain(Add(Mul(m_{sp_i}, d_i, Transpose(\\hat{\\bm{s}}_{i,3}), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(Add(I_{s_i,2}, Mul(m_{sp_i}, Pow(d_i; 2))), Transpose(\\hat{\\bm{s}}_{i,2})), Neg(Mul(m_{sp_i}, d_i, Transpose(\\hat{\\bm{s}}_{i,3}), [ \\tilde { \\bm { r } } _ { H _ { i } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(Add(I_{s_i,2}, Mul(m_{sp_i}, Pow(d_i; 2))), Call(\\ddot{\\theta}_i))), Add(u_i, Neg(Mul(k_i, Call(\\theta_i))), Neg(Mul(c_i, Call(\\dot{\\theta}_i))), Mul(Transpose(\\hat{\\bm{s}}_{i,2}), \\bm{\\tau}_{ext,H_i}), Mul(Add(I_{s_i,3}, Neg(I_{s_i,1}), Mul(m_{sp_i}, Pow(d_i; 2))), \\omega_{s_i,3}, \\omega_{s_i,1}), Neg(Mul(m_{sp_i}, d_i, Transpose(\\hat{\\bm{s}}_{i,3}), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{H_i/B}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\dot{z} =\\frac{\\partial }{\\partial z} z = f(z, u) = A'z+B'u",
+        "Chain(Call(\\dot{z}), Derivative(Call(z); z, 1; True), Call(f; Call(z), u), Add(Mul(A', Call(z)), Mul(B', u)); =, =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "p = [x, y, z]",
+        "Chain(p, Tuple(x, y, z; []); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/3_mapping/normal_vector_estimation/normal_vector_estimation_main.rst",
+    ),
+    (
+        "{\\bf b}[n] = {\\bf T}^n {\\bf b}[0].",
+        "Chain(Indexed(\\mathbf{b}; n), Mul(Pow(\\mathbf{T}; n), Indexed(\\mathbf{b}; 0)); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "x[n+1] = 4 x[n](1-x[n]),",
+        "Chain(Indexed(x; Add(n, 1)), Mul(4, Indexed(x; n), Add(1, Neg(Indexed(x; n)))); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\begin{bmatrix}-\\sin\\alpha\\cos\\beta\\sin\\gamma + \\cos\\alpha\\cos\\gamma & \\cos\\alpha\\cos\\beta\\sin\\gamma + \\sin\\alpha\\cos\\gamma & \\sin\\beta\\sin\\gamma\\\\-\\sin\\alpha\\cos\\beta\\sin\\gamma - \\cos\\alpha\\cos\\gamma & \\cos\\alpha\\cos\\beta\\sin\\gamma - \\sin\\alpha\\cos\\gamma & \\sin\\beta\\cos\\gamma \\\\\\sin\\alpha\\sin\\beta & -\\cos\\alpha\\sin\\beta & \\cos\\beta\\end{bmatrix}",
+        "Chain([ \\mathbf { Q } ], MatrixOf(Add(Neg(Mul(Call(sin; \\alpha), Call(cos; \\beta), Call(sin; \\gamma))), Mul(Call(cos; \\alpha), Call(cos; \\gamma))), Add(Mul(Call(cos; \\alpha), Call(cos; \\beta), Call(sin; \\gamma)), Mul(Call(sin; \\alpha), Call(cos; \\gamma))), Mul(Call(sin; \\beta), Call(sin; \\gamma)), Add(Neg(Mul(Call(sin; \\alpha), Call(cos; \\beta), Call(sin; \\gamma))), Neg(Mul(Call(cos; \\alpha), Call(cos; \\gamma)))), Add(Mul(Call(cos; \\alpha), Call(cos; \\beta), Call(sin; \\gamma)), Neg(Mul(Call(sin; \\alpha), Call(cos; \\gamma)))), Mul(Call(sin; \\beta), Call(cos; \\gamma)), Mul(Call(sin; \\alpha), Call(sin; \\beta)), Neg(Mul(Call(cos; \\alpha), Call(sin; \\beta))), Call(cos; \\beta)); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "v_{2,max} = v_2(h=h_2)",
+        "Chain(v_{2,max}, Call(v_2; Chain(h, h_2; =)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\hat{\\bm s}_2 = \\frac{\\hat{\\bm s}_1 \\times \\hat{\\bm b}_1}{|\\hat{\\bm s}_1 \\times \\hat{\\bm b}_1|} \\hspace{2cm} \\hat{\\bm s}_3 = \\frac{\\hat{\\bm s}_1 \\times \\hat{\\bm s}_2}{|\\hat{\\bm s}_1 \\times \\hat{\\bm s}_2|}",
+        "System(Chain(\\hat{\\bm{s}}_2, Div(Cross(\\hat{\\bm{s}}_1; \\hat{\\bm{b}}_1); Bars(Cross(\\hat{\\bm{s}}_1; \\hat{\\bm{b}}_1))); =), Chain(\\hat{\\bm{s}}_3, Div(Cross(\\hat{\\bm{s}}_1; \\hat{\\bm{s}}_2); Bars(Cross(\\hat{\\bm{s}}_1; \\hat{\\bm{s}}_2))); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/attDetermination/headingSuKF/_Documentation/heading_SuKF.tex",
+    ),
+    (
+        "\\min_{p, R} \\quad& \\sum_{i=1}^{N_s} \\| p + R \\: {}^Op^{m_{c_i}} - X^C \\: {}^Cp^{s_i} \\|^2, \\\\ \\textrm{subject to} \\quad& R^T = R^{-1}, \\quad \\det(R) = +1.",
+        "System(Words(Limiting(min; _{ p , R }; BigSum(i; 1; N_s; Pow(Norm(Add(p, Mul(R, \\prescript { O } { } { p } ^ { m _ { c _ { i } } }), Neg(Mul(X ^ { C }, \\prescript { C } { } { p } ^ { s _ { i } })))); 2)))), Words(\\text{subject~to}), Chain(Transpose(R), Pow(R; Neg(1)); =), Chain(Call(det; R), 1; =))",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "w'(x) = b_0(x) + b_1(x)*w(x) + b_2(x)*w(x)^2",
+        "Chain(Call(w'; x), Add(Call(b_0; x), Operated(*; Call(b_1; x); Call(w; x)), Operated(*; Call(b_2; x); Pow(Call(w; x); 2))); =)",
+        "sympy/sympy/sympy/solvers/ode/riccati.py",
+    ),
+    (
+        "\\mathbf{\\Sigma}_{\\mathrm{gyro}} = \\begin{bmatrix} \\sigma_{\\omega_x}^2 & 0 & 0 \\\\ 0 & \\sigma_{\\omega_y}^2 & 0 \\\\ 0 & 0 & \\sigma_{\\omega_z}^2 \\end{bmatrix}",
+        "Chain(\\mathbf{\\Sigma}_{gyro}, MatrixOf(Pow(\\sigma_{\\omega_x}; 2), 0, 0, 0, Pow(\\sigma_{\\omega_y}; 2), 0, 0, 0, Pow(\\sigma_{\\omega_z}; 2)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "H(j\\omega) N(A) = -1",
+        "Chain(Mul(Call(H; Mul(j, \\omega)), Call(N; A)), Neg(1); =)",
+        "python-control/python-control/doc/descfcn.rst",
+    ),
+    (
+        "X = \\left(\\begin{array}{ccccc} { {\\boldsymbol{x}}}_1\\quad & & \\cdots\\quad & & { {\\boldsymbol{x}}}_N \\end{array}\\right)^\\mathrm{T}",
+        "Chain(X, Transpose(MatrixOf(\\boldsymbol{x}_1, Blank(), Dots(), Blank(), \\boldsymbol{x}_N)); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "F_r^* := \\sum_{i=1}^\\nu {}^A\\bar{v}^{P_i}_r \\cdot \\bar{R}^*_i",
+        "Chain(F _ { r } ^ { * }, BigSum(i; 1; \\nu; Mul(\\prescript { A } { } { \\bar { v } } _ { r } ^ { P _ { i } }, \\bar { R } _ { i } ^ { * }; 1)); =)",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "t_{b1} = t_{s1} + t_{\\text{bang}}",
+        "Chain(t_{b1}, Add(t_{s1}, t_{bang}); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\begin{bmatrix} \\theta \\\\ \\omega \\end{bmatrix} ' = \\begin{bmatrix} \\omega \\\\ - \\frac{g}{L} \\sin \\theta \\end{bmatrix} .",
+        "Chain(Marked(MatrixOf(\\theta, \\omega); '), MatrixOf(\\omega, Neg(Mul(Div(g; L), Call(sin; \\theta)))); =)",
+        "jirilebl/diffyqs/ch-nonlin-systems.tex",
+    ),
+    (
+        "\\varPhi\\left(\\boldsymbol{q}',t,\\frac{\\partial S_0}{\\partial \\boldsymbol{q}'},\\frac{\\partial S_0}{\\partial t},\\phi\\left(q_1,\\dfrac{\\mathrm{d} S_1}{\\mathrm{d} q_1}\\right)\\right) = 0",
+        "Chain(Call(\\varPhi; \\boldsymbol{q}', t, Derivative(Call(S_0); \\boldsymbol{q}', 1; True), Derivative(Call(S_0); t, 1; True), Call(\\phi; q_1, Derivative(Call(S_1); q_1, 1))), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "{}^{\\mathbf{N}}\\boldsymbol{\\alpha}^{\\mathbf{B}} &= \\frac{{}^{\\mathbf{N}} d{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{B}}}{dt}",
+        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\alpha } } ^ { \\mathbf { B } }, Marked(Derivative(Call(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }); t, 1); _{ \\mathbf { N } }); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
+    ),
+    (
+        "\\dot\\tau =& 1 \\\\ \\dot{x}_\\perp =& -\\alpha x_\\perp.",
+        "System(Chain(Call(\\dot{\\tau}), 1; =), Chain(Call(\\dot{x}_\\perp), Neg(Mul(\\alpha, Call(x_\\perp))); =))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "u = -K x",
+        "Chain(u, Neg(Mul(K, x)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "A_1 = 1.62(\\frac{\\epsilon}{D})^{0.134}",
+        "Chain(A_1, Mul(1.62, Pow(Div(\\epsilon; D); 0.134)); =)",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "T_{rot}=\\frac{1}{2}\\bm\\omega_{\\cal B/N}^T [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N}+\\frac{1}{2}m_{\\text{hub}}\\bm{\\dot{r}}_{B_c,B}\\cdot\\bm{\\dot{r}}_{B_c,B}+\\sum\\limits_{j=1}^{N_P} \\frac{1}{2} m_j \\bm{\\dot{r}}_{P_{c,j}/B}\\cdot\\bm{\\dot{r}}_{P_{c,j}/B}-\\frac{1}{2}m_{SC}\\bm{\\dot{c}}\\cdot\\bm{\\dot{c}}",
+        "Chain(T_{rot}, Add(Mul(Div(1; 2), Transpose(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), [ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Mul(Div(1; 2), m_{hub}, \\bm{\\dot{r}}_{B_c,B}, \\bm{\\dot{r}}_{B_c,B}; 3), BigSum(j; 1; N_P; Mul(Div(1; 2), m_j, \\bm{\\dot{r}}_{P_c,j/B}, \\bm{\\dot{r}}_{P_c,j/B}; 3)), Neg(Mul(Div(1; 2), m_{SC}, \\bm{\\dot{c}}, \\bm{\\dot{c}}; 3))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{aligned} v_{t,p} &= \\frac{h_t}{r_p} & v_{t,a} &= \\frac{h_t}{r_a} \\end{aligned}",
+        "System(Chain(v_{t,p}, Div(h_t; r_p); =), Chain(v_{t,a}, Div(h_t; r_a); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/hohmann-transfer.md",
+    ),
+    (
+        "\\begin{bmatrix} 2 & 0 \\\\ 0 & 1 \\end{bmatrix} {\\vec{x}}'' = \\begin{bmatrix} -(4+2) & 2 \\\\ 2 & -2 \\end{bmatrix} \\vec{x} + \\begin{bmatrix} 0 \\\\ 2 \\end{bmatrix} \\cos (3 t) \\qquad \\text{or} \\qquad {\\vec{x}}'' = \\begin{bmatrix} -3 & 1 \\\\ 2 & -2 \\end{bmatrix} \\vec{x} + \\begin{bmatrix} 0 \\\\ 2 \\end{bmatrix} \\cos (3 t) .",
+        "System(Chain(Mul(MatrixOf(2, 0, 0, 1), \\vec{x}''), Add(Mul(MatrixOf(Neg(Add(4, 2)), 2, 2, Neg(2)), \\vec{x}), Mul(MatrixOf(0, 2), Call(cos; Mul(3, t)))); =), Words(\\text{~or~}), Chain(\\vec{x}'', Add(Mul(MatrixOf(Neg(3), 1, 2, Neg(2)), \\vec{x}), Mul(MatrixOf(0, 2), Call(cos; Mul(3, t)))); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\ell_f({\\bf x}) = \\begin{bmatrix} {\\bf x} \\\\ 1 \\end{bmatrix}^T {\\bf Q}_f \\begin{bmatrix} {\\bf x} \\\\ 1 \\end{bmatrix}.",
+        "Chain(Call(\\ell_f; \\mathbf{x}), Mul(Transpose(MatrixOf(\\mathbf{x}, 1)), \\mathbf{Q}_f, MatrixOf(\\mathbf{x}, 1)); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "a = \\sqrt{h(2r - h)}",
+        "Chain(a, Sqrt(Mul(h, Add(Mul(2, r), Neg(h)))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "A_{j,k} = \\sqrt{\\frac{2}{n}} \\cos\\left(\\frac{\\pi j}{n} \\left(k+\\frac{1}{2}\\right)\\right)",
+        "Chain(A_{j,k}, Mul(Sqrt(Div(2; n)), Call(cos; Mul(Div(Mul(\\pi, j); n), Add(k, Div(1; 2))))); =)",
+        "fredrik-johansson/arb/doc/source/arb_mat.rst",
+    ),
+    (
+        "\\cos(\\alpha+\\beta)=\\cos\\alpha\\cos\\beta-\\sin\\alpha\\sin\\beta",
+        "Chain(Call(cos; Add(\\alpha, \\beta)), Add(Mul(Call(cos; \\alpha), Call(cos; \\beta)), Neg(Mul(Call(sin; \\alpha), Call(sin; \\beta)))); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "gain = - C \\cdot A^{-1} \\cdot B + D",
+        "Chain(\\text{gain}, Add(Neg(Mul(C, Pow(A; Neg(1)), B)), D); =)",
+        "python-control/python-control/control/matlab/wrappers.py",
+    ),
+    (
+        "2\\ddot{r} - r\\dot{\\theta}^2 + g = 0",
+        "Chain(Add(Mul(2, Call(\\ddot{r})), Neg(Mul(Call(r), Pow(Call(\\dot{\\theta}); 2))), g), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\sin \\alpha = \\frac{R\\omega_0^2 \\sin 2\\lambda}{2g}",
+        "Chain(Call(sin; \\alpha), Div(Mul(R, Pow(\\omega_0; 2), Call(sin; Mul(2, \\lambda))); Mul(2, g)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "u = -mg + K_p (p^{F_d} - p^{F}) + K_d (v^{F_d} - v^{F}) - f^{F}_{\\text{feedforward}}.",
+        "Chain(u, Add(Neg(Mul(m, g)), Mul(K_p, Add(p ^ { F _ { d } }, Neg(p ^ { F }))), Mul(K_d, Add(v ^ { F _ { d } }, Neg(v ^ { F }))), Neg(f _ { \\text { f e e d f o r w a r d } } ^ { F })); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\begin{aligned}\\frac{d\\boldsymbol{\\hat{\\imath}}}{dt} &= \\boldsymbol{\\Omega}\\times\\boldsymbol{\\hat{\\imath}} & \\frac{d\\boldsymbol{\\hat{\\jmath}}}{dt} &= \\boldsymbol{\\Omega}\\times\\boldsymbol{\\hat{\\jmath}} & \\frac{d\\boldsymbol{\\hat{k}}}{dt} &= \\boldsymbol{\\Omega}\\times\\boldsymbol{\\hat{k}}\\end{aligned}",
+        "System(Chain(Derivative(Call(\\boldsymbol{\\hat{\\imath}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{\\hat{\\imath}})); =), Chain(Derivative(Call(\\boldsymbol{\\hat{\\jmath}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{\\hat{\\jmath}})); =), Chain(Derivative(Call(\\boldsymbol{\\hat{k}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{\\hat{k}})); =))",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "{\\vphantom{\\bm {O}}}^{\\mathcal{P}\\!}{\\bm {O}} = [\\bm{PB}] \\cdot{\\vphantom{\\bm {O}}}^{\\mathcal{B}\\!}{\\bm {O}}",
+        "Chain(\\prescript { \\mathcal { P } \\! } { } { \\bm { O } }, Mul([ \\bm { P } \\bm { B } ], \\prescript { \\mathcal { B } \\! } { } { \\bm { O } }); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/DynOutput/boreAngCalc/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\|\\,^b\\mathbf{a}-\\mathbf{C}\\,^r\\mathbf{a}\\|^2 & \\simeq & 0 \\\\ \\\\ \\|\\,^b\\mathbf{m}-\\mathbf{C}\\,^r\\mathbf{m}\\|^2 & \\simeq & 0 \\end{array}",
+        "System(Chain(Pow(Norm(Add(\\prescript { b } { } { \\mathbf { a } }, Neg(Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { a } })))); 2), 0; \\simeq), Chain(Pow(Norm(Add(\\prescript { b } { } { \\mathbf { m } }, Neg(Mul(\\mathbf{C}, \\prescript { r } { } { \\mathbf { m } })))); 2), 0; \\simeq))",
+        "Mayitzin/ahrs/ahrs/filters/saam.py",
+    ),
+    (
+        "\\operatorname{Chi}(z) = \\operatorname{Ci}\\left(e^{i \\pi/2}z\\right) - i\\frac{\\pi}{2},",
+        "Chain(Call(\\text{Chi}; z), Add(Call(\\text{Ci}; Mul(Pow(e; Div(Mul(i, \\pi); 2)), z)), Neg(Mul(i, Div(\\pi; 2)))); =)",
+        "sympy/sympy/sympy/functions/special/error_functions.py",
+    ),
+    (
+        "\\bm{c}' = \\frac{1}{m_{\\text{sc}}}\\sum_{j=1}^{N_{P}}m_j l_j \\bigg[\\Big(-\\dot{\\varphi}_j\\sin(\\varphi_j)\\cos(\\vartheta_j)-\\dot{\\vartheta}_j\\cos(\\varphi_j)\\sin(\\vartheta_j)\\Big)\\bm{\\hat{p}}_{0_j,1}+\\\\ \\Big(\\dot{\\varphi}_j\\cos(\\varphi_j)\\cos(\\vartheta_j)-\\dot{\\vartheta}_j\\sin(\\varphi_j)\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,2} -\\dot{\\vartheta}_j\\cos(\\vartheta_j) \\bm{\\hat{p}}_{0_j,3} \\bigg]",
+        "Chain(\\bm{c}', Mul(Div(1; m_{sc}), BigSum(j; 1; N_P; Mul(m_j, l_j, Add(Mul(Add(Neg(Mul(Call(\\dot{\\varphi}_j), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\bm{\\hat{p}}_{0_j,1}), Mul(Add(Mul(Call(\\dot{\\varphi}_j), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j))), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\bm{\\hat{p}}_{0_j,2}), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(cos; Call(\\vartheta_j)), \\bm{\\hat{p}}_{0_j,3})))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\int_{-1}^{1} \\sqrt{1-x^2} f(x)\\,dx \\approx \\sum_{i=1}^n w_i f(x_i)",
+        "Chain(Integral(Mul(Sqrt(Add(1, Neg(Pow(x; 2)))), Call(f; x)); x; Neg(1); 1), BigSum(i; 1; n; Mul(w_i, Call(f; x_i))); \\approx)",
+        "sympy/sympy/sympy/integrals/quadrature.py",
+    ),
+    (
+        "\\forall {\\bf x}, \\quad \\dot{J}^*({\\bf x}) \\le \\gamma^2 {\\bf w}^T(t){\\bf w}(t) - {\\bf x}^T(t){\\bf Q}{\\bf x}(t) - {\\bf u}^T(t) {\\bf R}{\\bf u}(t).",
+        "System(Forall(Call(\\mathbf{x})), Chain(Call(\\dot { J } ^ { * }; Call(\\mathbf{x})), Add(Mul(Pow(\\gamma; 2), Transpose(Call(\\mathbf{w}; t)), Call(\\mathbf{w}; t)), Neg(Mul(Transpose(Call(\\mathbf{x}; t)), \\mathbf{Q}, Call(\\mathbf{x}; t))), Neg(Mul(Transpose(Call(\\mathbf{u}; t)), \\mathbf{R}, Call(\\mathbf{u}; t)))); \\le))",
+        "RussTedrake/underactuated/book/robust.html",
+    ),
+    (
+        "{}^B\\mathbf{C}^N = {}^B\\mathbf{C}^A {}^A\\mathbf{C}^N",
+        "Chain(\\prescript { B } { } { \\mathbf { C } } ^ { N }, Mul(\\prescript { B } { } { \\mathbf { C } } ^ { A }, \\prescript { A } { } { \\mathbf { C } } ^ { N }); =)",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "M^{B/B_{cm}} = \\begin{bmatrix} I & 0 & 0\\\\ 0 & m & 0 \\\\ 0 & 0 & m \\end{bmatrix},",
+        "Chain(M ^ { B / B _ { c m } }, MatrixOf(I, 0, 0, 0, m, 0, 0, 0, m); =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\eta(a)=\\eta(b)=0",
+        "Chain(Call(\\eta; a), Call(\\eta; b), 0; =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\frac{r_3}{r_1} > 15.58",
+        "Chain(Div(r_3; r_1), 15.58; >)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/bielliptic-hohmann-transfer.md",
+    ),
+    (
+        "S_j(\\omega) = \\frac{1}{\\sqrt{2\\,\\pi}}\\,\\frac{a_j}{c_j}\\,\\left[ \\frac{1}{1+{\\left(\\frac{\\omega-d_j}{c_j}\\right)}^2} + \\frac{1}{1+{\\left(\\frac{\\omega+d_j}{c_j}\\right)}^2} \\right] \\quad.",
+        "Chain(Call(S_j; \\omega), Mul(Div(1; Sqrt(Mul(2, \\pi))), Div(a_j; c_j), Add(Div(1; Add(1, Pow(Div(Add(\\omega, Neg(d_j)); c_j); 2))), Div(1; Add(1, Pow(Div(Add(\\omega, d_j); c_j); 2))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "[B_\\text{contr}] = \\sum\\limits_{i=1}^{N}m_{\\text{rw}_i}d_i\\hat{\\bm{w}}_{3_i}\\bm{b}_{\\Omega_i}^T",
+        "Chain([ B _ { \\text { c o n t r } } ], BigSum(i; 1; N; Mul(m_{rw_i}, d_i, \\hat{\\bm{w}}_{3_i}, Transpose(\\bm{b}_{\\Omega_i}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/reactionWheels/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "r = \\frac{h^2}{\\mu}\\frac{1}{1 + \\left(\\frac{h^2}{\\mu r_0} - 1\\right) \\cos\\Delta\\nu - \\frac{hv_{r,0}}{\\mu}\\sin\\Delta\\nu}",
+        "Chain(r, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(Add(Div(Pow(h; 2); Mul(\\mu, r_0)), Neg(1)), Call(cos; \\Delta \\nu)), Neg(Mul(Div(Mul(h, v_{r,0}); \\mu), Call(sin; \\Delta \\nu)))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\bar{f}_k(\\dot{\\bar{q}}, \\bar{u}, \\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^n \\\\ \\bar{f}_d(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^n \\\\ \\bar{f}_h(\\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^M",
+        "System(Chain(Call(\\bar{f}_k; Call(\\dot{\\bar{q}}), Call(\\bar{u}), Call(\\bar{q}), \\bar{q}_r, t), 0, Pow(\\mathbb{R}; n); =, \\in), Chain(Call(\\bar{f}_d; Call(\\dot{\\bar{u}}), Call(\\bar{u}), Call(\\bar{q}), \\bar{q}_r, t), 0, Pow(\\mathbb{R}; n); =, \\in), Chain(Call(\\bar{f}_h; Call(\\bar{q}), \\bar{q}_r, t), 0, Pow(\\mathbb{R}; M); =, \\in))",
+        "moorepants/learn-multibody-dynamics/holonomic-eom.rst",
+    ),
+    (
+        "v_{i}(t+1) = w \\cdot v_{i}(t) + c_1 \\cdot r_1 \\cdot (p_{i} - x_{i}(t)) + c_2 \\cdot r_2 \\cdot (g - x_{i}(t))",
+        "Chain(Call(v_i; Add(t, 1)), Add(Mul(w, Call(v_i; t)), Mul(c_1, r_1, Add(p_i, Neg(Call(x_i; t)))), Mul(c_2, r_2, Add(g, Neg(Call(x_i; t))))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/particleSwarmOptimization/particleSwarmOptimization_main.rst",
+    ),
+    (
+        "\\boldsymbol{\\alpha} = \\frac{\\mathrm{d} \\boldsymbol{\\omega}}{\\mathrm{d} t} = \\dot{\\boldsymbol{\\omega}}",
+        "Chain(\\boldsymbol{\\alpha}, Derivative(Call(\\boldsymbol{\\omega}); t, 1), Call(\\dot{\\boldsymbol{\\omega}}); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\dot{x}(t) = A x(t) + B u(t) \\\\ y(t) = C x(t) + D u(t)",
+        "System(Chain(Call(\\dot{x}; t), Add(Mul(A, Call(x; t)), Mul(B, Call(u; t))); =), Chain(Call(y; t), Add(Mul(C, Call(x; t)), Mul(D, Call(u; t))); =))",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "y_p = (A + Bx + Cx^2)\\,e^{-x} \\cos (\\pi x) + (D + Ex + Fx^2)\\,e^{-x} \\sin (\\pi x) .",
+        "Chain(y_p, Add(Mul(Add(A, Mul(B, x), Mul(C, Pow(x; 2))), Pow(e; Neg(x)), Call(cos; Mul(\\pi, x))), Mul(Add(D, Mul(E, x), Mul(F, Pow(x; 2))), Pow(e; Neg(x)), Call(sin; Mul(\\pi, x)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "C = \\frac{1}{\\omega} \\arcsin\\left(\\sqrt{\\frac{m\\omega^2}{2E}}q_0\\right) - t_0,\\quad E = \\frac{p_0^2}{2m} + \\frac12 m\\omega^2 q_0^2",
+        "System(Chain(C, Add(Mul(Div(1; \\omega), Call(arcsin; Mul(Sqrt(Div(Mul(m, Pow(\\omega; 2)); Mul(2, E))), q_0))), Neg(t_0)); =), Chain(E, Add(Div(Pow(p_0; 2); Mul(2, m)), Mul(Div(1; 2), m, Pow(\\omega; 2), Pow(q_0; 2))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boxed{\\mathbf{\\Sigma}_{\\mathbf{q}_t^-} = \\Phi_t \\mathbf{\\Sigma}_{\\mathbf{q}_{t-1}} \\Phi_t^T + \\mathbf{\\Sigma}_{\\xi_t}}",
+        "Chain(\\mathbf{\\Sigma}_{\\mathbf q_t^-}, Add(Mul(\\Phi_t, \\mathbf{\\Sigma}_{\\mathbf q_t-1}, Transpose(\\Phi_t)), \\mathbf{\\Sigma}_{\\xi_t}); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "\\mathbf{q}_{t+1} = \\Bigg[ \\cos\\Big(\\frac{\\|\\boldsymbol\\omega\\|\\Delta t}{2}\\Big)\\mathbf{I}_4 + \\frac{1}{\\|\\boldsymbol\\omega\\|}\\sin\\Big(\\frac{\\|\\boldsymbol\\omega\\|\\Delta t}{2}\\Big)\\boldsymbol\\Omega(\\boldsymbol\\omega) \\Bigg]\\mathbf{q}_t",
+        "Chain(\\mathbf{q}_{t+1}, Mul(Add(Mul(Call(cos; Div(Mul(Norm(\\boldsymbol{\\omega}), \\Delta t); 2)), \\mathbf{I}_4), Mul(Div(1; Norm(\\boldsymbol{\\omega})), Call(sin; Div(Mul(Norm(\\boldsymbol{\\omega}), \\Delta t); 2)), Call(\\boldsymbol{\\Omega}; \\boldsymbol{\\omega}))), \\mathbf{q}_t); =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "S(\\omega) = \\sqrt{\\frac{2}{\\pi}}\\,\\frac{S_0}{\\left[(\\omega/\\omega_0)^2+1\\right]^2}",
+        "Chain(Call(S; \\omega), Mul(Sqrt(Div(2; \\pi)), Div(S_0; Pow(Add(Pow(Div(\\omega; \\omega_0); 2), 1); 2))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "v_{\\infty} = \\lvert v_{t,f} - v_f \\rvert",
+        "Chain(v_\\infty, Bars(Add(v_{t,f}, Neg(v_f))); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-capture.md",
+    ),
+    (
+        "f(t) = \\frac{1}{t} \\frac{1}{2\\pi i} \\int_L \\Delta(s) \\frac{1}{\\Gamma(-as)} \\left(\\frac{b}{t^a}\\right)^s \\mathrm{d}s,",
+        "Chain(Call(f; t), Mul(Div(1; t), Div(1; Mul(2, \\pi, i)), Over(\\int; _ { L }; Mul(Call(\\Delta; s), Div(1; Call(Gamma; Neg(Mul(a, s)))), Pow(Div(b; Pow(t; a)); s)); s)); =)",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\Pi(n, \\phi + k \\pi, m) = 2 k \\Pi(n,m) + \\Pi(n,\\phi,m), k \\in \\mathbb{Z}.",
+        "System(Chain(Call(\\Pi; n, Add(\\phi, Mul(k, \\pi)), m), Add(Mul(2, k, Call(\\Pi; n, m)), Call(\\Pi; n, \\phi, m)); =), Chain(k, \\mathbb{Z}; \\in))",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "e_i p_f \\cos\\nu_i - e_f p_i \\cos\\nu_i \\cos\\eta - e_f p_i \\sin\\nu_i \\sin\\eta = p_i - p_f",
+        "Chain(Add(Mul(e_i, p_f, Call(cos; \\nu_i)), Neg(Mul(e_f, p_i, Call(cos; \\nu_i), Call(cos; \\eta))), Neg(Mul(e_f, p_i, Call(sin; \\nu_i), Call(sin; \\eta)))), Add(p_i, Neg(p_f)); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/apse-line-rotation-example.md",
+    ),
+    (
+        "\\psi^3 = 1",
+        "Chain(Pow(\\psi; 3), 1; =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "v_{\\infty} = \\Delta v_{\\text{Sun}}\\text{ relative to the Sun}",
+        "System(Chain(v_\\infty, \\Delta v _ { \\text { S u n } }; =), Words(\\text{relative~to~the~Sun}))",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "e = (x - x_d)^2 + (f^{F_c} - f^{F_c}_{desired})^2",
+        "Chain(e, Add(Pow(Add(x, Neg(x_d)); 2), Pow(Add(f ^ { F _ { c } }, Neg(f _ { d e s i r e d } ^ { F _ { c } })); 2)); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "U = \\begin{bmatrix} U_{0, 0} & U_{0, 1} & U_{0, 2} & \\cdots & U_{0, n-1} \\\\ 0 & U_{1, 1} & U_{1, 2} & \\cdots & U_{1, n-1} \\\\ 0 & 0 & U_{2, 2} & \\cdots & U_{2, n-1} \\\\ \\vdots & \\vdots & \\vdots & \\ddots & \\vdots \\\\ 0 & 0 & 0 & \\cdots & U_{n-1, n-1} \\end{bmatrix}",
+        "Chain(U, MatrixOf(U_{0,0}, U_{0,1}, U_{0,2}, Dots(), U_{0,n-1}, 0, U_{1,1}, U_{1,2}, Dots(), U_{1,n-1}, 0, 0, U_{2,2}, Dots(), U_{2,n-1}, Dots(), Dots(), Dots(), Dots(), Dots(), 0, 0, 0, Dots(), U_{n-1,n-1}); =)",
+        "sympy/sympy/sympy/matrices/decompositions.py",
+    ),
+    (
+        "\\ddot{\\bf y}^d = {\\bf K}_d (\\dot{{\\bf y}}^d - \\dot{\\bf y}) + {\\bf K}_p ({\\bf y}^d -{\\bf y}).",
+        "Chain(Call(\\ddot { \\mathbf { y } } ^ { d }), Add(Mul(\\mathbf{K}_d, Add(Call(\\dot { \\mathbf { y } } ^ { d }), Neg(Call(\\dot{\\mathbf{y}})))), Mul(\\mathbf{K}_p, Add(Call(\\mathbf { y } ^ { d }), Neg(Call(\\mathbf{y}))))); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\bar{r}^{P_4/P_1} & = l_n \\hat{n}_x \\\\ \\bar{r}^{P_4/P_1} & = \\bar{r}^{P_2/P_1} + \\bar{r}^{P_3/P_2} + \\bar{r}^{P_4/P_3} = l_a\\hat{a}_x + l_b\\hat{b}_x + l_c\\hat{c}_x",
+        "System(Chain(\\bar { r } ^ { P _ { 4 } / P _ { 1 } }, Mul(l_n, \\hat{n}_x); =), Chain(\\bar { r } ^ { P _ { 4 } / P _ { 1 } }, Add(\\bar { r } ^ { P _ { 2 } / P _ { 1 } }, \\bar { r } ^ { P _ { 3 } / P _ { 2 } }, \\bar { r } ^ { P _ { 4 } / P _ { 3 } }), Add(Mul(l_a, \\hat{a}_x), Mul(l_b, \\hat{b}_x), Mul(l_c, \\hat{c}_x)); =, =))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "k(\\tau) \\approx S_0\\,\\omega_0\\,Q\\, \\exp\\left(-\\frac{\\omega_0\\,\\tau}{2\\,Q}\\right)\\, \\cos\\left(\\omega_0\\,\\tau\\right) \\quad.",
+        "Chain(Call(k; \\tau), Mul(S_0, \\omega_0, Q, Call(exp; Neg(Div(Mul(\\omega_0, \\tau); Mul(2, Q)))), Call(cos; Mul(\\omega_0, \\tau))); \\approx)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\min_{\\alpha,T} & \\quad T, \\\\ \\textrm{subject to} &\\quad X^{G_{start}} = f_{kin}(q_\\alpha(0)),\\\\ & \\quad X^{G_{goal}} = f_{kin}(q_\\alpha(T)), \\\\ & \\quad \\forall t , \\quad \\left|\\dot{q}_\\alpha(t)\\right| \\le v_{max} .",
+        "System(Words(Limiting(min; _{ \\alpha , T }; T)), Words(\\text{subject~to}), Chain(X ^ { G _ { s t a r t } }, Call(f_{kin}; Call(q_\\alpha; 0)); =), Chain(X ^ { G _ { g o a l } }, Call(f_{kin}; Call(q_\\alpha; T)); =), Forall(t), Chain(Bars(Call(\\dot{q}_\\alpha; t)), v_{max}; \\le))",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "\\begin{aligned} x_1 &= -\\pi_2 r_{12} & x_2 &= \\pi_1 r_{12} \\end{aligned}",
+        "System(Chain(x_1, Neg(Mul(\\pi_2, r_{12})); =), Chain(x_2, Mul(\\pi_1, r_{12}); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\dot{\\bm\\omega}_{R/N} = \\dot{\\bm\\omega}_{B_{u,t}/N} = \\bm 0",
+        "Chain(Call(\\dot{\\bm{\\omega}}_{R/N}), Call(\\dot{\\bm{\\omega}}_{B_u,t/N}), 0; =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/dvGuidance/dvAttGuidance/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "{}_2F_1(a,b,c,z) = \\frac{\\Gamma(a)}{\\Gamma(b) \\Gamma(c-b)} \\int_0^1 t^{b-1} (1-t)^{c-b-1} (1-zt)^{-a} dt.",
+        "Chain(Call(\\prescript { } { 2 } { F } _ { 1 }; a, b, c, z), Mul(Div(Call(Gamma; a); Mul(Call(Gamma; b), Call(Gamma; Add(c, Neg(b))))), Integral(Mul(Pow(t; Add(b, Neg(1))), Pow(Add(1, Neg(t)); Add(c, Neg(b), Neg(1))), Pow(Add(1, Neg(Mul(z, t))); Neg(a))); t; 0; 1)); =)",
+        "fredrik-johansson/arb/doc/source/arb_hypgeom.rst",
+    ),
+    (
+        "\\begin{bmatrix} \\phi \\\\ \\theta \\\\ \\psi \\end{bmatrix} = \\begin{bmatrix} \\mathrm{atan2}\\big(2(q_wq_x + q_yq_z), 1-2(q_x^2+q_y^2)\\big) \\\\ \\arcsin\\big(2(q_wq_y - q_zq_x)\\big) \\\\ \\mathrm{atan2}\\big(2(q_wq_z + q_xq_y), 1-2(q_y^2+q_z^2)\\big) \\end{bmatrix}",
+        "Chain(MatrixOf(\\phi, \\theta, \\psi), MatrixOf(Call(\\text{atan2}; Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z))), Add(1, Neg(Mul(2, Add(Pow(q_x; 2), Pow(q_y; 2)))))), Call(arcsin; Mul(2, Add(Mul(q_w, q_y), Neg(Mul(q_z, q_x))))), Call(\\text{atan2}; Mul(2, Add(Mul(q_w, q_z), Mul(q_x, q_y))), Add(1, Neg(Mul(2, Add(Pow(q_y; 2), Pow(q_z; 2))))))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\begin{aligned} v_r &= \\frac{\\mu}{h}\\sin\\nu \\\\ v_{\\perp} &= \\frac{\\mu}{h}\\left(1 + \\cos\\nu\\right) \\end{aligned}",
+        "System(Chain(v_r, Mul(Div(\\mu; h), Call(sin; \\nu)); =), Chain(v_\\perp, Mul(Div(\\mu; h), Add(1, Call(cos; \\nu))); =))",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/parabolic-trajectories.md",
+    ),
+    (
+        "\\boxed{\\mathbf{G}_t = \\mathbf{\\Sigma}_{\\mathbf{q}_t^-} \\big [\\mathbf{\\Sigma}_{\\mathbf{q}_t^-} + \\mathbf{\\Sigma}_{v_t}\\big ]^{-1}}",
+        "Chain(\\mathbf{G}_t, Mul(\\mathbf{\\Sigma}_{\\mathbf q_t^-}, Pow(Add(\\mathbf{\\Sigma}_{\\mathbf q_t^-}, \\mathbf{\\Sigma}_{v_t}); Neg(1))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "\\frac{X^{(4)}}{X} = \\frac{- T''}{a^4T} = \\lambda .",
+        "Chain(Div(X ^ { ( 4 ) }; X), Div(Neg(T''); Mul(Pow(a; 4), T)), \\lambda; =, =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\begin{split} e^{t A} = E e^{tD} E^{-1} & = \\begin{bmatrix} 1 & 1 \\\\ 1 & -1 \\end{bmatrix} \\begin{bmatrix} e^{3t} & 0 \\\\ 0 & e^{-t} \\end{bmatrix} \\begin{bmatrix} 1 & 1 \\\\ 1 & -1 \\end{bmatrix}^{-1} \\\\ & = \\begin{bmatrix} 1 & 1 \\\\ 1 & -1 \\end{bmatrix} \\begin{bmatrix} e^{3t} & 0 \\\\ 0 & e^{-t} \\end{bmatrix} \\frac{-1}{2} \\begin{bmatrix} -1 & -1 \\\\ -1 & 1 \\end{bmatrix} \\\\ & = \\frac{-1}{2} \\begin{bmatrix} e^{3t} & e^{-t} \\\\ e^{3t} & -e^{-t} \\end{bmatrix} \\begin{bmatrix} -1 & -1 \\\\ -1 & 1 \\end{bmatrix} \\\\ & = \\frac{-1}{2} \\begin{bmatrix} -e^{3t}-e^{-t} & -e^{3t}+e^{-t} \\\\ -e^{3t}+e^{-t} & -e^{3t}-e^{-t} \\end{bmatrix} = \\begin{bmatrix} \\frac{e^{3t}+e^{-t}}{2} & \\frac{e^{3t}-e^{-t}}{2} \\\\ \\frac{e^{3t}-e^{-t}}{2} & \\frac{e^{3t}+e^{-t}}{2} \\end{bmatrix} . \\end{split}",
+        "Chain(Pow(e; Mul(t, A)), Mul(E, Pow(e; Mul(t, D)), Pow(E; Neg(1))), Mul(MatrixOf(1, 1, 1, Neg(1)), MatrixOf(Pow(e; Mul(3, t)), 0, 0, Pow(e; Neg(t))), Pow(MatrixOf(1, 1, 1, Neg(1)); Neg(1))), Mul(MatrixOf(1, 1, 1, Neg(1)), MatrixOf(Pow(e; Mul(3, t)), 0, 0, Pow(e; Neg(t))), Div(Neg(1); 2), MatrixOf(Neg(1), Neg(1), Neg(1), 1)), Mul(Div(Neg(1); 2), MatrixOf(Pow(e; Mul(3, t)), Pow(e; Neg(t)), Pow(e; Mul(3, t)), Neg(Pow(e; Neg(t)))), MatrixOf(Neg(1), Neg(1), Neg(1), 1)), Mul(Div(Neg(1); 2), MatrixOf(Add(Neg(Pow(e; Mul(3, t))), Neg(Pow(e; Neg(t)))), Add(Neg(Pow(e; Mul(3, t))), Pow(e; Neg(t))), Add(Neg(Pow(e; Mul(3, t))), Pow(e; Neg(t))), Add(Neg(Pow(e; Mul(3, t))), Neg(Pow(e; Neg(t)))))), MatrixOf(Div(Add(Pow(e; Mul(3, t)), Pow(e; Neg(t))); 2), Div(Add(Pow(e; Mul(3, t)), Neg(Pow(e; Neg(t)))); 2), Div(Add(Pow(e; Mul(3, t)), Neg(Pow(e; Neg(t)))); 2), Div(Add(Pow(e; Mul(3, t)), Pow(e; Neg(t))); 2)); =, =, =, =, =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\frac{d\\hat x}{dt} = A \\hat x + B u + L(y - C\\hat x - D u),",
+        "Chain(Derivative(Call(\\hat{x}); t, 1), Add(Mul(A, Call(\\hat{x})), Mul(B, u), Mul(L, Add(y, Neg(Mul(C, Call(\\hat{x}))), Neg(Mul(D, u))))); =)",
+        "python-control/python-control/doc/statesp.rst",
+    ),
+    (
+        "y_p'' -9y_p = 6Ae^{3x} + 9Axe^{3x} - 9Axe^{3x} = 6Ae^{3x} .",
+        "Chain(Add(y_p'', Neg(Mul(9, y_p))), Add(Mul(6, A, Pow(e; Mul(3, x))), Mul(9, A, x, Pow(e; Mul(3, x))), Neg(Mul(9, A, x, Pow(e; Mul(3, x))))), Mul(6, A, Pow(e; Mul(3, x))); =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "B(a,b;z) = \\frac{z^a}{a} {}_2F_1(a, 1-b, a+1, z)",
+        "Chain(Call(B; Given(a, b; z; ;)), Mul(Div(Pow(z; a); a), Call(\\prescript { } { 2 } { F } _ { 1 }; a, Add(1, Neg(b)), Add(a, 1), z)); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "dx_e/dt = A x_e + B u + L(y - C x_e - D u)",
+        "Chain(Derivative(Call(x_e); t, 1), Add(Mul(A, Call(x_e)), Mul(B, u), Mul(L, Add(y, Neg(Mul(C, Call(x_e))), Neg(Mul(D, u))))); =)",
+        "python-control/python-control/control/stochsys.py",
+    ),
+    (
+        "\\boldsymbol{d}_e = \\left(\\sum_{i=1}^n\\dot{u}_i^2 + 1\\right)^{-\\frac12} \\begin{pmatrix} \\dot{u}_1 \\\\ \\dot{u}_2 \\\\ \\vdots \\\\ \\dot{u}_{3n} \\\\ 1 \\end{pmatrix}",
+        "Chain(\\boldsymbol{d}_e, Mul(Pow(Add(BigSum(i; 1; n; Pow(Call(\\dot{u}_i); 2)), 1); Neg(Div(1; 2))), MatrixOf(Call(\\dot{u}_1), Call(\\dot{u}_2), Dots(), Call(\\dot{u}_{3n}), 1)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/analytical-mechanics/Constraint.tex",
+    ),
+    (
+        "\\bar{x} = \\mathbf{A}^{-1}\\bar{b}",
+        "Chain(\\bar{x}, Mul(Pow(\\mathbf{A}; Neg(1)), \\bar{b}); =)",
+        "moorepants/learn-multibody-dynamics/sympy.rst",
+    ),
+    (
+        "k(\\tau) = S_0\\,\\omega_0\\,e^{-\\frac{1}{\\sqrt{2}}\\,\\omega_0\\,\\tau}\\, \\cos{\\left(\\frac{\\omega_0\\,\\tau}{\\sqrt{2}}-\\frac{\\pi}{4}\\right)} \\quad.",
+        "Chain(Call(k; \\tau), Mul(S_0, \\omega_0, Pow(e; Neg(Mul(Div(1; Sqrt(2)), \\omega_0, \\tau))), Call(cos; Add(Div(Mul(\\omega_0, \\tau); Sqrt(2)), Neg(Div(\\pi; 4))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\alpha u_x + u_t = 0, \\qquad u(x,0) = f(x) ,",
+        "System(Chain(Add(Mul(\\alpha, u_x), u_t), 0; =), Chain(Call(u; x, 0), Call(f; x); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "T = \\frac{\\mathrm{JDT} - 2451545}{36525}",
+        "Chain(T, Div(Add(\\text{JDT}, Neg(2451545)); 36525); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/planetary-ephemeris.md",
+    ),
+    (
+        "[B_\\text{contr}] = \\frac{1}{m_{\\text{sc}}}\\sum\\limits_{i=1}^{N}m_{\\text{rw}_i}d_i\\hat{\\bm{w}}_{3_i}\\bm{b}_{\\Omega_i}^T",
+        "Chain([ B _ { \\text { c o n t r } } ], Mul(Div(1; m_{sc}), BigSum(i; 1; N; Mul(m_{rw_i}, d_i, \\hat{\\bm{w}}_{3_i}, Transpose(\\bm{b}_{\\Omega_i})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/reactionWheels/_Documentation/RWJitterBackSubstitution/Basilisk-RWJitterBackSub-20161221.tex",
+    ),
+    (
+        "{\\bf A}' = {\\bf T}^{-1} {\\bf A} {\\bf T},\\quad {\\bf B}' = {\\bf T}^{-1} {\\bf B},\\quad {\\bf C}' = {\\bf C}{\\bf T},",
+        "System(Chain(\\mathbf{A}', Mul(Pow(\\mathbf{T}; Neg(1)), \\mathbf{A}, \\mathbf{T}); =), Chain(\\mathbf{B}', Mul(Pow(\\mathbf{T}; Neg(1)), \\mathbf{B}); =), Chain(\\mathbf{C}', Mul(\\mathbf{C}, \\mathbf{T}); =))",
+        "RussTedrake/underactuated/book/sysid.html",
+    ),
+    (
+        "[B(\\pmb\\sigma_{R/N})] = (1-\\sigma_{R/N}^{2}) [I_{3\\times 3}] + 2 [\\tilde{\\pmb\\sigma}_{R/N}] + 2 \\pmb\\sigma_{R/N} \\pmb\\sigma_{R/N}^{T}",
+        "Chain(Call([ B ]; \\pmb{\\sigma}_{R/N}), Add(Mul(Add(1, Neg(Pow(\\sigma_{R/N}; 2))), [ I _ { 3 \\times 3 } ]), Mul(2, [ \\tilde { \\pmb { \\sigma } } _ { R / N } ]), Mul(2, \\pmb{\\sigma}_{R/N}, Transpose(\\pmb{\\sigma}_{R/N}))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/inertial3DSpin/inertial3DSpin.rst",
+    ),
+    (
+        "H = \\sum_{\\alpha=1}^s \\frac{\\partial L}{\\partial \\dot{q}_\\alpha} \\dot{q}_\\alpha - L",
+        "Chain(H, Add(BigSum(\\alpha; 1; s; Mul(Derivative(Call(L); \\dot{q}_{\\alpha}, 1; True), Call(\\dot{q}_{\\alpha}))), Neg(Call(L))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\theta_1(z,\\tau) = -i \\sum_{n=-\\infty}^{\\infty} (-1)^n \\exp(\\pi i [(n + 1/2)^2 \\tau + (2n + 1) z]) = 2 q_{1/4} \\sum_{n=0}^{\\infty} (-1)^n q^{n(n+1)} \\sin((2n+1) \\pi z)",
+        "Chain(Call(\\theta_1; z, \\tau), Neg(Mul(i, BigSum(n; Neg(Infinity()); Infinity(); Mul(Pow(Neg(1); n), Call(exp; Mul(\\pi, i, Add(Mul(Pow(Add(n, Div(1; 2)); 2), \\tau), Mul(Add(Mul(2, n), 1), z)))))))), Mul(2, q_{1/4}, BigSum(n; 0; Infinity(); Mul(Pow(Neg(1); n), Pow(q; Mul(n, Add(n, 1))), Call(sin; Mul(Add(Mul(2, n), 1), \\pi, z))))); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "f_{1,B}^B + f_{2,B}^B = \\begin{bmatrix}0 \\\\ 0 \\\\ mg\\end{bmatrix},",
+        "Chain(Add(f _ { 1 , B } ^ { B }, f _ { 2 , B } ^ { B }), MatrixOf(0, 0, Mul(m, g)); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\ddot{\\boldsymbol{\\rho}} = \\frac{d^2\\boldsymbol{r}}{dt^2}\\frac{t_C^2}{r_{12}} = \\frac{d^2\\boldsymbol{\\rho}}{d\\tau^2}",
+        "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Mul(Derivative(Call(\\boldsymbol{r}); t, 2), Div(Pow(t_C; 2); r_{12})), Derivative(Call(\\boldsymbol{\\rho}); \\tau, 2); =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "u = u_\\text{d} - K(\\mu) (x - x_\\text{d})",
+        "Chain(u, Add(u_d, Neg(Mul(Call(K; \\mu), Add(x, Neg(x_d))))); =)",
+        "python-control/python-control/doc/iosys.rst",
+    ),
+    (
+        "\\operatorname{Bi}(z) = A_3 [S_n(i \\zeta) + R_n(z_1)] + A_4 [S_n(-i \\zeta) + R_n(z_2)]",
+        "Chain(Call(\\text{Bi}; z), Add(Mul(A_3, Add(Call(S_n; Mul(i, \\zeta)), Call(R_n; z_1))), Mul(A_4, Add(Call(S_n; Neg(Mul(i, \\zeta))), Call(R_n; z_2)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\sigma = \\sqrt{\\frac{2}{\\tau}}\\sigma_{st}",
+        "Chain(\\sigma, Mul(Sqrt(Div(2; \\tau)), \\sigma_{st}); =)",
+        "AVSLab/basilisk/src/simulation/mujocoDynamics/_GeneralModuleFiles/meanRevertingNoise.rst",
+    ),
+    (
+        "\\hat{a}_x & = \\cos\\alpha_{xx} \\hat{n}_x +\\cos\\alpha_{xy} \\hat{n}_y + \\cos\\alpha_{xz} \\hat{n}_z \\\\ \\hat{a}_y & = \\cos\\alpha_{yx} \\hat{n}_x +\\cos\\alpha_{yy} \\hat{n}_y + \\cos\\alpha_{yz} \\hat{n}_z \\\\ \\hat{a}_z & = \\cos\\alpha_{zx} \\hat{n}_x +\\cos\\alpha_{zy} \\hat{n}_y + \\cos\\alpha_{zz} \\hat{n}_z",
+        "System(Chain(\\hat{a}_x, Add(Mul(Call(cos; \\alpha_{xx}), \\hat{n}_x), Mul(Call(cos; \\alpha_{xy}), \\hat{n}_y), Mul(Call(cos; \\alpha_{xz}), \\hat{n}_z)); =), Chain(\\hat{a}_y, Add(Mul(Call(cos; \\alpha_{yx}), \\hat{n}_x), Mul(Call(cos; \\alpha_{yy}), \\hat{n}_y), Mul(Call(cos; \\alpha_{yz}), \\hat{n}_z)); =), Chain(\\hat{a}_z, Add(Mul(Call(cos; \\alpha_{zx}), \\hat{n}_x), Mul(Call(cos; \\alpha_{zy}), \\hat{n}_y), Mul(Call(cos; \\alpha_{zz}), \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "(2+3i)(4i) - 5i = (2\\times 4)i + (3 \\times 4) i^2 - 5i = 8i + 12 (-1) - 5i = -12 + 3i .",
+        "Chain(Add(Mul(Add(2, Mul(3, i)), Mul(4, i)), Neg(Mul(5, i))), Add(Mul(Cross(2; 4), i), Mul(Cross(3; 4), Pow(i; 2)), Neg(Mul(5, i))), Add(Mul(8, i), Mul(12, Neg(1)), Neg(Mul(5, i))), Add(Neg(12), Mul(3, i)); =, =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "m\\ddot{x} = u + f^{F_c}",
+        "Chain(Mul(m, Call(\\ddot{x})), Add(u, f ^ { F _ { c } }); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "F(t) = \\frac{1}{2} + \\sum_{\\substack{n=1 \\\\ n \\text{ odd}}}^\\infty \\frac{2}{\\pi n} \\sin (n \\pi t) .",
+        "Chain(Call(F; t), Add(Div(1; 2), Limiting(sum; _{ \\substack { n = 1 \\\\ n \\text { o d d } } }^{ \\infty }; Mul(Div(2; Mul(\\pi, n)), Call(sin; Mul(n, \\pi, t))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{cases} \\displaystyle q = 2\\mathrm{am}\\,\\left(\\frac{K(k_2)\\omega}{\\pi}\\right) \\\\[1.5ex] \\displaystyle p = \\frac{2\\omega_0}{k_2}\\mathrm{dn}\\,\\left(\\frac{K(k_2)\\omega}{\\pi}\\right) \\end{cases}",
+        "System(Chain(q, Mul(2, Call(am; Div(Mul(Call(K; k_2), \\omega); \\pi))); =), Chain(p, Mul(Div(Mul(2, \\omega_0); k_2), Call(dn; Div(Mul(Call(K; k_2), \\omega); \\pi))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "C_{dyn} = -\\sqrt{5}Ma^2\\frac{C_{2,0dyn}}{H}",
+        "Chain(C_{dyn}, Neg(Mul(Sqrt(5), M, Pow(a; 2), Div(C_{2,0dyn}; H))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "V = \\frac12 \\sum_{\\alpha,\\beta=1}^s k_{\\alpha\\beta}q_\\alpha q_\\beta = \\frac12 \\boldsymbol{q}^{\\mathrm{T}} \\boldsymbol{K} \\boldsymbol{q}",
+        "Chain(V, Mul(Div(1; 2), BigSum(\\alpha, \\beta; 1; s; Mul(k_{\\alpha \\beta}, q_{\\alpha}, q_{\\beta}))), Mul(Div(1; 2), Transpose(\\boldsymbol{q}), \\boldsymbol{K}, \\boldsymbol{q}); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "f(x) := \\frac{2\\mu^\\mu}{\\Gamma(\\mu)\\omega^\\mu} x^{2\\mu-1} \\exp\\left(-\\frac{\\mu}{\\omega}x^2 \\right)",
+        "Chain(Call(f; x), Mul(Div(Mul(2, Pow(\\mu; \\mu)); Mul(Call(Gamma; \\mu), Pow(\\omega; \\mu))), Pow(x; Add(Mul(2, \\mu), Neg(1))), Call(exp; Neg(Mul(Div(\\mu; \\omega), Pow(x; 2))))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "\\chi = \\sqrt{-a} \\left(F - F_0\\right)",
+        "Chain(\\chi, Mul(Sqrt(Neg(a)), Add(F, Neg(F_0))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "& y'' + \\lambda y = 0, \\quad 0 < x < \\nicefrac{\\pi}{2} , \\\\ & y(0) =0, \\quad y'(\\nicefrac{\\pi}{2}) = 0 .",
+        "System(Chain(Add(Call(y''), Mul(\\lambda, Call(y))), 0; =), Chain(0, x, Div(\\pi; 2); <, <), Chain(Call(y; 0), 0; =), Chain(Call(y'; Div(\\pi; 2)), 0; =))",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\dot{E} =& ml^2\\dot\\theta \\ddot\\theta + \\dot\\theta mgl\\sin\\theta \\\\ =& \\dot\\theta \\left[ u - mgl\\sin\\theta \\right] + \\dot\\theta mgl\\sin\\theta \\\\ =& u\\dot\\theta.",
+        "Chain(Call(\\dot{E}), Add(Mul(m, Pow(l; 2), Call(\\dot{\\theta}), Call(\\ddot{\\theta})), Mul(Call(\\dot{\\theta}), m, g, l, Call(sin; Call(\\theta)))), Add(Mul(Call(\\dot{\\theta}), Add(u, Neg(Mul(m, g, l, Call(sin; Call(\\theta)))))), Mul(Call(\\dot{\\theta}), m, g, l, Call(sin; Call(\\theta)))), Mul(u, Call(\\dot{\\theta})); =, =, =)",
+        "RussTedrake/underactuated/book/pend.html",
+    ),
+    (
+        "x_c = \\begin{cases} C_1 e^{r_1 t} + C_2 e^{r_2 t} & \\text{if } \\; c^2 > 4km , \\\\ C_1 e^{-p t} + C_2 t e^{-p t} & \\text{if } \\; c^2 = 4km , \\\\ e^{-p t} \\bigl( C_1 \\cos (\\omega_1 t) + C_2 \\sin (\\omega_1 t) \\bigr) & \\text{if } \\; c^2 < 4km , \\end{cases}",
+        "Chain(x_c, Piecewise(Add(Mul(C_1, Pow(e; Mul(r_1, t))), Mul(C_2, Pow(e; Mul(r_2, t)))), Chain(Pow(c; 2), Mul(4, k, m); >), Add(Mul(C_1, Pow(e; Neg(Mul(p, t)))), Mul(C_2, t, Pow(e; Neg(Mul(p, t))))), Chain(Pow(c; 2), Mul(4, k, m); =), Mul(Pow(e; Neg(Mul(p, t))), Add(Mul(C_1, Call(cos; Mul(\\omega_1, t))), Mul(C_2, Call(sin; Mul(\\omega_1, t))))), Chain(Pow(c; 2), Mul(4, k, m); <)); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "G_n = 2 (1 - 2^n) B_n",
+        "Chain(G_n, Mul(2, Add(1, Neg(Pow(2; n))), B_n); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "\\dot{\\rho}(t) = \\mp \\ddot{\\rho}_{\\text{max}} \\left ( -(t - t_{b2}) + \\frac{(t - t_{b2})^3}{t_{\\text{smooth}}^2} - \\frac{(t - t_{b2})^4}{2 t_{\\text{smooth}}^3} \\right ) + \\dot{\\rho}(t_{b2})",
+        "Chain(Call(\\dot{\\rho}; t), Add(PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Neg(Add(t, Neg(t_{b2}))), Div(Pow(Add(t, Neg(t_{b2})); 3); Pow(t_{smooth}; 2)), Neg(Div(Pow(Add(t, Neg(t_{b2})); 4); Mul(2, Pow(t_{smooth}; 3)))))); True), Call(\\dot{\\rho}; t_{b2})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\frac12 I_1\\dot{\\theta}^2 + \\frac{(L_Z-L_3\\cos\\theta)^2}{2I_1\\sin^2\\theta}+\\frac{L_3^2}{2I_3}+Mgl\\cos\\theta = E",
+        "Chain(Add(Mul(Div(1; 2), I_1, Pow(Call(\\dot{\\theta}); 2)), Div(Pow(Add(L_Z, Neg(Mul(L_3, Call(cos; Call(\\theta))))); 2); Mul(2, I_1, Pow(Call(sin; Call(\\theta)); 2))), Div(Pow(L_3; 2); Mul(2, I_3)), Mul(M, g, l, Call(cos; Call(\\theta)))), E; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\det(I) = 1 .",
+        "Chain(Call(det; I), 1; =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "M = \\begin{bmatrix} 1 & 2 \\\\ 3 & 4 \\end{bmatrix} .",
+        "Chain(M, MatrixOf(1, 2, 3, 4); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "4 x^2 y'' - 4 x^2 y' + (1-2x)y = 0,",
+        "Chain(Add(Mul(4, Pow(x; 2), y''), Neg(Mul(4, Pow(x; 2), y')), Mul(Add(1, Neg(Mul(2, x))), y)), 0; =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "{}^{G_{grasp}}p^O = \\begin{bmatrix} 0 \\\\ 0.11 \\\\ 0 \\end{bmatrix}, \\qquad {}^{G_{pregrasp}}p^O = \\begin{bmatrix} 0 \\\\ 0.2 \\\\ 0 \\end{bmatrix}.",
+        "System(Chain(\\prescript { G _ { g r a s p } } { } { p } ^ { O }, MatrixOf(0, 0.11, 0); =), Chain(\\prescript { G _ { p r e g r a s p } } { } { p } ^ { O }, MatrixOf(0, 0.2, 0); =))",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "{}^{\\cal B} {\\pmb\\tau}_{\\text{desired}} = - K_p \\ {}^{\\cal B} {\\bf h}_{\\text{wheels}}",
+        "Chain(\\prescript { \\mathcal { B } } { } { \\pmb { \\tau } } _ { \\text { d e s i r e d } }, Neg(Mul(K_p, \\prescript { \\mathcal { B } } { } { \\mathbf { h } } _ { \\text { w h e e l s } })); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mtbMomentumManagementSimple/mtbMomentumManagementSimple.rst",
+    ),
+    (
+        "f_d = \\left[ 4.781 - \\frac{(A - 4.781)^2} {B-2A+4.781}\\right]^{-2}",
+        "Chain(f_d, Pow(Add(4.781, Neg(Div(Pow(Add(A, Neg(4.781)); 2); Add(B, Neg(Mul(2, A)), 4.781)))); Neg(2)); =)",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "q_{motor} = n q,\\quad \\dot{q}_{motor} = n \\dot{q}, \\quad \\ddot{q}_{motor} = n \\ddot{q}, \\qquad \\tau_{motor} = \\frac{1}{n} \\tau.",
+        "System(Chain(Call(q_{motor}), Mul(n, Call(q)); =), Chain(Call(\\dot{q}_{motor}), Mul(n, Call(\\dot{q})); =), Chain(Call(\\ddot{q}_{motor}), Mul(n, Call(\\ddot{q})); =), Chain(\\tau_{motor}, Mul(Div(1; n), \\tau); =))",
+        "RussTedrake/manipulation/book/robot.html",
+    ),
+    (
+        "\\gamma_{\\mathrm{out}} = \\gamma_{\\mathrm{floored}} = \\mathrm{max}(\\mathrm{minOutput}, \\gamma_{\\mathrm{capped}})",
+        "Chain(\\gamma_{out}, \\gamma_{floored}, Call(max; \\text{minOutput}, \\gamma_{capped}); =, =)",
+        "AVSLab/basilisk/src/simulation/sensors/coarseSunSensor/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\sum_{i=1}^n \\boldsymbol{F}_i^*\\cdot \\boldsymbol{v}_i = 0",
+        "Chain(BigSum(i; 1; n; Mul(\\boldsymbol { F } _ { i } ^ { * }, \\boldsymbol{v}_i)), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "x' = F(x,y)",
+        "Chain(x', Call(F; x, y); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "a_n f^{(n)}(x) + a_{n-1} f^{(n-1)}(x) + \\cdots + a_1 f'(x) + a_0 f(x) = 0\\text{.}",
+        "Chain(Add(Mul(a_n, Call(f ^ { ( n ) }; x)), Mul(a_{n-1}, Call(f ^ { ( n - 1 ) }; x)), Dots(), Mul(a_1, Call(f'; x)), Mul(a_0, Call(f; x))), 0; =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "\\dot V = - \\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}}^{T} {\\bf f}(\\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}}) < 0",
+        "Chain(Call(\\dot{V}), Neg(Mul(Transpose(\\pmb{\\sigma}_{\\mathcal B/\\mathcal R}), Call(\\mathbf{f}; \\pmb{\\sigma}_{\\mathcal B/\\mathcal R}))), 0; =, <)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "\\zeta(s,a) \\le \\frac{1}{a^s} + \\frac{1}{(s-1) a^{s-1}}",
+        "Chain(Call(\\zeta; s, a), Add(Div(1; Pow(a; s)), Div(1; Mul(Add(s, Neg(1)), Pow(a; Add(s, Neg(1)))))); \\le)",
+        "fredrik-johansson/arb/doc/source/mag.rst",
+    ),
+    (
+        "\\bar{\\mathrm{g}} = \\mathrm{g}_e\\Big(1 + \\frac{1}{6}e^2 + \\frac{1}{3}k + \\frac{59}{360}e^4 + \\frac{5}{18}e^2k + \\frac{2371}{15120}e^6 + \\frac{259}{1080}e^4k + \\frac{270229}{1814400}e^8 + \\frac{9623}{45360}e^6k \\Big)",
+        "Chain(\\bar{\\text{g}}, Mul(\\text{g}_e, Add(1, Mul(Div(1; 6), Pow(e; 2)), Mul(Div(1; 3), k), Mul(Div(59; 360), Pow(e; 4)), Mul(Div(5; 18), Pow(e; 2), k), Mul(Div(2371; 15120), Pow(e; 6)), Mul(Div(259; 1080), Pow(e; 4), k), Mul(Div(270229; 1814400), Pow(e; 8)), Mul(Div(9623; 45360), Pow(e; 6), k))); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -8357,5 +9842,13 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "{\\mathbf{F}_{\\textrm{radiation,scaled}}} = {\\mathbf{F}_{\\textrm{radiation}}}{\\Big( \\frac{AU}{|\\textbf{r}_{\\textrm{sun}}|} \\Big)}^{2} [N]",
         "AVSLab/basilisk/src/simulation/dynamics/RadiationPressure/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\boldsymbol{a}(t) = \\frac{d\\boldsymbol{v}(t)}{dt} = \\frac{d \\left(v_x \\boldsymbol{\\hat{\\imath}}\\right)}{dt} + \\frac{d \\left(v_y \\boldsymbol{\\hat{\\jmath}}\\right)}{dt} + \\frac{d \\left(v_z \\boldsymbol{\\hat{k}}\\right)}{dt}",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "\\ddot{\\bm{r}}_{P_{c,j}/B} &= \\bm{r}''_{P_{c,j}/B} +2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{P_{c,j}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{P_{c,j}/B} +\\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{P_{c,j}/B})",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
     ),
 )

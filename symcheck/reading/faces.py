@@ -16,7 +16,7 @@ ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde|breve)\{")  # accent
 def face(latex: str) -> str:
     """What is printed in bold type or below an arrow, where a letter, or a name of several tokens, is; else nothing."""
     printed = re.sub(r"^\\(?:Delta|delta)(?=\\)", "", latex.replace(" ", ""))
-    found = STYLED.match(printed)
+    found = None if printed.startswith(r"\prescript") else STYLED.match(printed)
     return printed[found.end() :] if found else ""
 
 

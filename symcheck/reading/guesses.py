@@ -132,9 +132,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
     elif applied:
         depends = ", ".join(simple) if simple else None
-        size = (0, 0) if latex.startswith("[") else ()
-        function = _letter(of, kind="function", depends=depends, size=size)
-        yield Guess(function, "a function", "it stands before its arguments only")
+        shape = (0, 0) if latex.startswith("[") else ()  # of the matrix that is its value
+        applied_to = _letter(of, kind="function", depends=depends, size=shape)
+        yield Guess(applied_to, "a function", "it stands before its arguments only")
     elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
@@ -190,7 +190,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif _beside_vectors(of, every):
-        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
+        kind = "matrix" if latex.startswith(r"\breve") else "vector"  # a dyadic
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is multiplied by a vector")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
 
@@ -437,6 +438,9 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
     within = any(x in every and _stands_in_body(every[x]) for x in on)
     within |= any(place.role == "variable" and place.before == r"\partial" for place in of.places)
     varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
+    if of.dotted and primed:
+        yield in_doubt(varying, "do its primes say the same as its dots? write one of them")
+        return
     constant = Guess(
         _letter(of, kind=kind, depends=""), CONSTANT, "it has no dot, and the other letter stands beside it"
     )
@@ -453,7 +457,7 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
 
 
 def _stands_in_body(of: Evidence) -> bool:
-    return any(place.role == "derived" for place in of.places)
+    return any(place.role == "derived" and (place.before, place.after) != ("(", ")") for place in of.places)
 
 
 def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:

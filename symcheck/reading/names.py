@@ -462,7 +462,8 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = [text for text in _outside_scripts(inner) if text != r"\mathcal"]
+    styles = {r"\mathcal"} if toks[end + 1 : end + 2] and toks[end + 1].text == "^" else STYLES  # or an inverse product
+    letters = [text for text in _outside_scripts(inner) if text not in styles]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):

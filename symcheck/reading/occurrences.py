@@ -279,24 +279,29 @@ class Scan(tex.Reader):
     def differentials(self, start: int, end: int, role: str, by: tuple[str, ...] = ()) -> Iterator[Occurrence]:
         """The letters behind the d in one part of a derivative."""
         self.i = start + (self.peek_at(start) == "{")
+        behind = ""  # the d that ends before this place, with its power
         while self.i < end:
             text = self.peek()
-            before = self.peek(-1) if self.i else ""
+            before = behind or (self.peek(-1) if self.i else "")
             if self.wholes and (whole := self.whole())[0]:
                 yield Occurrence(whole[0], whole[1], role=role, by=by, before=before)
             elif text in ("d", r"\partial"):
-                self.i += 1
+                self.i, behind = self.i + 1, text
                 if self.peek() == "^":
                     self.i += 1
                     self.group()
+                continue
             elif (
                 text in (r"\mathrm", r"\text") and "".join(t.text for t in self.toks[self.i + 1 : self.i + 4]) == "{d}"
             ):
                 self.i += 4
             elif tex.is_letter(text) and text not in FUNCTIONS_SPELLED:
-                yield from self.letter(Scope(role, by))
+                places = [*self.letter(Scope(role, by))]
+                yield from [replace(place, before=before) for place in places[: bool(behind)]]
+                yield from places[bool(behind) :]
             else:
                 self.i += 1
+            behind = ""
 
     def operand(self, scope: Scope, by: tuple[str, ...]) -> Iterator[Occurrence]:
         """What stands behind an operator such as d/dx: one factor, or what is in brackets."""

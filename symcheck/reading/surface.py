@@ -40,8 +40,7 @@ SAME = {  # other spellings
 }  # fmt: skip
 NOTHING = {  # layout, with the number of arguments that go with it
     r"\displaystyle": 0, r"\textstyle": 0, r"\scriptstyle": 0, r"\notag": 0, r"\nonumber": 0, r"\label": 1,
-    r"\hspace": 1,
-    r"\hspace*": 1, r"\vspace": 1, r"\phantom": 1, r"\hphantom": 1, r"\vphantom": 1, r"\mathstrut": 0, r"\strut": 0,
+    r"\vspace": 1, r"\phantom": 1, r"\hphantom": 1, r"\vphantom": 1, r"\mathstrut": 0, r"\strut": 0,
     r"\color": 1, r"\nolinebreak": 0, r"\allowbreak": 0, r"\relax": 0, r"\limits": 0, r"\nolimits": 0, r"\noindent": 0,
     r"\small": 0, r"\large": 0, r"\null": 0, r"\hfill": 0, r"\hfil": 0, r"\centering": 0, r"\footnotesize": 0,
     r"\tiny": 0,
@@ -57,6 +56,8 @@ _BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
 _OPERATOR = re.compile(
     r"\\operatorname(\*?)\s*\{([^{}]*)\}|(?<!\{)\\(?:mathrm|text|textrm)()\s*\{\s*(arg\W*(?:max|min))\s*\}"
 )
+# spaces with their lengths; the wide ones part relations
+_HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*(\d*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
 _HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
@@ -78,6 +79,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     Formulas beside it tell whether a capital gamma is the function.
     """
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
+    source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
     source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
     source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
     if not any(map(_GAMMA.search, (source, *beside))):
