@@ -9708,6 +9708,1486 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(\\bar{\\text{g}}, Mul(\\text{g}_e, Add(1, Mul(Div(1; 6), Pow(e; 2)), Mul(Div(1; 3), k), Mul(Div(59; 360), Pow(e; 4)), Mul(Div(5; 18), Pow(e; 2), k), Mul(Div(2371; 15120), Pow(e; 6)), Mul(Div(259; 1080), Pow(e; 4), k), Mul(Div(270229; 1814400), Pow(e; 8)), Mul(Div(9623; 45360), Pow(e; 6), k))); =)",
         "Mayitzin/ahrs/ahrs/utils/geodesy.py",
     ),
+    (
+        "\\mathbf{q}_{t+1} \\gets \\frac{\\mathbf{q}_{t+1}}{\\|\\mathbf{q}_{t+1}\\|}",
+        "Chain(\\mathbf{q}_{t+1}, Div(\\mathbf{q}_{t+1}; Norm(\\mathbf{q}_{t+1})); \\leftarrow)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "{}^N\\bar{v}^A = v_x(\\dot{q}_1, q_1, q_2, q_3)\\hat{n}_x + v_y(\\dot{q}_1, q_1, q_2, q_3)\\hat{n}_y + v_z(\\dot{q}_1, q_1, q_2, q_3)\\hat{n}_z",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { A }, Add(Mul(Call(v_x; Call(\\dot{q}_1), Call(q_1), q_2, q_3), \\hat{n}_x), Mul(Call(v_y; Call(\\dot{q}_1), Call(q_1), q_2, q_3), \\hat{n}_y), Mul(Call(v_z; Call(\\dot{q}_1), Call(q_1), q_2, q_3), \\hat{n}_z)); =)",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "\\sum_{i=1}^n (\\boldsymbol{J}_i - m_i\\Delta\\boldsymbol{v}_i) \\cdot \\delta\\boldsymbol{r}_i = 0",
+        "Chain(BigSum(i; 1; n; Mul(Add(\\boldsymbol{J}_i, Neg(Mul(m_i, \\Delta \\boldsymbol { v } _ { i }))), \\delta \\boldsymbol { r } _ { i }; 1)), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "& k_1 = f(x_i,y_i) , & & k_2 = f\\bigl(x_i + \\nicefrac{h}{2},y_i + k_1 (\\nicefrac{h}{2})\\bigr) , \\\\ & k_3 = f\\bigl(x_i + \\nicefrac{h}{2},y_i + k_2 (\\nicefrac{h}{2})\\bigr) , & & k_4 = f(x_i + h,y_i + k_3 h) , \\\\ & x_{i+1} = x_i + h , & & y_{i+1} = y_i + \\frac{k_1 + 2k_2 + 2k_3 + k_4}{6}\\,h .",
+        "System(Chain(k_1, Call(f; x_i, y_i); =), Chain(k_2, Call(f; Add(x_i, Div(h; 2)), Add(y_i, Mul(k_1, Div(h; 2)))); =), Chain(k_3, Call(f; Add(x_i, Div(h; 2)), Add(y_i, Mul(k_2, Div(h; 2)))); =), Chain(k_4, Call(f; Add(x_i, h), Add(y_i, Mul(k_3, h))); =), Chain(x_{i+1}, Add(x_i, h); =), Chain(y_{i+1}, Add(y_i, Mul(Div(Add(k_1, Mul(2, k_2), Mul(2, k_3), k_4); 6), h)); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\begin{aligned} &x(s)=x_{0}+\\int_{0}^{s} \\cos \\left(\\frac{1}{2} \\kappa^{\\prime} \\tau^{2}+\\kappa \\tau+\\vartheta_{0}\\right) \\mathrm{d} \\tau \\\\ &y(s)=y_{0}+\\int_{0}^{s} \\sin \\left(\\frac{1}{2} \\kappa^{\\prime} \\tau^{2}+\\kappa \\tau+\\vartheta_{0}\\right) \\mathrm{d} \\tau \\end{aligned}",
+        "System(Chain(Call(x; s), Add(x_0, Integral(Call(cos; Add(Mul(Div(1; 2), \\kappa', Pow(\\tau; 2)), Mul(\\kappa, \\tau), \\vartheta_0)); \\tau; 0; s)); =), Chain(Call(y; s), Add(y_0, Integral(Call(sin; Add(Mul(Div(1; 2), \\kappa', Pow(\\tau; 2)), Mul(\\kappa, \\tau), \\vartheta_0)); \\tau; 0; s)); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/clothoid_path/clothoid_path_main.rst",
+    ),
+    (
+        "\\mathbf{m} = \\mathbf{R}^T\\mathbf{h} + \\mathbf{B}_m + \\mu_b",
+        "Chain(\\mathbf{m}, Add(Mul(Transpose(\\mathbf{R}), \\mathbf{h}), \\mathbf{B}_m, \\mu_b); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "M_p = \\frac{1}{6}\\left(\\frac{\\chi\\sqrt{\\mu}}{h}\\right)^3 + \\frac{1}{2}\\left(\\frac{\\sqrt{\\mu}}{h}\\chi\\right)",
+        "Chain(M_p, Add(Mul(Div(1; 6), Pow(Div(Mul(\\chi, Sqrt(\\mu)); h); 3)), Mul(Div(1; 2), Mul(Div(Sqrt(\\mu); h), \\chi))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "\\mu = W_1 \\mu_z + W_2 \\bar\\mu",
+        "Chain(\\mu, Add(Mul(W_1, \\mu_z), Mul(W_2, \\bar{\\mu})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
+    (
+        "\\tan \\omega = \\frac{(\\hat{\\bm \\imath}_{n} \\times \\hat{\\bm \\imath}_{e}) \\cdot \\hat{\\bm \\imath}_{h}} {\\hat{\\bm \\imath}_{n} \\cdot \\hat{\\bm \\imath}_{e}}",
+        "Chain(Call(tan; \\omega), Div(Mul(Cross(\\hat{\\bm{\\imath}}_n; \\hat{\\bm{\\imath}}_e), \\hat{\\bm{\\imath}}_h; 1); Mul(\\hat{\\bm{\\imath}}_n, \\hat{\\bm{\\imath}}_e; 1)); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "{\\bf u}[n] = {\\bf K}_n {\\bf x}[n],",
+        "Chain(Indexed(\\mathbf{u}; n), Mul(\\mathbf{K}_n, Indexed(\\mathbf{x}; n)); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\text{rank}\\left(\\bar{{\\bf H}} \\right) = p,",
+        "Chain(Call(rank; \\bar{\\mathbf{H}}), p; =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "w_i = -\\frac{2n+\\alpha+\\beta+2}{n+\\alpha+\\beta+1} \\frac{\\Gamma(n+\\alpha+1)\\Gamma(n+\\beta+1)} {\\Gamma(n+\\alpha+\\beta+1)(n+1)!} \\frac{2^{\\alpha+\\beta}}{P'_n(x_i) P^{(\\alpha,\\beta)}_{n+1}(x_i)}",
+        "Chain(w_i, Neg(Mul(Div(Add(Mul(2, n), \\alpha, \\beta, 2); Add(n, \\alpha, \\beta, 1)), Div(Mul(Call(Gamma; Add(n, \\alpha, 1)), Call(Gamma; Add(n, \\beta, 1))); Mul(Call(Gamma; Add(n, \\alpha, \\beta, 1)), Factorial(Add(n, 1)))), Div(Pow(2; Add(\\alpha, \\beta)); Mul(Call(P_n'; x_i), Call(P _ { n + 1 } ^ { ( \\alpha , \\beta ) }; x_i))))); =)",
+        "sympy/sympy/sympy/integrals/quadrature.py",
+    ),
+    (
+        "\\sum_{k=K}^{\\infty} T(k) \\le \\frac{T(K)}{1-C}.",
+        "Chain(BigSum(k; K; Infinity(); Call(T; k)), Div(Call(T; K); Add(1, Neg(C))); \\le)",
+        "fredrik-johansson/arb/doc/source/hurwitz.rst",
+    ),
+    (
+        "\\ddot{\\Phi}(t) = \\alpha_{\\text{max}}",
+        "Chain(Call(\\ddot{\\Phi}; t), \\alpha_{max}; =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/prescribedRot2DOF/prescribedRot2DOF.rst",
+    ),
+    (
+        "\\begin{aligned} \\dot{\\boldsymbol{R}}_{1,0} &= \\left(10 \\boldsymbol{\\hat{I}} + 20 \\boldsymbol{\\hat{J}} + 30 \\boldsymbol{\\hat{K}}\\right) \\mathrm{km/s} \\\\ \\dot{\\boldsymbol{R}}_{2,0} &= \\left(0 \\boldsymbol{\\hat{I}} + 40 \\boldsymbol{\\hat{J}} + 0 \\boldsymbol{\\hat{K}}\\right) \\mathrm{km/s} \\end{aligned}",
+        "System(Chain(Call(\\dot{\\boldsymbol{R}}_{1,0}), Mul(Add(Mul(10, \\boldsymbol{\\hat{I}}), Mul(20, \\boldsymbol{\\hat{J}}), Mul(30, \\boldsymbol{\\hat{K}})), \\text{km/s}); =), Chain(Call(\\dot{\\boldsymbol{R}}_{2,0}), Mul(Add(Mul(0, \\boldsymbol{\\hat{I}}), Mul(40, \\boldsymbol{\\hat{J}}), Mul(0, \\boldsymbol{\\hat{K}})), \\text{km/s}); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-numerical-solution.md",
+    ),
+    (
+        "(-4A+4B+2A) \\cos(2x) + (-4B-4A+2B) \\sin(2x) = \\cos(2x) .",
+        "Chain(Add(Mul(Add(Neg(Mul(4, A)), Mul(4, B), Mul(2, A)), Call(cos; Mul(2, x))), Mul(Add(Neg(Mul(4, B)), Neg(Mul(4, A)), Mul(2, B)), Call(sin; Mul(2, x)))), Call(cos; Mul(2, x)); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\mathnormal{\\Lambda}(\\boldsymbol{q},t,\\boldsymbol{q}',t',\\tau) = L \\left(\\boldsymbol{q},\\frac{\\boldsymbol{q}'}{t'},t\\right) t'",
+        "Chain(Call(\\Lambda; \\boldsymbol{q}, t, \\boldsymbol{q}', t', \\tau), Mul(Call(L; \\boldsymbol{q}, Div(\\boldsymbol{q}'; t'), t), t'); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\mathbf{A} = \\begin{bmatrix} a_{11} & a_{12} & \\ldots & a_{1n} \\\\ a_{21} & a_{22} & \\ldots & a_{2n} \\\\ \\ldots & \\ldots & \\ldots & \\ldots \\\\ a_{n1} & a_{n2} & \\ldots & a_{nn} \\end{bmatrix}, \\bar{x} = \\begin{bmatrix} x_1 \\\\ x_2 \\\\ \\ldots \\\\ x_n \\end{bmatrix}, \\bar{b} = \\begin{bmatrix} -b_1 \\\\ -b_2 \\\\ \\ldots \\\\ -b_n \\end{bmatrix}",
+        "System(Chain(\\mathbf{A}, MatrixOf(a_{11}, a_{12}, Dots(), a_{1n}, a_{21}, a_{22}, Dots(), a_{2n}, Dots(), Dots(), Dots(), Dots(), a_{n1}, a_{n2}, Dots(), a_{nn}); =), Chain(\\bar{x}, MatrixOf(x_1, x_2, Dots(), x_n); =), Chain(\\bar{b}, MatrixOf(Neg(b_1), Neg(b_2), Dots(), Neg(b_n)); =))",
+        "moorepants/learn-multibody-dynamics/sympy.rst",
+    ),
+    (
+        "S(z) =\\begin{cases}\\displaystyle \\frac{\\sqrt{z} - \\sin\\sqrt{z}}{\\left(\\sqrt{z}\\right)^3} & \\left(z > 0\\right)\\\\ \\displaystyle \\frac{\\sinh\\sqrt{-z} - \\sqrt{-z}}{\\left(\\sqrt{-z}\\right)^3} & \\left(z < 0\\right) \\\\ \\displaystyle \\frac{1}{6} & \\left(z = 0\\right)\\end{cases}",
+        "Chain(Call(S; z), Piecewise(Div(Add(Sqrt(z), Neg(Call(sin; Sqrt(z)))); Pow(Sqrt(z); 3)), Chain(z, 0; >), Div(Add(Call(sinh; Sqrt(Neg(z))), Neg(Sqrt(Neg(z)))); Pow(Sqrt(Neg(z)); 3)), Chain(z, 0; <), Div(1; 6), Chain(z, 0; =)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "\\left( \\bar{r}^{P_2/P_1} + \\bar{r}^{P_3/P_2} + \\bar{r}^{P_4/P_3} \\right) - \\bar{r}^{P_4/P_1} = 0",
+        "Chain(Add(Add(\\bar { r } ^ { P _ { 2 } / P _ { 1 } }, \\bar { r } ^ { P _ { 3 } / P _ { 2 } }, \\bar { r } ^ { P _ { 4 } / P _ { 3 } }), Neg(\\bar { r } ^ { P _ { 4 } / P _ { 1 } })), 0; =)",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "y(x) = y(x_{0}) + \\sum_{n = 1}^{\\infty} \\frac{F_{n}(x_{0},b)(x - x_{0})^n}{n!},",
+        "Chain(Call(y; x), Add(Call(y; x_0), BigSum(n; 1; Infinity(); Div(Mul(Call(F_n; x_0, b), Pow(Add(x, Neg(x_0)); n)); Factorial(n)))); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "B = \\frac{-F_0 \\left( \\cos \\left( \\frac{\\omega L}{a} \\right) - 1 \\right)} {\\omega^2 \\sin \\left( \\frac{\\omega L}{a} \\right)}.",
+        "Chain(B, Div(Neg(Mul(F_0, Add(Call(cos; Div(Mul(\\omega, L); a)), Neg(1)))); Mul(Pow(\\omega; 2), Call(sin; Div(Mul(\\omega, L); a)))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\chi^2 = \\sum_{e_j \\in \\mathcal{E}} \\mathbf{e}_j^{\\scriptstyle{\\mathsf{T}}}\\Omega_j \\mathbf{e}_j.",
+        "Chain(Pow(\\chi; 2), Limiting(sum; _{ e _ { j } \\in \\mathcal { E } }; Mul(Transpose(\\mathbf{e}_j), \\Omega_j, \\mathbf{e}_j)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "x^{*} = \\left(1 - \\frac{\\pi_2}{\\psi^3}\\right)\\left(x^* + \\pi_2\\right) + \\frac{\\pi_2}{\\psi^3}\\left(x^* - 1 + \\pi_2\\right)",
+        "Chain(x ^ { * }, Add(Mul(Add(1, Neg(Div(\\pi_2; Pow(\\psi; 3)))), Add(x ^ { * }, \\pi_2)), Mul(Div(\\pi_2; Pow(\\psi; 3)), Add(x ^ { * }, Neg(1), \\pi_2))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "u(x) = \\frac{T_2-T_1}{L} x + T_1 .",
+        "Chain(Call(u; x), Add(Mul(Div(Add(T_2, Neg(T_1)); L), x), T_1); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "M c = \\begin{bmatrix} \\bar z(0) \\\\ \\bar z(T) \\end{bmatrix}",
+        "Chain(Mul(M, c), MatrixOf(Call(\\bar{z}; 0), Call(\\bar{z}; T)); =)",
+        "python-control/python-control/doc/flatsys.rst",
+    ),
+    (
+        "\\mathbf{a} &= \\mathbf{\\hat{n}_x} + 5 \\mathbf{\\hat{n}_y}\\\\ \\mathbf{b} &= \\mathbf{\\hat{n}_y} + \\alpha \\mathbf{\\hat{n}_z}\\\\ \\mathbf{a} + \\mathbf{b} &= \\mathbf{\\hat{n}_x} + 6 \\mathbf{\\hat{n}_y} + \\alpha \\mathbf{\\hat{n}_z}\\\\ \\mathbf{a} \\cdot \\mathbf{b} &= 5\\\\ \\mathbf{a} \\cdot \\mathbf{\\hat{n}_y} &= 5\\\\ \\mathbf{a} \\cdot \\mathbf{\\hat{n}_z} &= 0\\\\ \\mathbf{a} \\times \\mathbf{b} &= 5 \\alpha \\mathbf{\\hat{n}_x} - \\alpha \\mathbf{\\hat{n}_y} + \\mathbf{\\hat{n}_z}\\\\ \\mathbf{b} \\times \\mathbf{a} &= -5 \\alpha \\mathbf{\\hat{n}_x} + \\alpha \\mathbf{\\hat{n}_y} - \\mathbf{\\hat{n}_z}",
+        "System(Chain(\\mathbf{a}, Add(\\mathbf{\\hat{n}}_x, Mul(5, \\mathbf{\\hat{n}}_y)); =), Chain(\\mathbf{b}, Add(\\mathbf{\\hat{n}}_y, Mul(\\alpha, \\mathbf{\\hat{n}}_z)); =), Chain(Add(\\mathbf{a}, \\mathbf{b}), Add(\\mathbf{\\hat{n}}_x, Mul(6, \\mathbf{\\hat{n}}_y), Mul(\\alpha, \\mathbf{\\hat{n}}_z)); =), Chain(Mul(\\mathbf{a}, \\mathbf{b}; 1), 5; =), Chain(Mul(\\mathbf{a}, \\mathbf{\\hat{n}}_y; 1), 5; =), Chain(Mul(\\mathbf{a}, \\mathbf{\\hat{n}}_z; 1), 0; =), Chain(Cross(\\mathbf{a}; \\mathbf{b}), Add(Mul(5, \\alpha, \\mathbf{\\hat{n}}_x), Neg(Mul(\\alpha, \\mathbf{\\hat{n}}_y)), \\mathbf{\\hat{n}}_z); =), Chain(Cross(\\mathbf{b}; \\mathbf{a}), Add(Neg(Mul(5, \\alpha, \\mathbf{\\hat{n}}_x)), Mul(\\alpha, \\mathbf{\\hat{n}}_y), Neg(\\mathbf{\\hat{n}}_z)); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\boldsymbol{h}_0 = \\boldsymbol{r}_0 \\times\\boldsymbol{v}_0 = \\boldsymbol{h}",
+        "Chain(\\boldsymbol{h}_0, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), \\boldsymbol{h}; =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\Delta P = \\Delta P_{l} \\phi_{l}^2",
+        "Chain(\\Delta P, Mul(\\Delta P _ { l }, Pow(\\phi_l; 2)); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\theta \\approx 0",
+        "Chain(\\theta, 0; \\approx)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "{\\bf X} = E\\left[ \\int_0^\\infty {\\bf x} {\\bf x}^T dt \\right].",
+        "Chain(\\mathbf{X}, Indexed(E; Integral(Mul(\\mathbf{x}, Transpose(\\mathbf{x})); t; 0; Infinity())); =)",
+        "RussTedrake/underactuated/book/policy_search.html",
+    ),
+    (
+        "\\boldsymbol{v} = \\frac{\\mu}{h}\\left[-\\sin\\nu\\boldsymbol{\\hat{p}} + \\left(e + \\cos\\nu\\right)\\boldsymbol{\\hat{q}}\\right]",
+        "Chain(\\boldsymbol{v}, Mul(Div(\\mu; h), Add(Neg(Mul(Call(sin; \\nu), \\boldsymbol{\\hat{p}})), Mul(Add(e, Call(cos; \\nu)), \\boldsymbol{\\hat{q}}))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "\\chi_{i = 0} = \\frac{\\mu\\Delta t^2}{r_p \\left[f(\\chi^{+}) + \\sqrt{\\mu}\\Delta t\\right]}",
+        "Chain(\\chi_{i=0}, Div(Mul(\\mu, Pow(\\Delta t; 2)); Mul(r_p, Add(Call(f; \\chi ^ { + }), Mul(Sqrt(\\mu), \\Delta t)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "L = \\sqrt{I_1^2 \\omega_1^2+ I_2^2 \\omega_2^2+ I_3^2 \\omega_3^2} = \\sqrt{I_1^2 \\omega_0^2 + I_3^2 \\varOmega^2}\\quad \\text{（常数）}",
+        "System(Chain(L, Sqrt(Add(Mul(Pow(I_1; 2), Pow(\\omega_1; 2)), Mul(Pow(I_2; 2), Pow(\\omega_2; 2)), Mul(Pow(I_3; 2), Pow(\\omega_3; 2)))), Sqrt(Add(Mul(Pow(I_1; 2), Pow(\\omega_0; 2)), Mul(Pow(I_3; 2), Pow(\\varOmega; 2)))); =, =), Words(\\text{（常数）}))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\begin{bmatrix}1 & 0 & 0\\\\0 & \\cos\\varepsilon & \\sin\\varepsilon\\\\0 & -\\sin\\varepsilon & \\cos\\varepsilon\\end{bmatrix}",
+        "Chain([ \\mathbf { Q } ], MatrixOf(1, 0, 0, 0, Call(cos; \\varepsilon), Call(sin; \\varepsilon), 0, Neg(Call(sin; \\varepsilon)), Call(cos; \\varepsilon)); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/planetary-ephemeris.md",
+    ),
+    (
+        "r = \\frac{p}{1+e\\cos \\theta}",
+        "Chain(r, Div(p; Add(1, Mul(e, Call(cos; \\theta)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "v = v_0",
+        "Chain(v, v_0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "\\mathbf{R}(^G_L\\mathbf{q}_\\omega)\\,^L\\mathbf{a} = \\,^G\\mathbf{g}_p",
+        "Chain(Mul(Call(\\mathbf{R}; \\prescript { G } { L } { \\mathbf { q } } _ { \\omega }), \\prescript { L } { } { \\mathbf { a } }), \\prescript { G } { } { \\mathbf { g } } _ { p }; =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "{}^A\\text{v}^C_F = {}^A\\text{v}^B_F + {}^B\\text{v}^C_F + {}^A\\omega^B_F \\times {}^Bp^C_F.",
+        "Chain(\\prescript { A } { } { \\text { v } } _ { F } ^ { C }, Add(\\prescript { A } { } { \\text { v } } _ { F } ^ { B }, \\prescript { B } { } { \\text { v } } _ { F } ^ { C }, Cross(\\prescript { A } { } { \\omega } _ { F } ^ { B }; \\prescript { B } { } { p } _ { F } ^ { C })); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\int_{\\dot{m}_{\\text{noz}_j}}\\left[\\tilde{\\bm{r}}_{M/B}\\right] \\left[\\tilde{\\bm{r}}_{M/B}\\right]\\,\\text{d}\\dot{m} =\\int_{\\dot{m}_{\\text{noz}_j}}\\left(\\left[\\tilde{\\bm{r}}_{N_j/B}\\right] + \\left[\\tilde{\\bm{r}}_{M/N_j}\\right]\\right)\\left(\\left[\\tilde{\\bm{r}}_{N_j/B}\\right] + \\left[\\tilde{\\bm{r}}_{M/N_j}\\right]\\right)\\,\\text{d}\\dot{m} =\\\\ =-\\dot{m}_{\\text{noz}_j}\\left(\\left[\\tilde{\\bm{r}}_{N_j/B}\\right]\\left[\\tilde{\\bm{r}}_{N_j/B}\\right]^T + \\frac{A_{\\text{noz}_j}}{4\\,\\pi}\\left[BM_j\\right]\\left[\\begin{matrix} 2&0&0\\\\ 0&1&0\\\\ 0&0&1 \\end{matrix}\\right]\\left[BM_j\\right]^T\\right)",
+        "Chain(Over(\\int; _ { \\dot { m } _ { \\text { n o z } _ { j } } }; Mul([ \\tilde { \\bm { r } } _ { M / B } ], [ \\tilde { \\bm { r } } _ { M / B } ]); Call(\\dot{m})), Over(\\int; _ { \\dot { m } _ { \\text { n o z } _ { j } } }; Mul(Add([ \\tilde { \\bm { r } } _ { N _ { j } / B } ], [ \\tilde { \\bm { r } } _ { M / N _ { j } } ]), Add([ \\tilde { \\bm { r } } _ { N _ { j } / B } ], [ \\tilde { \\bm { r } } _ { M / N _ { j } } ])); Call(\\dot{m})), Neg(Mul(Call(\\dot{m}_{noz_j}), Add(Mul([ \\tilde { \\bm { r } } _ { N _ { j } / B } ], Transpose([ \\tilde { \\bm { r } } _ { N _ { j } / B } ])), Mul(Div(A_{noz_j}; Mul(4, \\pi)), [ B M _ { j } ], MatrixOf(2, 0, 0, 0, 1, 0, 0, 0, 1), Transpose([ B M _ { j } ]))))); =, =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "A = \\begin{bmatrix} a_{11} & a_{12} & a_{13} \\\\ a_{21} & a_{22} & a_{23} \\end{bmatrix} \\qquad \\text{and} \\qquad B = \\begin{bmatrix} b_{11} & b_{12} & b_{13} \\\\ b_{21} & b_{22} & b_{23} \\end{bmatrix} ,",
+        "System(Chain(A, MatrixOf(a_{11}, a_{12}, a_{13}, a_{21}, a_{22}, a_{23}); =), Chain(B, MatrixOf(b_{11}, b_{12}, b_{13}, b_{21}, b_{22}, b_{23}); =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "N = \\frac{2R + \\frac{2 C M^2 R^2}{1-R} - R^2 (1+CM) (1+M) (1 + K_m + K_d + \\alpha^2) - \\frac{CM^2R^2}{(1-R)^2} (1+K_s)} {(1+K_p) - 2R - \\frac{2CM^2R^2}{1-R} + R^2(1+CM)(1+M)(1+K_m + K_d + \\alpha^2) + (1-j)\\left(\\frac{CM^2R^2}{({1-R})^2} \\right)(1+K_s)}",
+        "Chain(N, Div(Add(Mul(2, R), Div(Mul(2, C, Pow(M; 2), Pow(R; 2)); Add(1, Neg(R))), Neg(Mul(Pow(R; 2), Add(1, Mul(C, M)), Add(1, M), Add(1, K_m, K_d, Pow(\\alpha; 2)))), Neg(Mul(Div(Mul(C, Pow(M; 2), Pow(R; 2)); Pow(Add(1, Neg(R)); 2)), Add(1, K_s)))); Add(Add(1, K_p), Neg(Mul(2, R)), Neg(Div(Mul(2, C, Pow(M; 2), Pow(R; 2)); Add(1, Neg(R)))), Mul(Pow(R; 2), Add(1, Mul(C, M)), Add(1, M), Add(1, K_m, K_d, Pow(\\alpha; 2))), Mul(Add(1, Neg(j)), Div(Mul(C, Pow(M; 2), Pow(R; 2)); Pow(Add(1, Neg(R)); 2)), Add(1, K_s)))); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "\\mathbf{f}_{LVLH} = -\\mathbf{B}_{oe}^{T}\\mathbf{y}",
+        "Chain(\\mathbf{f}_{LVLH}, Neg(Mul(Transpose(\\mathbf{B}_{oe}), \\mathbf{y})); =)",
+        "AVSLab/basilisk/src/simulation/mujocoDynamics/linearTimeInvariantSystem/orbitalElementControl.rst",
+    ),
+    (
+        "{\\bf K}_1 = \\begin{bmatrix} 1 & 0 & -10 \\\\ -1 & 1 & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\quad \\text{and} \\quad {\\bf K}_2 = \\begin{bmatrix} 1 & -10 & 0 \\\\ 0 & 1 & 0 \\\\ -1 & 0 & 1 \\end{bmatrix},",
+        "System(Chain(\\mathbf{K}_1, MatrixOf(1, 0, Neg(10), Neg(1), 1, 0, 0, 0, 1); =), Chain(\\mathbf{K}_2, MatrixOf(1, Neg(10), 0, 0, 1, 0, Neg(1), 0, 1); =))",
+        "RussTedrake/underactuated/book/policy_search.html",
+    ),
+    (
+        "v^+\\sin\\beta = \\chi v^-\\sin\\alpha",
+        "Chain(Mul(v ^ { + }, Call(sin; \\beta)), Mul(\\chi, v ^ { - }, Call(sin; \\alpha)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\int_{\\mathcal{A}_{\\text{sc}}} \\rho\\,\\bm{r}'_{M/B}\\cdot\\bm{\\hat{n}}\\,\\bm{r}_{M/B}\\,\\text{d}A =-\\sum_{j=1}^{N} \\int_{\\dot{m}_{\\text{noz}_j}}\\left(\\bm{r}_{M/N_j}+ \\bm{r}_{N_j/B}\\right)\\text{d}\\dot{m} =-\\sum_{j=1}^{N}\\dot{m}_{\\text{noz}_j}\\bm{r}_{N_j/B}",
+        "Chain(Over(\\int; _ { \\mathcal { A } _ { \\text { s c } } }; Mul(\\rho, \\bm{r}_{M/B}', \\bm{\\hat{n}}, \\bm{r}_{M/B}; 2); A), Neg(BigSum(j; 1; N; Over(\\int; _ { \\dot { m } _ { \\text { n o z } _ { j } } }; Add(\\bm{r}_{M/N_j}, \\bm{r}_{N_j/B}); Call(\\dot{m})))), Neg(BigSum(j; 1; N; Mul(Call(\\dot{m}_{noz_j}), \\bm{r}_{N_j/B}))); =, =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "b_i[n] = P(s[n] = s_i | a[0] = a_0, o[0] = o_0, ... a_{n-1}, o_{n-1}).",
+        "Chain(Indexed(b_i; n), Call(P; Given(Chain(Indexed(s; n), s_i; =); Chain(Indexed(a; 0), a_0; =), Chain(Indexed(o; 0), o_0; =), Dots(), a_{n-1}, o_{n-1}; |)); =)",
+        "RussTedrake/underactuated/book/output_feedback.html",
+    ),
+    (
+        "z R(k) = z \\frac{P(k)}{Q(k)} = z \\left( \\frac{a_p}{b_q} \\right) \\frac{1}{k^{q-p}} F(k)",
+        "Chain(Mul(z, Call(R; k)), Mul(z, Div(Call(P; k); Call(Q; k))), Mul(z, Div(a_p; b_q), Div(1; Pow(k; Add(q, Neg(p)))), Call(F; k)); =, =)",
+        "fredrik-johansson/arb/doc/source/hypgeom.rst",
+    ),
+    (
+        "\\mathbf{R}_Y(\\theta) = \\begin{bmatrix} \\cos \\theta & 0 & \\sin \\theta \\\\ 0 & 1 & 0 \\\\ -\\sin \\theta & 0 & \\cos \\theta \\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}_Y; \\theta), MatrixOf(Call(cos; \\theta), 0, Call(sin; \\theta), 0, 1, 0, Neg(Call(sin; \\theta)), 0, Call(cos; \\theta)); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "L = T - V = \\frac12 m \\left(\\dot{R}^2 + R^2 \\dot{\\phi}^2 + b^2 \\dot{\\phi}^2\\right) + kR^2",
+        "Chain(L, Add(T, Neg(V)), Add(Mul(Div(1; 2), m, Add(Pow(Call(\\dot{R}); 2), Mul(Pow(Call(R); 2), Pow(Call(\\dot{\\phi}); 2)), Mul(Pow(b; 2), Pow(Call(\\dot{\\phi}); 2)))), Mul(k, Pow(Call(R); 2))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\frac{\\partial L}{\\partial {\\bf z}} = 0, \\quad \\frac{\\partial L}{\\partial \\lambda} = 0.",
+        "System(Chain(Derivative(Call(L); \\mathbf{z}, 1; True), 0; =), Chain(Derivative(Call(L); \\lambda, 1; True), 0; =))",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\lim_{t \\to \\infty} \\bigl( x(t), y(t) \\bigr) = (x_0,y_0) .",
+        "Chain(Limiting(lim; _{ t \\to \\infty }; Pair(Call(x; t); Call(y; t))), Pair(x_0; y_0); =)",
+        "jirilebl/diffyqs/ch-nonlin-systems.tex",
+    ),
+    (
+        "D_1 = 2fD\\sin\\alpha",
+        "Chain(D_1, Mul(2, f, D, Call(sin; \\alpha)); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "{}^{P} {\\bf r}_{S/B} = {}^{P} {\\bf r}_{S/P} - {}^{P} {\\bf r}_{B/P}",
+        "Chain(\\prescript { P } { } { \\mathbf { r } } _ { S / B }, Add(\\prescript { P } { } { \\mathbf { r } } _ { S / P }, Neg(\\prescript { P } { } { \\mathbf { r } } _ { B / P })); =)",
+        "AVSLab/basilisk/src/simulation/environment/spacecraftLocation/spacecraftLocation.rst",
+    ),
+    (
+        "|c_k| \\le \\frac{4}{(2\\pi)^{2M}} \\int_N^U |a_k^{(2M)}(t)| dt.",
+        "Chain(Bars(c_k), Mul(Div(4; Pow(Mul(2, \\pi); Mul(2, M))), Integral(Bars(Call(a _ { k } ^ { ( 2 M ) }; t)); t; N; U)); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "& x_1 = x_0 + h = 0 + 1 = 1, & & y_1 = y_0 + h \\, f(x_0,y_0) = 1 + 1 \\cdot \\nicefrac{1}{3} = \\nicefrac{4}{3} \\approx 1.333,\\\\ & x_2 = x_1 + h = 1 + 1 = 2, & & y_2 = y_1 + h \\, f(x_1,y_1) = \\nicefrac{4}{3} + 1 \\cdot \\frac{{(\\nicefrac{4}{3})}^2}{3} = \\nicefrac{52}{27} \\approx 1.926.",
+        "System(Chain(x_1, Add(x_0, h), Add(0, 1), 1; =, =, =), Chain(y_1, Add(y_0, Mul(h, Call(f; x_0, y_0))), Add(1, Mul(1, Div(1; 3))), Div(4; 3), 1.333; =, =, =, \\approx), Chain(x_2, Add(x_1, h), Add(1, 1), 2; =, =, =), Chain(y_2, Add(y_1, Mul(h, Call(f; x_1, y_1))), Add(Div(4; 3), Mul(1, Div(Pow(Div(4; 3); 2); 3))), Div(52; 27), 1.926; =, =, =, \\approx))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\begin{bmatrix} v_1 \\\\ v_2 \\\\ v_3 \\end{bmatrix}_A \\otimes \\begin{bmatrix} w_1 \\\\ w_2 \\\\ w_3 \\end{bmatrix}_A = \\begin{bmatrix} v_1w_1 & v_1w_2 & v_1w_3 \\\\ v_2w_1 & v_2w_2 & v_2w_3 \\\\ v_3w_1 & v_3w_2 & v_3w_3 \\\\ \\end{bmatrix}_A",
+        "Chain(Operated(\\otimes; Marked(MatrixOf(v_1, v_2, v_3); _{ A }); Marked(MatrixOf(w_1, w_2, w_3); _{ A })), Marked(MatrixOf(Mul(v_1, w_1), Mul(v_1, w_2), Mul(v_1, w_3), Mul(v_2, w_1), Mul(v_2, w_2), Mul(v_2, w_3), Mul(v_3, w_1), Mul(v_3, w_2), Mul(v_3, w_3)); _{ A }); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "b = 91.706\\beta^{2.5}",
+        "Chain(b, Mul(91.706, Pow(\\beta; 2.5)); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "V_e = \\frac{C}{\\sqrt{\\rho_m}}",
+        "Chain(V_e, Div(C; Sqrt(\\rho_m)); =)",
+        "CalebBell/fluids/fluids/piping.py",
+    ),
+    (
+        "\\sqrt{\\mu}\\left(t - t_0\\right) = \\frac{r_0 v_{r,0}}{\\sqrt{\\mu}}\\chi^2 C\\left(\\alpha\\chi^2\\right) + \\left(1 - \\alpha r_0\\right) \\chi^3S\\left(\\alpha\\chi^2\\right) + r_0 \\chi",
+        "Chain(Mul(Sqrt(\\mu), Add(t, Neg(t_0))), Add(Mul(Div(Mul(r_0, v_{r,0}); Sqrt(\\mu)), Pow(\\chi; 2), Call(C; Mul(\\alpha, Pow(\\chi; 2)))), Mul(Add(1, Neg(Mul(\\alpha, r_0))), Pow(\\chi; 3), Call(S; Mul(\\alpha, Pow(\\chi; 2)))), Mul(r_0, \\chi)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "a_n = \\frac{2}{L} \\int_{a}^{b}{f(x) \\cos(\\frac{2n \\pi x}{L}) dx}",
+        "Chain(a_n, Mul(Div(2; L), Integral(Mul(Call(f; x), Call(cos; Div(Mul(2, n, \\pi, x); L))); x; a; b)); =)",
+        "sympy/sympy/sympy/series/fourier.py",
+    ),
+    (
+        "\\overline{\\mathbf{r}} = (1-\\alpha)\\mathbf{p} + \\alpha\\mathbf{q}",
+        "Chain(\\overline{\\mathbf{r}}, Add(Mul(Add(1, Neg(\\alpha)), \\mathbf{p}), Mul(\\alpha, \\mathbf{q})); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "mva = \\dfrac13Ma\\omega^++mv^+a",
+        "Chain(Mul(m, v, a), Add(Mul(Div(1; 3), M, a, \\omega ^ { + }), Mul(m, v ^ { + }, a)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "T(k) = \\frac{\\prod_{i=0}^{p-1} (a_i)_k}{\\prod_{i=0}^{q-1} (b_i)_k} z^k",
+        "Chain(Call(T; k), Mul(Div(BigProduct(i; 0; Add(p, Neg(1)); Marked(a_i; _{ k })); BigProduct(i; 0; Add(q, Neg(1)); Marked(b_i; _{ k }))), Pow(z; k)); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "H = T'+V'",
+        "Chain(H, Add(T', V'); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\mathbf{v}_a = \\frac{\\mathbf{a}}{|\\mathbf{a}|} \\approx -\\mathbf{R}^Te_3",
+        "Chain(\\mathbf{v}_a, Div(\\mathbf{a}; Bars(\\mathbf{a})), Neg(Mul(Transpose(\\mathbf{R}), e_3)); =, \\approx)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\Delta P = \\Delta P_{g} \\phi_g^2",
+        "Chain(\\Delta P, Mul(\\Delta P _ { g }, Pow(\\phi_g; 2)); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\mathbf E(\\mbox{\\boldmath $\\chi$}) = \\begin{bmatrix} {}_I \\mathbf e^z_I & {}_I \\mathbf e^y_{I'} & {}_I \\mathbf e^x_{I''} \\end{bmatrix} = \\begin{bmatrix} 0 & -\\sin(z) & \\cos(y)\\cos(z) \\\\ 0 & \\cos(z) & \\cos(y)\\sin(z) \\\\ 1 & 0 & -\\sin(y) \\\\ \\end{bmatrix}",
+        "Chain(Call(\\mathbf{E}; \\boldsymbol{\\chi}), MatrixOf(\\prescript { } { I } { \\mathbf { e } } _ { I } ^ { z }, \\prescript { } { I } { \\mathbf { e } } _ { I ' } ^ { y }, \\prescript { } { I } { \\mathbf { e } } _ { I ' ' } ^ { x }), MatrixOf(0, Neg(Call(sin; z)), Mul(Call(cos; y), Call(cos; z)), 0, Call(cos; z), Mul(Call(cos; y), Call(sin; z)), 1, 0, Neg(Call(sin; y))); =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\boldsymbol{\\tau}_i = ((\\mathbf{r}_i - \\mathbf{r}_{\\text{COM}}) \\times \\hat{\\mathbf{g}}_{t_i})F_i = \\mathbf{d}_iF_i",
+        "Chain(\\boldsymbol{\\tau}_i, Mul(Cross(Add(\\mathbf{r}_i, Neg(\\mathbf{r}_{COM})); \\hat{\\mathbf{g}}_{t_i}), F_i), Mul(\\mathbf{d}_i, F_i); =, =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/forceTorqueThrForceMapping/forceTorqueThrForceMapping.rst",
+    ),
+    (
+        "\\mu = \\left( \\frac{\\bar\\sigma^2}{\\bar\\sigma^2 + \\sigma_z^2}\\right) \\mu_z + \\left(\\frac{\\sigma_z^2}{\\bar\\sigma^2 + \\sigma_z^2}\\right)\\bar\\mu",
+        "Chain(\\mu, Add(Mul(Div(Pow(\\bar{\\sigma}; 2); Add(Pow(\\bar{\\sigma}; 2), Pow(\\sigma_z; 2))), \\mu_z), Mul(Div(Pow(\\sigma_z; 2); Add(Pow(\\bar{\\sigma}; 2), Pow(\\sigma_z; 2))), \\bar{\\mu})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
+    (
+        "\\frac{\\partial J^*}{\\partial {\\bf x}} = 2 {\\bf x}^T {\\bf S}_{xx}(t) + 2{\\bf s}_{x}^T(t),\\quad \\frac{\\partial J^*}{\\partial t} = {\\bf x}^T \\dot{\\bf S}_{xx}(t) {\\bf x} + 2{\\bf x}^T \\dot{\\bf s}_x(t) + \\dot{s}_0(t).",
+        "System(Chain(Derivative(Call(J ^ { * }); \\mathbf{x}, 1; True), Add(Mul(2, Transpose(\\mathbf{x}), Call(\\mathbf{S}_{xx}; t)), Mul(2, Transpose(Call(\\mathbf{s}_x; t)))); =), Chain(Derivative(Call(J ^ { * }); t, 1; True), Add(Mul(Transpose(\\mathbf{x}), Call(\\dot{\\mathbf{S}}_{xx}; t), \\mathbf{x}), Mul(2, Transpose(\\mathbf{x}), Call(\\dot{\\mathbf{s}}_x; t)), Call(\\dot{s}_0; t)); =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\bm{\\tau}_{\\mathrm{out}} = F_{\\mathrm{s}}\\bm{\\tau}_{\\mathrm{full\\_sun}}",
+        "Chain(\\bm{\\tau}_{out}, Mul(F_s, \\bm{\\tau}_{full\\_sun}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/RadiationPressure/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\Delta E = \\frac{\\left(\\boldsymbol{v} + \\Delta\\boldsymbol{v}\\right)\\cdot\\left(\\boldsymbol{v} + \\Delta\\boldsymbol{v}\\right)}{2} - \\frac{\\boldsymbol{v}\\cdot\\boldsymbol{v}}{2}",
+        "Chain(\\Delta E, Add(Div(Mul(Add(\\boldsymbol{v}, \\Delta \\boldsymbol { v }), Add(\\boldsymbol{v}, \\Delta \\boldsymbol { v }); 1); 2), Neg(Div(Mul(\\boldsymbol{v}, \\boldsymbol{v}; 1); 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "\\operatorname{erf}(z) &= \\frac{2z}{\\sqrt{\\pi}} {}_1F_1(\\tfrac{1}{2}, \\tfrac{3}{2}, -z^2)",
+        "Chain(Call(erf; z), Mul(Div(Mul(2, z); Sqrt(\\pi)), Call(\\prescript { } { 1 } { F } _ { 1 }; Div(1; 2), Div(3; 2), Neg(Pow(z; 2)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "h({\\bf x}) = {\\bf x}^T {\\bf Q}_f {\\bf x},\\quad {\\bf Q}_f = {\\bf Q}_f^T \\succeq {\\bf 0} \\\\ \\ell({\\bf x},{\\bf u}) = {\\bf x}^T {\\bf Q} {\\bf x} + {\\bf u}^T {\\bf R} {\\bf u}, \\quad {\\bf Q} = {\\bf Q}^T \\succeq 0, {\\bf R}={\\bf R}^T \\succ 0",
+        "System(Chain(Call(h; \\mathbf{x}), Mul(Transpose(\\mathbf{x}), \\mathbf{Q}_f, \\mathbf{x}); =), Chain(\\mathbf{Q}_f, Transpose(\\mathbf{Q}_f), 0; =, \\succeq), Chain(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Add(Mul(Transpose(\\mathbf{x}), \\mathbf{Q}, \\mathbf{x}), Mul(Transpose(\\mathbf{u}), \\mathbf{R}, \\mathbf{u})); =), Chain(\\mathbf{Q}, Transpose(\\mathbf{Q}), 0; =, \\succeq), Chain(\\mathbf{R}, Transpose(\\mathbf{R}), 0; =, \\succ))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "m(\\gamma) = \\int_0^\\infty \\rho \\left\\{1 - \\left[1 + 2(\\text{RI}-1) (1-\\rho/\\rho_0)\\right] \\left[\\frac{\\cos \\gamma}{(1+h/R)}\\right]^2\\right\\}^{-1/2} dH",
+        "Chain(Call(m; \\gamma), Integral(Mul(\\rho, Pow(Tuple(Add(1, Neg(Mul(Add(1, Mul(2, Add(\\text{RI}, Neg(1)), Add(1, Neg(Div(\\rho; \\rho_0))))), Pow(Div(Call(cos; \\gamma); Add(1, Div(h; R))); 2)))); {}); Neg(Div(1; 2)))); H; 0; Infinity()); =)",
+        "CalebBell/fluids/fluids/atmosphere.py",
+    ),
+    (
+        "f_d = \\frac{4}{F^2}",
+        "Chain(f_d, Div(4; Pow(F; 2)); =)",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "S_{n,j,k} &=& S_{n-1,j,k} + D_{n-1,n-1}\\,W_{n-1,j}\\,W_{n-1,k} \\\\ D_{n,n} &=& A_{n,n} - \\sum_{j=1}^{R}\\sum_{k=1}^{R} U_{n,j}\\,S_{n,j,k}\\,U_{n,k} \\\\ W_{n,j} &=& \\frac{1}{D_{n,n}}\\left[ V_{n,j} - \\sum_{k=1}^{R}U_{n,k}\\,S_{n,j,k} \\right]",
+        "System(Chain(S_{n,j,k}, Add(S_{n-1,j,k}, Mul(D_{n-1,n-1}, W_{n-1,j}, W_{n-1,k})); =), Chain(D_{n,n}, Add(A_{n,n}, Neg(BigSum(j; 1; R; BigSum(k; 1; R; Mul(U_{n,j}, S_{n,j,k}, U_{n,k}))))); =), Chain(W_{n,j}, Mul(Div(1; D_{n,n}), Add(V_{n,j}, Neg(BigSum(k; 1; R; Mul(U_{n,k}, S_{n,j,k}))))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "v_2(t) = x_2(t)",
+        "Chain(Call(v_2; t), Call(x_2; t); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "m\\ddot{q} = u + f.",
+        "Chain(Mul(m, Call(\\ddot{q})), Add(u, f); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "T = \\frac{\\pi ab}{l/(2\\mu)} = \\pi |\\alpha| \\sqrt{\\frac{\\mu}{2|E|^3}} = \\pi \\sqrt{\\frac{4\\mu a^3}{|\\alpha|}}",
+        "Chain(T, Div(Mul(\\pi, a, b); Div(l; Mul(2, \\mu))), Mul(\\pi, Bars(\\alpha), Sqrt(Div(\\mu; Mul(2, Pow(Bars(E); 3))))), Mul(\\pi, Sqrt(Div(Mul(4, \\mu, Pow(a; 3)); Bars(\\alpha)))); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "\\dot{\\tau} = f_\\tau({\\bf x}_\\perp,\\tau) \\\\ \\dot{\\bf x}_\\perp = f_\\perp({\\bf x}_\\perp,\\tau).",
+        "System(Chain(Call(\\dot{\\tau}), Call(f_\\tau; Call(\\mathbf{x}_\\perp), Call(\\tau)); =), Chain(Call(\\dot{\\mathbf{x}}_\\perp), Call(f_\\perp; Call(\\mathbf{x}_\\perp), Call(\\tau)); =))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "\\Delta \\theta' & = -2\\frac{\\partial}{\\partial L} \\int_{r_{\\min}}^{r_{\\max}} \\sqrt{2m\\left(E-V_0(r)-\\dfrac{L^2}{2mr^2}\\right)} \\mathrm{d} r \\\\ & \\quad {} + 2\\frac{\\partial}{\\partial L} \\int_{r_{\\min}}^{r_{\\max}} \\frac{m}{\\sqrt{2m\\left(E-V_0(r)-\\dfrac{L^2}{2mr^2}\\right)}} \\delta V(r)\\mathrm{d} r",
+        "Chain(\\Delta \\theta', Add(Neg(Mul(2, Derivative(Integral(Sqrt(Mul(2, m, Add(E, Neg(Call(V_0; r)), Neg(Div(Pow(L; 2); Mul(2, m, Pow(r; 2))))))); r; r_\\min; r_\\max); L, 1; True))), Mul(2, Derivative(Integral(Mul(Div(m; Sqrt(Mul(2, m, Add(E, Neg(Call(V_0; r)), Neg(Div(Pow(L; 2); Mul(2, m, Pow(r; 2)))))))), Call(\\delta V; r)); r; r_\\min; r_\\max); L, 1; True))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "T = \\frac{1}{2} \\dot{{\\bf q}}^T {\\bf M}({\\bf q}) \\dot{{\\bf q}},",
+        "Chain(T, Mul(Div(1; 2), Transpose(Call(\\dot{\\mathbf{q}})), Call(\\mathbf{M}; Call(\\mathbf{q})), Call(\\dot{\\mathbf{q}})); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\boldsymbol{\\theta}_{am} = \\begin{bmatrix} \\theta_x \\\\ \\theta_y \\\\ \\theta_z \\end{bmatrix} = \\begin{bmatrix} \\mathrm{arctan2}(a_y, a_z) \\\\ \\mathrm{arctan2}\\big(-a_x, \\sqrt{a_y^2+a_z^2}\\big) \\\\ 0 \\end{bmatrix}",
+        "Chain(\\boldsymbol{\\theta}_{am}, MatrixOf(\\theta_x, \\theta_y, \\theta_z), MatrixOf(Call(\\text{arctan2}; a_y, a_z), Call(\\text{arctan2}; Neg(a_x), Sqrt(Add(Pow(a_y; 2), Pow(a_z; 2)))), 0); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/complementary.py",
+    ),
+    (
+        "u_t = 0.3 \\, u_{xx}, \\qquad u(0,t)=u(1,t)=0, \\qquad u(x,0) = 0.1 \\sin(\\pi x) + \\sin(2\\pi x) .",
+        "System(Chain(u_t, Mul(0.3, u_{xx}); =), Chain(Call(u; 0, t), Call(u; 1, t), 0; =, =), Chain(Call(u; x, 0), Add(Mul(0.1, Call(sin; Mul(\\pi, x))), Call(sin; Mul(2, \\pi, x))); =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "y(0,t) = y_{x}(0,t) = 0 .",
+        "Chain(Call(y; 0, t), Call(y_x; 0, t), 0; =, =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\left|\\frac{M(z+h) - M(z-h)}{2h} - M'(z)\\right| \\le \\frac{C D^3 h^2}{1 - D h}",
+        "Chain(Bars(Add(Div(Add(Call(M; Add(z, h)), Neg(Call(M; Add(z, Neg(h))))); Mul(2, h)), Neg(Call(M'; z)))), Div(Mul(C, Pow(D; 3), Pow(h; 2)); Add(1, Neg(Mul(D, h)))); \\le)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "\\dot{x}=vcos\\theta",
+        "Chain(Call(\\dot{x}), Mul(v, Call(cos; \\theta)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/cgmres_nmpc/cgmres_nmpc_main.rst",
+    ),
+    (
+        "\\Delta P_{tp} = \\frac{0.83 G_{tp}^{1.4} \\sigma^{0.4} L}{D^{1.2} \\rho_{h}^{0.866}}",
+        "Chain(\\Delta P _ { t p }, Div(Mul(0.83, Pow(G_{tp}; 1.4), Pow(\\sigma; 0.4), L); Mul(Pow(D; 1.2), Pow(\\rho_h; 0.866))); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\left| \\bar{I}_a \\right| = m \\left| \\bar{r}^{P/O} \\right| ^2",
+        "Chain(Bars(\\bar{I}_a), Mul(m, Pow(Bars(\\bar { r } ^ { P / O }); 2)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{q}_X &=& \\begin{pmatrix}\\cos\\frac{\\phi}{2} & \\sin\\frac{\\phi}{2} & 0 & 0\\end{pmatrix} \\\\ && \\\\ \\mathbf{q}_Y &=& \\begin{pmatrix}\\cos\\frac{\\theta}{2} & 0 & \\sin\\frac{\\theta}{2} & 0\\end{pmatrix} \\\\ && \\\\ \\mathbf{q}_Z &=& \\begin{pmatrix}\\cos\\frac{\\psi}{2} & 0 & 0 & \\sin\\frac{\\psi}{2}\\end{pmatrix} \\end{array}",
+        "System(Chain(\\mathbf{q}_X, MatrixOf(Call(cos; Div(\\phi; 2)), Call(sin; Div(\\phi; 2)), 0, 0); =), Chain(\\mathbf{q}_Y, MatrixOf(Call(cos; Div(\\theta; 2)), 0, Call(sin; Div(\\theta; 2)), 0); =), Chain(\\mathbf{q}_Z, MatrixOf(Call(cos; Div(\\psi; 2)), 0, 0, Call(sin; Div(\\psi; 2))); =))",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "x(t) = a_0+a_1t+a_2t^2+a_3t^3+a_4t^4+a_5t^5",
+        "Chain(Call(x; t), Add(a_0, Mul(a_1, t), Mul(a_2, Pow(t; 2)), Mul(a_3, Pow(t; 3)), Mul(a_4, Pow(t; 4)), Mul(a_5, Pow(t; 5))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\begin{split} C' & = a y^{a-1} (cx-d)y x^d e^{-cx-by} + y^a d x^{d-1} (a-by)x e^{-cx-by} \\\\ & \\phantom{mm} + y^a x^d e^{-cx-by} \\bigl(-c(a-by)x-b(cx-d)y\\bigr) \\\\ & = y^a x^d e^{-cx-by} \\Bigl( a (cx-d) + d (a-by) + \\bigl(-c(a-by)x-b(cx-d)y\\bigr) \\Bigr) \\\\ & = 0 . \\end{split}",
+        "Chain(C', Add(Mul(a, Pow(y; Add(a, Neg(1))), Add(Mul(c, x), Neg(d)), y, Pow(x; d), Pow(e; Add(Neg(Mul(c, x)), Neg(Mul(b, y))))), Mul(Pow(y; a), d, Pow(x; Add(d, Neg(1))), Add(a, Neg(Mul(b, y))), x, Pow(e; Add(Neg(Mul(c, x)), Neg(Mul(b, y))))), Mul(Pow(y; a), Pow(x; d), Pow(e; Add(Neg(Mul(c, x)), Neg(Mul(b, y)))), Add(Neg(Mul(c, Add(a, Neg(Mul(b, y))), x)), Neg(Mul(b, Add(Mul(c, x), Neg(d)), y))))), Mul(Pow(y; a), Pow(x; d), Pow(e; Add(Neg(Mul(c, x)), Neg(Mul(b, y)))), Add(Mul(a, Add(Mul(c, x), Neg(d))), Mul(d, Add(a, Neg(Mul(b, y)))), Add(Neg(Mul(c, Add(a, Neg(Mul(b, y))), x)), Neg(Mul(b, Add(Mul(c, x), Neg(d)), y))))), 0; =, =, =)",
+        "jirilebl/diffyqs/ch-nonlin-systems.tex",
+    ),
+    (
+        "\\begin{aligned} L_{\\text{total}} &= L_{1} + L_{\\text{curve}} + L_{2} \\\\ &= (h + q) + (\\pi\\,r) + (h - q) \\\\ &= 2\\,h + \\pi\\,r \\end{aligned}",
+        "Chain(L_{total}, Add(L_1, L_{curve}, L_2), Add(Add(h, q), Mul(\\pi, r), Add(h, Neg(q))), Add(Mul(2, h), Mul(\\pi, r)); =, =, =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/atwoods_machine_example.rst",
+    ),
+    (
+        "\\Delta\\dot{\\gamma} = \\dot{\\gamma} - \\dot{\\gamma}_{d}",
+        "Chain(Call(\\Delta \\dot { \\gamma }), Add(Call(\\dot{\\gamma}), Neg(Call(\\dot{\\gamma}_d))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/vscmgGimbalRateServo/vscmgGimbalRateServo.rst",
+    ),
+    (
+        "r_p = \\frac{p}{2}",
+        "Chain(r_p, Div(p; 2); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/parabolic-trajectories.md",
+    ),
+    (
+        "a^{2} x^{2} + b^{2} y^{2} + c^{2} z^{2} = C_2",
+        "Chain(Add(Mul(Pow(a; 2), Pow(x; 2)), Mul(Pow(b; 2), Pow(y; 2)), Mul(Pow(c; 2), Pow(z; 2))), C_2; =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\omega = \\cos^{-1}\\left(\\frac{\\boldsymbol{e}\\cdot\\boldsymbol{N}}{e N}\\right)",
+        "Chain(\\omega, Call(arccos; Div(Mul(\\boldsymbol{e}, \\boldsymbol{N}); Mul(e, N))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "m_{\\text{hub}} \\ddot{\\bm r}_{B/N} + m_{\\text{hub}}\\Big[\\bm{\\dot{\\omega}}_{\\cal B/N} \\times \\bm{r}_{B_c/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{B_c/B})\\Big] + \\sum\\limits_{i}^{N_S} \\bigg( m_{\\text{sp}_{i1}} \\Big[\\ddot{\\bm r}_{B/N} + \\bm{r}''_{S_{c,i1}/B} \\\\ + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i1}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B})\\Big] + m_{\\text{sp}_{i2}} \\Big[\\ddot{\\bm r}_{B/N} \\\\ + \\bm{r}''_{S_{c,i2}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]\\bigg) = \\bm F_{\\text{ext}}",
+        "Chain(Add(Mul(m_{hub}, Call(\\ddot{\\bm{r}}_{B/N})), Mul(m_{hub}, Add(Cross(\\bm{\\dot{\\omega}}_{\\mathcal B/\\mathcal N}; \\bm{r}_{B_c/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{B_c/B})))), Limiting(sum; _{ i }^{ N _ { S } }; Add(Mul(m_{sp_i1}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i1/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i1/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B})))), Mul(m_{sp_i2}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))))))), \\bm{F}_{ext}; =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\ddot{\\rho}(t) = \\mp \\ddot{\\rho}_{\\text{max}} \\left( \\frac{3 (t - t_c)^2}{t_{\\text{smooth}}^2} - \\frac{2 (t - t_c)^3}{t_{\\text{smooth}}^3} \\right)",
+        "Chain(Call(\\ddot{\\rho}; t), PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Div(Mul(3, Pow(Add(t, Neg(t_c)); 2)); Pow(t_{smooth}; 2)), Neg(Div(Mul(2, Pow(Add(t, Neg(t_c)); 3)); Pow(t_{smooth}; 3))))); True); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} \\tau} \\frac{\\partial \\mathnormal{\\Lambda}}{\\partial q'_\\alpha} - \\frac{\\partial \\mathnormal{\\Lambda}}{\\partial q_\\alpha} = 0,\\quad \\alpha = 1,2,\\cdots,s+1",
+        "System(Chain(Add(Derivative(Derivative(Call(\\Lambda); q'_{\\alpha}, 1; True); \\tau, 1), Neg(Derivative(Call(\\Lambda); q_{\\alpha}, 1; True))), 0; =), Values(\\alpha; 1, 2, Dots(), Add(s, 1)))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\dot{p}_\\alpha = - \\frac{\\partial H}{\\partial q_\\alpha}",
+        "Chain(Call(\\dot{p}_\\alpha), Neg(Derivative(Call(H); q_\\alpha, 1; True)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\begin{aligned} \\mathop{\\mathrm{arg\\,max}}_{\\mathbf{p}_1, \\ldots, \\mathbf{p}_N} \\ p(\\mathbf{p}_1, \\ldots, \\mathbf{p}_N \\ | \\ \\mathcal{Z}) &= \\mathop{\\mathrm{arg\\,max}}_{\\mathbf{p}_1, \\ldots, \\mathbf{p}_N} \\ p( \\mathcal{Z} \\ | \\ \\mathbf{p}_1, \\ldots, \\mathbf{p}_N) \\\\ &= \\mathop{\\mathrm{arg\\,max}}_{\\mathbf{p}_1, \\ldots, \\mathbf{p}_N} \\prod_{j=1}^M p(\\mathbf{z}_j \\ | \\ \\mathbf{p}_1, \\ldots, \\mathbf{p}_N) \\\\ &= \\mathop{\\mathrm{arg\\,max}}_{\\mathbf{p}_1, \\ldots, \\mathbf{p}_N} \\prod_{j=1}^M \\exp \\left( -(\\mathbf{e}_j(\\mathbf{z}_j, \\hat{\\mathbf{z}}_j))^{\\scriptstyle{\\mathsf{T}}}\\Omega_j \\mathbf{e}_j(\\mathbf{z}_j, \\hat{\\mathbf{z}}_j) \\right) \\\\ &= \\mathop{\\mathrm{arg\\,min}}_{\\mathbf{p}_1, \\ldots, \\mathbf{p}_N} \\sum_{j=1}^M (\\mathbf{e}_j(\\mathbf{z}_j, \\hat{\\mathbf{z}}_j))^{\\scriptstyle{\\mathsf{T}}}\\Omega_j \\mathbf{e}_j(\\mathbf{z}_j, \\hat{\\mathbf{z}}_j).\\end{aligned}",
+        "Chain(Limiting(argmax; _{ \\mathbf { p } _ { 1 } , \\ldots , \\mathbf { p } _ { N } }; Call(p; Given(\\mathbf{p}_1, Dots(), \\mathbf{p}_N; \\mathcal{Z}; |))), Limiting(argmax; _{ \\mathbf { p } _ { 1 } , \\ldots , \\mathbf { p } _ { N } }; Call(p; Given(\\mathcal{Z}; \\mathbf{p}_1, Dots(), \\mathbf{p}_N; |))), Limiting(argmax; _{ \\mathbf { p } _ { 1 } , \\ldots , \\mathbf { p } _ { N } }; BigProduct(j; 1; M; Call(p; Given(\\mathbf{z}_j; \\mathbf{p}_1, Dots(), \\mathbf{p}_N; |)))), Limiting(argmax; _{ \\mathbf { p } _ { 1 } , \\ldots , \\mathbf { p } _ { N } }; BigProduct(j; 1; M; Call(exp; Neg(Mul(Transpose(Call(\\mathbf{e}_j; \\mathbf{z}_j, \\hat{\\mathbf{z}}_j)), \\Omega_j, Call(\\mathbf{e}_j; \\mathbf{z}_j, \\hat{\\mathbf{z}}_j)))))), Limiting(argmin; _{ \\mathbf { p } _ { 1 } , \\ldots , \\mathbf { p } _ { N } }; BigSum(j; 1; M; Mul(Transpose(Call(\\mathbf{e}_j; \\mathbf{z}_j, \\hat{\\mathbf{z}}_j)), \\Omega_j, Call(\\mathbf{e}_j; \\mathbf{z}_j, \\hat{\\mathbf{z}}_j)))); =, =, =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "J_{\\nu}(z) = \\frac{z^{\\nu}}{2^{\\nu} e^{iz} \\Gamma(\\nu+1)} {}_1F_1(\\nu+\\tfrac{1}{2}, 2\\nu+1, 2iz) = A_{+} B_{+} + A_{-} B_{-}",
+        "Chain(Call(J_\\nu; z), Mul(Div(Pow(z; \\nu); Mul(Pow(2; \\nu), Pow(e; Mul(i, z)), Call(Gamma; Add(\\nu, 1)))), Call(\\prescript { } { 1 } { F } _ { 1 }; Add(\\nu, Div(1; 2)), Add(Mul(2, \\nu), 1), Mul(2, i, z))), Add(Mul(A_+, B_+), Mul(A_-, B_-)); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "k_{ {\\boldsymbol{\\alpha}}}(\\tau_{nm}) = \\sigma_n^2\\,\\delta_{nm} + a\\,\\exp(-c\\,\\tau_{nm})",
+        "Chain(Call(k_{\\boldsymbol\\alpha}; \\tau_{nm}), Add(Mul(Pow(\\sigma_n; 2), \\delta_{nm}), Mul(a, Call(exp; Neg(Mul(c, \\tau_{nm}))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "qq^* = (w^2+\\boldsymbol{v}^2,\\boldsymbol{0})",
+        "Chain(Mul(q, q ^ { * }), Pair(Add(Pow(w; 2), Pow(\\boldsymbol{v}; 2)); 0); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "r^3 - 3 r^2 - r + 3 = 0 .",
+        "Chain(Add(Pow(r; 3), Neg(Mul(3, Pow(r; 2))), Neg(r), 3), 0; =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\dfrac{\\mathrm{d} v_D}{\\mathrm{d} t} = -\\frac72kg",
+        "Chain(Derivative(Call(v_D); t, 1), Neg(Mul(Div(7; 2), k, g)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "F = \\frac{\\chi}{\\sqrt{-a}} + F_0",
+        "Chain(F, Add(Div(\\chi; Sqrt(Neg(a))), F_0); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "y'' + \\lambda y = 0, \\quad y'(0) = 0, \\quad y(1) = 0 .",
+        "System(Chain(Add(Call(y''), Mul(\\lambda, Call(y))), 0; =), Chain(Call(y'; 0), 0; =), Chain(Call(y; 1), 0; =))",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\frac{\\partial}{\\partial q_r}(\\bar{v} \\times \\bar{w}) = & \\frac{\\partial \\bar{v}}{\\partial q_r} \\times \\bar{w} + \\bar{v} \\times \\frac{\\partial \\bar{w}}{\\partial q_r}",
+        "Chain(Derivative(Cross(Call(\\bar{v}); Call(\\bar{w})); q_r, 1; True), Add(Cross(Derivative(Call(\\bar{v}); q_r, 1; True); Call(\\bar{w})), Cross(Call(\\bar{v}); Derivative(Call(\\bar{w}); q_r, 1; True))); =)",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "\\mathbf{a}' = \\mathbf{a}\\cos\\theta + (\\mathbf{v}\\times\\mathbf{a})\\sin\\theta + \\mathbf{v}(\\mathbf{v}\\cdot\\mathbf{a})(1-\\cos\\theta)",
+        "Chain(\\mathbf{a}', Add(Mul(\\mathbf{a}, Call(cos; \\theta)), Mul(Cross(\\mathbf{v}; \\mathbf{a}), Call(sin; \\theta)), Mul(\\mathbf{v}, Mul(\\mathbf{v}, \\mathbf{a}; 1), Add(1, Neg(Call(cos; \\theta))))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "& \\ddot{x} = \\frac{gm}{M}\\theta + \\frac{1}{M}u\\\\ & \\ddot{\\theta} = \\frac{g(M + m)}{Ml}\\theta + \\frac{1}{Ml}u",
+        "System(Chain(Call(\\ddot{x}), Add(Mul(Div(Mul(g, m); M), Call(\\theta)), Mul(Div(1; M), u)); =), Chain(Call(\\ddot{\\theta}), Add(Mul(Div(Mul(g, Add(M, m)); Mul(M, l)), Call(\\theta)), Mul(Div(1; Mul(M, l)), u)); =))",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "\\frac{{}^N\\partial \\bar{v}}{\\partial q_r} = \\frac{{}^N\\partial v_x}{\\partial q_r}\\hat{a}_x + v_x \\frac{{}^N\\partial \\hat{a}_x}{\\partial q_r} + \\frac{{}^N\\partial v_y}{\\partial q_r}\\hat{a}_y + v_y \\frac{{}^N\\partial \\hat{a}_y}{\\partial q_r} + \\frac{{}^N\\partial v_z}{\\partial q_r}\\hat{a}_z + v_z \\frac{{}^N\\partial \\hat{a}_z}{\\partial q_r}",
+        "Chain(Marked(Derivative(Call(\\bar{v}); q_r, 1; True); _{ N }), Add(Mul(Marked(Derivative(Call(v_x); q_r, 1; True); _{ N }), Call(\\hat{a}_x)), Mul(Call(v_x), Marked(Derivative(Call(\\hat{a}_x); q_r, 1; True); _{ N })), Mul(Marked(Derivative(Call(v_y); q_r, 1; True); _{ N }), Call(\\hat{a}_y)), Mul(Call(v_y), Marked(Derivative(Call(\\hat{a}_y); q_r, 1; True); _{ N })), Mul(Marked(Derivative(Call(v_z); q_r, 1; True); _{ N }), Call(\\hat{a}_z)), Mul(Call(v_z), Marked(Derivative(Call(\\hat{a}_z); q_r, 1; True); _{ N }))); =)",
+        "moorepants/learn-multibody-dynamics/differentiation.rst",
+    ),
+    (
+        "f(\\theta,\\phi) = f_{0} \\cdot \\exp\\Bigg[ -2 \\cdot \\ln(2) \\Bigg( \\Big( \\frac{\\theta}{\\theta_{\\mathrm{HPBW}}} \\Big)^2 + \\Big( \\frac{\\phi}{\\phi_{\\mathrm{HPBW}}} \\Big)^2 \\Bigg) \\Bigg]",
+        "Chain(Call(f; \\theta, \\phi), Mul(f_0, Call(exp; Neg(Mul(2, Call(ln; 2), Add(Pow(Div(\\theta; \\theta_{HPBW}); 2), Pow(Div(\\phi; \\phi_{HPBW}); 2)))))); =)",
+        "AVSLab/basilisk/src/simulation/communication/simpleAntenna/simpleAntenna.rst",
+    ),
+    (
+        "K_1 = 2 \\left[1 - \\left( \\frac{D_1}{D_2} \\right)^4 \\right]",
+        "Chain(K_1, Mul(2, Add(1, Neg(Pow(Div(D_1; D_2); 4)))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "f(x) = \\sum_{n=1}^\\infty b_n \\sin \\left( \\frac{n \\pi x }{w} \\right) .",
+        "Chain(Call(f; x), BigSum(n; 1; Infinity(); Mul(b_n, Call(sin; Div(Mul(n, \\pi, x); w)))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "{ {\\boldsymbol{r}}}_{ {\\boldsymbol{\\theta}}} = \\left(\\begin{array}{ccccc} y_1 - \\mu_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{x}}}_1)\\quad & & \\cdots\\quad & & y_N - \\mu_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{x}}}_N) \\end{array}\\right)^\\mathrm{T}",
+        "Chain(\\boldsymbol{r}_{\\boldsymbol\\theta}, Transpose(MatrixOf(Add(y_1, Neg(Call(\\mu_{\\boldsymbol\\theta}; \\boldsymbol{x}_1))), Blank(), Dots(), Blank(), Add(y_N, Neg(Call(\\mu_{\\boldsymbol\\theta}; \\boldsymbol{x}_N))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "B = \\frac{21}{\\Gamma} \\text{ for } G_{tp} > 600",
+        "Implies(Chain(G_{tp}, 600; >); Chain(B, Div(21; \\varGamma); =))",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "\\Sigma = \\begin{bmatrix} \\sigma_1^2 & \\sigma_{12} & \\cdots & \\sigma_{1n} \\\\ \\sigma_{21} &\\sigma_2^2 & \\cdots & \\sigma_{2n} \\\\ \\vdots & \\vdots & \\ddots & \\vdots \\\\ \\sigma_{n1} & \\sigma_{n2} & \\cdots & \\sigma_n^2 \\end{bmatrix}",
+        "Chain(\\Sigma, MatrixOf(Pow(\\sigma_1; 2), \\sigma_{12}, Dots(), \\sigma_{1n}, \\sigma_{21}, Pow(\\sigma_2; 2), Dots(), \\sigma_{2n}, Dots(), Dots(), Dots(), Dots(), \\sigma_{n1}, \\sigma_{n2}, Dots(), Pow(\\sigma_n; 2)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_main.rst",
+    ),
+    (
+        "\\left\\{\\begin{matrix} X_\\mathrm{B} \\\\ Y_\\mathrm{B} \\\\ Z_\\mathrm{B} \\end{matrix}\\right\\} = \\left[\\begin{matrix} \\cos\\alpha_\\mathrm{B} & 0 & -\\sin\\alpha_\\mathrm{B} \\\\ 0 & 1 & 0 \\\\ \\sin\\alpha_\\mathrm{B} & 0 & \\cos\\alpha_\\mathrm{B} \\end{matrix}\\right] \\left[\\begin{matrix} \\cos\\beta & \\sin(-\\beta) & 0 \\\\ -\\sin(-\\beta) & \\cos\\beta & 0 \\\\ 0 & 0 & 1 \\end{matrix}\\right] \\left\\{\\begin{matrix} -D \\\\ Y_\\mathrm{W} \\\\ -L \\end{matrix}\\right\\}",
+        "Chain(Tuple(MatrixOf(X_B, Y_B, Z_B); {}), Mul(MatrixOf(Call(cos; \\alpha_B), 0, Neg(Call(sin; \\alpha_B)), 0, 1, 0, Call(sin; \\alpha_B), 0, Call(cos; \\alpha_B)), MatrixOf(Call(cos; \\beta), Call(sin; Neg(\\beta)), 0, Neg(Call(sin; Neg(\\beta))), Call(cos; \\beta), 0, 0, 0, 1), Tuple(MatrixOf(Neg(D), Y_W, Neg(L)); {})); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/user/concepts/frames-of-reference.md",
+    ),
+    (
+        "m \\ddot{x} = \\sum F = -kx - c\\dot{x}",
+        "Chain(Mul(m, Call(\\ddot{x})), Limiting(sum; ; F), Add(Neg(Mul(k, Call(x))), Neg(Mul(c, Call(\\dot{x})))); =, =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/biomechanics/biomechanics.rst",
+    ),
+    (
+        "\\theta(t) = \\pm \\frac{\\ddot{\\theta}_{\\text{max}} (t - t_{s1})^2}{2} + \\dot{\\theta}(t_{s1})(t - t_{s1}) + \\theta(t_{s1})",
+        "Chain(Call(\\theta; t), Add(PlusMinus(Div(Mul(\\ddot { \\theta } _ { \\text { m a x } }, Pow(Add(t, Neg(t_{s1})); 2)); 2)), Mul(Call(\\dot{\\theta}; t_{s1}), Add(t, Neg(t_{s1}))), Call(\\theta; t_{s1})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "M_e = E - e \\sin{E}",
+        "Chain(M_e, Add(E, Neg(Mul(e, Call(sin; E)))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "v = \\frac{J}{m},\\quad \\omega = \\frac{6J}{ml}",
+        "System(Chain(v, Div(J; m); =), Chain(\\omega, Div(Mul(6, J); Mul(m, l)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\theta = \\arccos\\Big(\\frac{\\mathrm{tr}(\\mathbf{R})-1}{2}\\Big)",
+        "Chain(\\theta, Call(arccos; Div(Add(Call(tr; \\mathbf{R}), Neg(1)); 2)); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "v = [J^G(q)]^+V^{G_d}.",
+        "Chain(v, Mul(Marked(Call(J ^ { G }; q); ^+), V ^ { G _ { d } }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\bm{c}' &= \\frac{1}{m_{\\text{sc}}}\\sum_{i=1}^{N_{S}}\\big(m_{\\text{sp}_{i1}}\\bm{r}'_{S_{c,i1}/B}+m_{\\text{sp}_{i2}}\\bm{r}'_{S_{c,i2}/B}\\big) \\\\ \\bm{c}'' &= \\frac{1}{m_{\\text{sc}}}\\sum_{i=1}^{N_{S}}\\big(m_{\\text{sp}_{i1}}\\bm{r}''_{S_{c,i1}/B}+m_{\\text{sp}_{i2}}\\bm{r}''_{S_{c,i2}/B}\\big)",
+        "System(Chain(\\bm{c}', Mul(Div(1; m_{sc}), BigSum(i; 1; N_S; Add(Mul(m_{sp_i1}, \\bm{r}_{S_c,i1/B}'), Mul(m_{sp_i2}, \\bm{r}_{S_c,i2/B}')))); =), Chain(\\bm{c}'', Mul(Div(1; m_{sc}), BigSum(i; 1; N_S; Add(Mul(m_{sp_i1}, \\bm{r}_{S_c,i1/B}''), Mul(m_{sp_i2}, \\bm{r}_{S_c,i2/B}'')))); =))",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{aligned} \\boldsymbol{\\rho} &= \\frac{\\boldsymbol{r}}{r_{12}} = x^*\\boldsymbol{\\hat{\\imath}} + y^*\\boldsymbol{\\hat{\\jmath}} + z^*\\boldsymbol{\\hat{k}} \\\\ \\boldsymbol{\\sigma} &= \\frac{\\boldsymbol{r}_1}{r_{12}} = \\left(x^* + \\pi_2\\right)\\boldsymbol{\\hat{\\imath}} + y^*\\boldsymbol{\\hat{\\jmath}} + z^*\\boldsymbol{\\hat{k}} \\\\ \\boldsymbol{\\psi} &= \\frac{\\boldsymbol{r}_2}{r_{12}} = \\left(x^* - 1 + \\pi_2\\right)\\boldsymbol{\\hat{\\imath}} + y^*\\boldsymbol{\\hat{\\jmath}} + z^*uvec{k} \\end{aligned}",
+        "System(Chain(\\boldsymbol{\\rho}, Div(\\boldsymbol{r}; r_{12}), Add(Mul(x ^ { * }, \\boldsymbol{\\hat{\\imath}}), Mul(y ^ { * }, \\boldsymbol{\\hat{\\jmath}}), Mul(z ^ { * }, \\boldsymbol{\\hat{k}})); =, =), Chain(\\boldsymbol{\\sigma}, Div(\\boldsymbol{r}_1; r_{12}), Add(Mul(Add(x ^ { * }, \\pi_2), \\boldsymbol{\\hat{\\imath}}), Mul(y ^ { * }, \\boldsymbol{\\hat{\\jmath}}), Mul(z ^ { * }, \\boldsymbol{\\hat{k}})); =, =), Chain(\\boldsymbol{\\psi}, Div(\\boldsymbol{r}_2; r_{12}), Add(Mul(Add(x ^ { * }, Neg(1), \\pi_2), \\boldsymbol{\\hat{\\imath}}), Mul(y ^ { * }, \\boldsymbol{\\hat{\\jmath}}), Mul(z ^ { * }, u, v, e, c, k)); =, =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\bar{F}_r = \\begin{bmatrix} \\sum_{i=1}^\\nu {}^A\\bar{v}_1^{P_i} \\cdot \\bar{R}_i \\\\ \\vdots \\\\ \\sum_{i=1}^\\nu {}^A\\bar{v}_r^{P_i} \\cdot \\bar{R}_i \\\\ \\vdots \\\\ \\sum_{i=1}^\\nu {}^A\\bar{v}_n^{P_i} \\cdot \\bar{R}_i \\end{bmatrix}",
+        "Chain(\\bar{F}_r, MatrixOf(BigSum(i; 1; \\nu; Mul(\\prescript { A } { } { \\bar { v } } _ { 1 } ^ { P _ { i } }, \\bar{R}_i; 1)), Dots(), BigSum(i; 1; \\nu; Mul(\\prescript { A } { } { \\bar { v } } _ { r } ^ { P _ { i } }, \\bar{R}_i; 1)), Dots(), BigSum(i; 1; \\nu; Mul(\\prescript { A } { } { \\bar { v } } _ { n } ^ { P _ { i } }, \\bar{R}_i; 1))); =)",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\bar P_{l,m}[x] = P_{l,m}[x] N_{l,m}",
+        "Chain(Indexed(\\bar{P}_{l,m}; x), Mul(Indexed(P_{l,m}; x), N_{l,m}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "f(x) := \\frac{\\alpha}{s} \\left(\\frac{x-m}{s}\\right)^{-1-\\alpha} e^{-(\\frac{x-m}{s})^{-\\alpha}}",
+        "Chain(Call(f; x), Mul(Div(\\alpha; s), Pow(Div(Add(x, Neg(m)); s); Add(Neg(1), Neg(\\alpha))), Pow(e; Neg(Pow(Div(Add(x, Neg(m)); s); Neg(\\alpha))))); =)",
+        "sympy/sympy/sympy/stats/crv_types.py",
+    ),
+    (
+        "{\\bf J} = \\min_a \\left[ {\\bf \\ell}(a) + {\\bf T}(a) {\\bf J} \\right],",
+        "Chain(\\mathbf{J}, Limiting(min; _{ a }; Add(Call(\\mathbf{\\ell}; a), Mul(Call(\\mathbf{T}; a), \\mathbf{J}))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\dot{\\bar{f}}_n(\\dot{\\bar{u}}_r, \\dot{\\bar{u}}_s, \\bar{u}_s, \\bar{u}_r, \\bar{q}, t) = \\mathbf{M}_{nd}\\dot{\\bar{u}}_r + \\bar{g}_{nd}= 0 \\in \\mathbb{R}^m\\\\ \\dot{\\bar{u}}_r = -\\mathbf{M}_{nd}(\\bar{q}, t)^{-1} \\bar{g}_{nd}(\\dot{\\bar{u}}_s, \\bar{u}_s, \\bar{q}, t)",
+        "System(Chain(Call(\\dot{\\bar{f}}_n; Call(\\dot{\\bar{u}}_r), Call(\\dot{\\bar{u}}_s), Call(\\bar{u}_s), Call(\\bar{u}_r), \\bar{q}, t), Add(Mul(Call(\\mathbf{M}_{nd}), Call(\\dot{\\bar{u}}_r)), Call(\\bar{g}_{nd})), 0, Pow(\\mathbb{R}; m); =, =, \\in), Chain(Call(\\dot{\\bar{u}}_r), Neg(Mul(Pow(Call(\\mathbf{M}_{nd}; \\bar{q}, t); Neg(1)), Call(\\bar{g}_{nd}; Call(\\dot{\\bar{u}}_s), Call(\\bar{u}_s), \\bar{q}, t))); =))",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "x_{t+1} = A x_t + B u_t",
+        "Chain(x_{t+1}, Add(Mul(A, x_t), Mul(B, u_t)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_speed_and_steering_control/lqr_speed_and_steering_control_main.rst",
+    ),
+    (
+        "m := \\sum_{i=1}^\\nu m_i",
+        "Chain(m, BigSum(i; 1; \\nu; m_i); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\left[I_{\\text{fuel, }Tc}\\right] = \\frac{2}{5}\\,m_{\\text{fuel}} \\,R_{\\text{tank}}^2\\, \\left[I_{3\\times3}\\right]",
+        "Chain([ I _ { \\text { f u e l , } T c } ], Mul(Div(2; 5), m_{fuel}, Pow(R_{tank}; 2), [ I _ { 3 \\times 3 } ]); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "A &\\in \\mathbb{R}^{(n-l+o-m) \\times (n-l+o-m)}\\\\ B &\\in \\mathbb{R}^{(n-l+o-m) \\times s}",
+        "System(Chain(A, Pow(\\mathbb{R}; Cross(Add(n, Neg(l), o, Neg(m)); Add(n, Neg(l), o, Neg(m)))); \\in), Chain(B, Pow(\\mathbb{R}; Cross(Add(n, Neg(l), o, Neg(m)); s)); \\in))",
+        "sympy/sympy/doc/src/explanation/modules/physics/mechanics/linearize.rst",
+    ),
+    (
+        "RMSE = \\sqrt{\\frac{1}{MN}\\sum_{i=1}^{M}\\sum_{j=1}^{N}(A_{ij} - B_{ij})^2}",
+        "Chain(\\text{RMSE}, Sqrt(Mul(Div(1; Mul(M, N)), BigSum(i; 1; M; BigSum(j; 1; N; Pow(Add(A_{ij}, Neg(B_{ij})); 2))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/metrics.py",
+    ),
+    (
+        "\\tan\\frac{\\nu - \\nu_0}{2} = \\frac{z}{z}",
+        "Chain(Call(tan; Div(Add(\\nu, Neg(\\nu_0)); 2)), Div(z; z); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} x} \\frac{\\partial F}{\\partial y'_i} - \\frac{\\partial F}{\\partial y_i} = 0 \\quad (i = 1,2,\\cdots,n)",
+        "System(Chain(Add(Derivative(Derivative(Call(F); y'_i, 1; True); x, 1), Neg(Derivative(Call(F); y_i, 1; True))), 0; =), Values(i; 1, 2, Dots(), n))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "e = 1 + \\frac{r_p}{a} = 1 + \\frac{r_p v_{\\infty}^2}{\\mu_i}",
+        "Chain(e, Add(1, Div(r_p; a)), Add(1, Div(Mul(r_p, Pow(v_\\infty; 2)); \\mu_i)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "F^{B_p}_{{\\text{name}},C} = \\begin{bmatrix} \\tau^{B_p}_{\\text{name},C} \\\\ f^{B_p}_{\\text{name},C} \\end{bmatrix} \\quad \\text{ or, if you prefer } \\quad \\left[F^{B_p}_{\\text{name}}\\right]_C = \\begin{bmatrix} \\left[\\tau^{B_p}_{\\text{name}}\\right]_C \\\\ \\left[f^{B_p}_{\\text{name}}\\right]_C \\end{bmatrix}.",
+        "System(Chain(F _ { \\text { n a m e } , C } ^ { B _ { p } }, MatrixOf(\\tau _ { \\text { n a m e } , C } ^ { B _ { p } }, f _ { \\text { n a m e } , C } ^ { B _ { p } }); =), Words(\\text{or,if~you~prefer}), Chain(Marked(F _ { \\text { n a m e } } ^ { B _ { p } }; _{ C }), MatrixOf(Marked(\\tau _ { \\text { n a m e } } ^ { B _ { p } }; _{ C }), Marked(f _ { \\text { n a m e } } ^ { B _ { p } }; _{ C })); =))",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\boldsymbol{x}(t_{k+1}) = \\boldsymbol{x}(t_k) + \\boldsymbol{f}\\big( \\boldsymbol{x}_k\\,,\\,\\boldsymbol{u}_k \\big) \\, \\Delta t",
+        "Chain(Call(\\boldsymbol{x}; t_{k+1}), Add(Call(\\boldsymbol{x}; t_k), Mul(Call(\\boldsymbol{f}; \\boldsymbol{x}_k, \\boldsymbol{u}_k), \\Delta t)); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/overview.md",
+    ),
+    (
+        "|\\operatorname{atan}(x+a) - \\operatorname{atan}(x)| = \\operatorname{atan}\\left(\\frac{|a|}{1 + x(x+a)}\\right).",
+        "Chain(Bars(Add(Call(atan; Add(x, a)), Neg(Call(atan; x)))), Call(atan; Div(Bars(a); Add(1, Mul(x, Add(x, a))))); =)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "K_B := \\frac{1}{2} m {}^N\\bar{v}^{B_o} \\cdot {}^N\\bar{v}^{B_o} + \\frac{1}{2} {}^N\\bar{\\omega}^B \\cdot \\breve{I}^{B/B_o} \\cdot {}^N\\bar{\\omega}^B",
+        "Chain(K_B, Add(Mul(Div(1; 2), m, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }; 3), Mul(Div(1; 2), \\prescript { N } { } { \\bar { \\omega } } ^ { B }, \\breve { I } ^ { B / B _ { o } }, \\prescript { N } { } { \\bar { \\omega } } ^ { B })); =)",
+        "moorepants/learn-multibody-dynamics/energy.rst",
+    ),
+    (
+        "I_{s_{i2,2}} ( \\dot\\omega_{s_{i2,2}} + \\ddot\\theta_{i1} + \\ddot\\theta_{i2}) = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} - k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\hat{\\bm s}_{i2,2}^T \\bm \\tau_{\\text{ext}_{i2},H_{i2}} \\\\ - m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T \\Big[ \\ddot{\\bm{r}}_{B/N} + \\bm{r}''_{S_{c,i2}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]",
+        "Chain(Mul(I_{s_i2,2}, Add(Call(\\dot{\\omega}_{s_i2,2}), Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(Transpose(\\hat{\\bm{s}}_{i2,2}), \\bm{\\tau}_{ext_i2,H_i2}), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B})))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{bmatrix} x \\\\ y \\end{bmatrix} ' = \\begin{bmatrix} 1 & 2 \\\\ 2 & 1 \\end{bmatrix} \\begin{bmatrix} x \\\\ y \\end{bmatrix} .",
+        "Chain(Marked(MatrixOf(x, y); '), Mul(MatrixOf(1, 2, 2, 1), MatrixOf(x, y)); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\mathbf{y} = \\begin{bmatrix}y_0 & y_1 & \\cdots & y_{N-1}\\end{bmatrix}",
+        "Chain(\\mathbf{y}, MatrixOf(y_0, y_1, Dots(), y_{N-1}); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "J_2 = \\sqrt{\\mu\\alpha a(1-e^2)}",
+        "Chain(J_2, Sqrt(Mul(\\mu, \\alpha, a, Add(1, Neg(Pow(e; 2))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\left( \\frac{\\log(k+1)}{\\log(k)} \\right)^d \\le \\left(1 + \\frac{1}{k \\log(k)}\\right)^d.",
+        "Chain(Pow(Div(Call(log; Add(k, 1)); Call(log; k)); d), Pow(Add(1, Div(1; Mul(k, Call(log; k)))); d); \\le)",
+        "fredrik-johansson/arb/doc/source/polylogarithms.rst",
+    ),
+    (
+        "\\begin{cases} \\displaystyle \\dot{X}_C(t) = -(kg\\cos\\alpha) t + \\dot{X}_C(0) \\\\ \\displaystyle \\dot{Y}_C(t) = -(kg\\sin\\alpha) t + \\dot{Y}_C(0) \\end{cases}",
+        "System(Chain(Call(\\dot{X}_C; t), Add(Neg(Mul(Mul(k, g, Call(cos; \\alpha)), t)), Call(\\dot{X}_C; 0)); =), Chain(Call(\\dot{Y}_C; t), Add(Neg(Mul(Mul(k, g, Call(sin; \\alpha)), t)), Call(\\dot{Y}_C; 0)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "\\omega = \\frac{J\\sin\\alpha}{ml}",
+        "Chain(\\omega, Div(Mul(J, Call(sin; \\alpha)); Mul(m, l)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{b} &=& \\begin{bmatrix} \\cos\\theta_x & \\sin\\theta_x\\sin\\theta_y & \\sin\\theta_x\\cos\\theta_y \\\\ 0 & \\cos\\theta_y & -\\sin\\theta_y \\\\ -\\sin\\theta_x & \\cos\\theta_x\\sin\\theta_y & \\cos\\theta_x\\cos\\theta_y \\end{bmatrix} \\begin{bmatrix}m_x \\\\ m_y \\\\ m_z\\end{bmatrix} \\\\ \\begin{bmatrix}b_x \\\\ b_y \\\\ b_z\\end{bmatrix} &=& \\begin{bmatrix} m_x\\cos\\theta_x + m_y\\sin\\theta_x\\sin\\theta_y + m_z\\sin\\theta_x\\cos\\theta_y \\\\ m_y\\cos\\theta_y - m_z\\sin\\theta_y \\\\ -m_x\\sin\\theta_x + m_y\\cos\\theta_x\\sin\\theta_y + m_z\\cos\\theta_x\\cos\\theta_y \\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{b}, Mul(MatrixOf(Call(cos; \\theta_x), Mul(Call(sin; \\theta_x), Call(sin; \\theta_y)), Mul(Call(sin; \\theta_x), Call(cos; \\theta_y)), 0, Call(cos; \\theta_y), Neg(Call(sin; \\theta_y)), Neg(Call(sin; \\theta_x)), Mul(Call(cos; \\theta_x), Call(sin; \\theta_y)), Mul(Call(cos; \\theta_x), Call(cos; \\theta_y))), MatrixOf(m_x, m_y, m_z)); =), Chain(MatrixOf(b_x, b_y, b_z), MatrixOf(Add(Mul(m_x, Call(cos; \\theta_x)), Mul(m_y, Call(sin; \\theta_x), Call(sin; \\theta_y)), Mul(m_z, Call(sin; \\theta_x), Call(cos; \\theta_y))), Add(Mul(m_y, Call(cos; \\theta_y)), Neg(Mul(m_z, Call(sin; \\theta_y)))), Add(Neg(Mul(m_x, Call(sin; \\theta_x))), Mul(m_y, Call(cos; \\theta_x), Call(sin; \\theta_y)), Mul(m_z, Call(cos; \\theta_x), Call(cos; \\theta_y)))); =))",
+        "Mayitzin/ahrs/ahrs/filters/complementary.py",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{v}(t) &= \\frac{dx(t)}{dt}\\boldsymbol{\\hat{\\imath}} + \\frac{dy(t)}{dt}\\boldsymbol{\\hat{\\jmath}} + \\frac{dz(t)}{dt}\\boldsymbol{\\hat{k}} \\\\ &= v_x\\boldsymbol{\\hat{\\imath}} + v_y\\boldsymbol{\\hat{\\jmath}} + v_z\\boldsymbol{\\hat{k}} \\\\ &= \\dot{\\boldsymbol{r}}\\end{aligned}",
+        "Chain(Call(\\boldsymbol{v}; t), Add(Mul(Derivative(Call(x; t); t, 1), \\boldsymbol{\\hat{\\imath}}), Mul(Derivative(Call(y; t); t, 1), \\boldsymbol{\\hat{\\jmath}}), Mul(Derivative(Call(z; t); t, 1), \\boldsymbol{\\hat{k}})), Add(Mul(v_x, \\boldsymbol{\\hat{\\imath}}), Mul(v_y, \\boldsymbol{\\hat{\\jmath}}), Mul(v_z, \\boldsymbol{\\hat{k}})), Call(\\dot{\\boldsymbol{r}}); =, =, =)",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "\\mathrm{B} = \\frac{(a-1)! (b-1)!}{(a+b-1)!}",
+        "Chain(\\text{B}, Div(Mul(Factorial(Add(a, Neg(1))), Factorial(Add(b, Neg(1)))); Factorial(Add(a, b, Neg(1)))); =)",
+        "sympy/sympy/sympy/functions/special/beta_functions.py",
+    ),
+    (
+        "\\mathbf{q}^a & = & e^{\\log(\\mathbf{q}^a)} \\\\ & = & e^{a \\log(\\mathbf{q})} \\\\ & = & e^{a \\mathbf{u}\\theta} \\\\ & = & \\begin{bmatrix} \\cos(a\\theta) \\\\ \\mathbf{u} \\sin(a\\theta) \\end{bmatrix}",
+        "Chain(Pow(\\mathbf{q}; a), Pow(e; Call(log; Pow(\\mathbf{q}; a))), Pow(e; Mul(a, Call(log; \\mathbf{q}))), Pow(e; Mul(a, \\mathbf{u}, \\theta)), MatrixOf(Call(cos; Mul(a, \\theta)), Mul(\\mathbf{u}, Call(sin; Mul(a, \\theta)))); =, =, =, =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\bm c = \\frac{1}{m_{sc}}\\Big[ \\sum_{i=1}^{N_p} m_p {\\bm r}_{S_i/B}\\Big]",
+        "Chain(\\bm{c}, Mul(Div(1; m_{sc}), BigSum(i; 1; N_p; Mul(m_p, \\bm{r}_{S_i/B}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/NHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bm x_{n+1} = \\bm x_{n} + h \\bm k_{1}",
+        "Chain(\\bm{x}_{n+1}, Add(\\bm{x}_n, Mul(h, \\bm{k}_1)); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/Integrators/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\frac{-m \\ddot{x}}{ m \\ddot{y} + mg} = \\frac{(u_1 + u_2)\\sin\\theta}{(u_1+u_2)\\cos\\theta} = \\tan\\theta.",
+        "Chain(Div(Neg(Mul(m, Call(\\ddot{x}))); Add(Mul(m, Call(\\ddot{y})), Mul(m, g))), Div(Mul(Add(u_1, u_2), Call(sin; \\theta)); Mul(Add(u_1, u_2), Call(cos; \\theta))), Call(tan; \\theta); =, =)",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\operatorname{E}_{2k} = (-1)^k \\mathcal{A}_{2k}",
+        "Chain(\\text{E}_{2k}, Mul(Pow(Neg(1); k), \\mathcal{A}_{2k}); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "T & = \\frac12 I_O\\omega^2 = \\frac12 \\left[\\frac{1}{12}ml^2 + m\\left(\\frac l4\\right)^2\\right]\\omega^2 = \\frac{7}{96}ml^2\\omega^2",
+        "Chain(T, Mul(Div(1; 2), I_O, Pow(\\omega; 2)), Mul(Div(1; 2), Add(Mul(Div(1; 12), m, Pow(l; 2)), Mul(m, Pow(Div(l; 4); 2))), Pow(\\omega; 2)), Mul(Div(7; 96), m, Pow(l; 2), Pow(\\omega; 2)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "B = \\frac{\\pi^2 D^4}{4^2} \\rho_{avg}",
+        "Chain(B, Mul(Div(Mul(Pow(\\pi; 2), Pow(D; 4)); Pow(4; 2)), \\rho_{avg}); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\ddot{\\bm r}_{B/N} = [A]^{-1} (\\bm v_{\\text{trans}} - [B]\\dot{\\bm\\omega}_{\\cal B/N})",
+        "Chain(Call(\\ddot{\\bm{r}}_{B/N}), Mul(Pow([ A ]; Neg(1)), Add(\\bm{v}_{trans}, Neg(Mul([ B ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/NHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "S = \\frac12 m(\\ddot{x}^2+\\ddot{y}^2) + \\frac12 (I_1\\ddot{\\theta}^2 + I_2\\ddot{\\phi}^2)",
+        "Chain(S, Add(Mul(Div(1; 2), m, Add(Pow(Call(\\ddot{x}); 2), Pow(Call(\\ddot{y}); 2))), Mul(Div(1; 2), Add(Mul(I_1, Pow(Call(\\ddot{\\theta}); 2)), Mul(I_2, Pow(Call(\\ddot{\\phi}); 2))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "\\operatorname{Si}(z) = z {}_1F_2(\\tfrac{1}{2}; \\tfrac{3}{2}, \\tfrac{3}{2}; -\\tfrac{z^2}{4})",
+        "Chain(Call(\\text{Si}; z), Mul(z, Call(\\prescript { } { 1 } { F } _ { 2 }; Given(Div(1; 2); Given(Div(3; 2), Div(3; 2); Neg(Div(Pow(z; 2); 4)); ;); ;))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\begin{aligned} p(\\mathbf{p}_1, \\ldots, \\mathbf{p}_N \\ | \\ \\mathcal{Z}) &= \\frac{p( \\mathcal{Z} \\ | \\ \\mathbf{p}_1, \\ldots, \\mathbf{p}_N) p(\\mathbf{p}_1, \\ldots, \\mathbf{p}_N) }{ p(\\mathcal{Z}) } \\\\ &\\propto p( \\mathcal{Z} \\ | \\ \\mathbf{p}_1, \\ldots, \\mathbf{p}_N) \\end{aligned}",
+        "Chain(Call(p; Given(\\mathbf{p}_1, Dots(), \\mathbf{p}_N; \\mathcal{Z}; |)), Div(Mul(Call(p; Given(\\mathcal{Z}; \\mathbf{p}_1, Dots(), \\mathbf{p}_N; |)), Call(p; \\mathbf{p}_1, Dots(), \\mathbf{p}_N)); Call(p; \\mathcal{Z})), Call(p; Given(\\mathcal{Z}; \\mathbf{p}_1, Dots(), \\mathbf{p}_N; |)); =, \\propto)",
+        "AtsushiSakai/PythonRobotics/docs/modules/4_slam/graph_slam/graphSLAM_formulation.rst",
+    ),
+    (
+        "\\mu_m = \\rho_m \\left[x\\left(\\frac{\\mu_g}{\\rho_g}\\right) + (1 - x)\\left(\\frac{\\mu_l}{\\rho_l}\\right)\\right]",
+        "Chain(\\mu_m, Mul(\\rho_m, Add(Mul(x, Div(\\mu_g; \\rho_g)), Mul(Add(1, Neg(x)), Div(\\mu_l; \\rho_l)))); =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\lambda(x) = c_0 + c_1 x + c_2 x^2.",
+        "Chain(Call(\\lambda; x), Add(c_0, Mul(c_1, x), Mul(c_2, Pow(x; 2))); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "J(x,u)=\\int_0^Tg(x(t),u(t))dt\\ge V(x_0)-V(x(T)).",
+        "Chain(Call(J; Call(x), Call(u)), Integral(Call(g; Call(x; t), Call(u; t)); t; 0; T), Add(Call(V; x_0), Neg(Call(V; Call(x; T)))); =, \\ge)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "v2 = p3 - p1",
+        "Chain(\\text{v2}, Add(\\text{p3}, Neg(\\text{p1})); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/3_mapping/normal_vector_estimation/normal_vector_estimation_main.rst",
+    ),
+    (
+        "S[\\boldsymbol{q}(t),\\boldsymbol{p}(t)] = \\int_{t_0}^{t_1} \\left[\\sum_{\\alpha=1}^s p_\\alpha \\dot{q}_\\alpha - H(\\boldsymbol{q},\\boldsymbol{p},t)\\right] \\mathrm{d} t",
+        "Chain(Indexed(S; Call(\\boldsymbol{q}; t), Call(\\boldsymbol{p}; t)), Integral(Add(BigSum(\\alpha; 1; s; Mul(p_{\\alpha}, Call(\\dot{q}_{\\alpha}))), Neg(Call(H; Call(\\boldsymbol{q}), Call(\\boldsymbol{p}), t))); t; t_0; t_1); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "C_0 = 1.19",
+        "Chain(C_0, 1.19; =)",
+        "CalebBell/fluids/fluids/two_phase_voidage.py",
+    ),
+    (
+        "\\tilde{F}_r + \\tilde{F}_r^* = \\bar{f}_{ds}(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, t) + \\mathbf{A}_n^T \\bar{f}_{dr}(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, t) = 0 \\in \\mathbb{R}^p",
+        "Chain(Add(\\tilde{F}_r, \\tilde { F } _ { r } ^ { * }), Add(Call(\\bar{f}_{ds}; Call(\\dot{\\bar{u}}), Call(\\bar{u}), \\bar{q}, t), Mul(Transpose(\\mathbf{A}_n), Call(\\bar{f}_{dr}; Call(\\dot{\\bar{u}}), Call(\\bar{u}), \\bar{q}, t))), 0, Pow(\\mathbb{R}; p); =, =, \\in)",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "\\text{SNR} = \\frac{1}{N-\\frac{1}{5}}.",
+        "Chain(\\text{SNR}, Div(1; Add(N, Neg(Div(1; 5)))); =)",
+        "RussTedrake/underactuated/book/rl_policy_search.html",
+    ),
+    (
+        "{\\vec{x}}' = \\begin{bmatrix} 2 & 1 & 1 \\\\ 1 & 2 & 0 \\\\ 0 & 0 & 2 \\end{bmatrix} \\vec{x} .",
+        "Chain(\\vec{x}', Mul(MatrixOf(2, 1, 1, 1, 2, 0, 0, 0, 2), \\vec{x}); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\breve{U} := \\hat{a}_x \\otimes \\hat{a}_x + \\hat{a}_y \\otimes \\hat{a}_y + \\hat{a}_z \\otimes \\hat{a}_z",
+        "Chain(\\breve{U}, Add(Operated(\\otimes; \\hat{a}_x; \\hat{a}_x), Operated(\\otimes; \\hat{a}_y; \\hat{a}_y), Operated(\\otimes; \\hat{a}_z; \\hat{a}_z)); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "L = b - a",
+        "Chain(L, Add(b, Neg(a)); =)",
+        "sympy/sympy/sympy/series/fourier.py",
+    ),
+    (
+        "\\boxed{\\mathbf{q}_t = \\mathbf{q}_t^- + \\mathbf{G}_t (\\mathbf{q}_{am} - \\mathbf{q}_t^-)}",
+        "Chain(\\mathbf{q}_t, Add(\\mathbf { q } _ { t } ^ { - }, Mul(\\mathbf{G}_t, Add(\\mathbf{q}_{am}, Neg(\\mathbf { q } _ { t } ^ { - })))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "g_{n,j} &=& \\phi_{n+1,j}\\,\\left[g_{n+1,j} + \\tilde{U}_{n+1,j}\\,z_{n+1}\\right] \\\\ z_n &=& \\frac{z_n^\\prime}{D_{n,n}} - \\sum_{j=1}^{2\\,J} \\tilde{W}_{n,j}\\,g_{n,j}",
+        "System(Chain(g_{n,j}, Mul(\\phi_{n+1,j}, Add(g_{n+1,j}, Mul(\\tilde{U}_{n+1,j}, z_{n+1}))); =), Chain(z_n, Add(Div(z_n'; D_{n,n}), Neg(BigSum(j; 1; Mul(2, J); Mul(\\tilde{W}_{n,j}, g_{n,j})))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\ddot{\\bm r} = - \\frac{\\mu}{r^{3}}{\\bm r}",
+        "Chain(Call(\\ddot{\\bm{r}}), Neg(Mul(Div(\\mu; Pow(Call(r); 3)), Call(\\bm{r}))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/Integrators/_Documentation/secTest.tex",
+    ),
+    (
+        "F_s=V_s\\rho_g^{0.5}",
+        "Chain(F_s, Mul(V_s, Pow(\\rho_g; 0.5)); =)",
+        "CalebBell/fluids/fluids/packed_tower.py",
+    ),
+    (
+        "r_p = a\\left(1 - e\\right)",
+        "Chain(r_p, Mul(a, Add(1, Neg(e))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "Tr\\cos \\left(\\frac{\\pi}{2}-\\phi-\\theta\\right) = Qa",
+        "Chain(Mul(T, r, Call(cos; Add(Div(\\pi; 2), Neg(\\phi), Neg(\\theta)))), Mul(Q, a); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "m \\begin{bmatrix}\\ddot{x} \\\\ \\ddot{z} \\end{bmatrix} + K_d \\begin{bmatrix} \\dot{x} \\\\ \\dot{z} \\end{bmatrix} + K_p \\begin{bmatrix} x - x_d \\\\ z - z_d \\end{bmatrix} = f^{F_c}.",
+        "Chain(Add(Mul(m, MatrixOf(Call(\\ddot{x}), Call(\\ddot{z}))), Mul(K_d, MatrixOf(Call(\\dot{x}), Call(\\dot{z}))), Mul(K_p, MatrixOf(Add(Call(x), Neg(x_d)), Add(Call(z), Neg(z_d))))), f ^ { F _ { c } }; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\begin{bmatrix} x_{cm} \\\\ z_{cm} \\end{bmatrix} \\equiv {}^Wp^{R_{cm}}({\\bf q}) = \\frac{\\sum_i {}^W p^{B_{i,cm}}({\\bf q}) \\, m_i}{\\sum_i m_i} = \\frac{\\sum_i {}^WX^{B_i}({\\bf q}) \\,{}^B_i p^{B_{i,cm}} \\, m_i}{\\sum_i m_i}.",
+        "Chain(MatrixOf(x_{cm}, z_{cm}), Call(\\prescript { W } { } { p } ^ { R _ { c m } }; \\mathbf{q}), Div(BigSum(i; Mul(Call(\\prescript { W } { } { p } ^ { B _ { i , c m } }; \\mathbf{q}), m_i)); BigSum(i; m_i)), Div(BigSum(i; Mul(Call(\\prescript { W } { } { X } ^ { B _ { i } }; \\mathbf{q}), \\prescript { B } { i } { p } ^ { B _ { i , c m } }, m_i)); BigSum(i; m_i)); \\equiv, =, =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\begin{aligned} \\sigma^2 &= \\frac{\\bar\\sigma^2 \\sigma_z^2 } {\\bar\\sigma^2 + \\sigma_z^2} \\\\ &= K\\sigma_z^2 \\\\ &= (1-K)\\bar\\sigma^2 \\end{aligned}",
+        "Chain(Pow(\\sigma; 2), Div(Mul(Pow(\\bar{\\sigma}; 2), Pow(\\sigma_z; 2)); Add(Pow(\\bar{\\sigma}; 2), Pow(\\sigma_z; 2))), Mul(K, Pow(\\sigma_z; 2)), Mul(Add(1, Neg(K)), Pow(\\bar{\\sigma}; 2)); =, =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
+    (
+        "\\rho = [HN](r_{dep} - r_{chief})",
+        "Chain(\\rho, Mul([ H N ], Add(r_{dep}, Neg(r_{chief}))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/hillStateConverter/hillStateConverter.rst",
+    ),
+    (
+        "\\begin{array}{rcl} e^{\\mathbf{q}} &=& e^{q_w+\\mathbf{q}_v} = e^{q_w}e^{\\mathbf{q}_v}\\\\ &=& e^{q_w} \\begin{bmatrix} \\cos\\|\\mathbf{q}_v\\| \\\\ \\frac{\\mathbf{q}}{\\|\\mathbf{q}_v\\|}\\sin\\|\\mathbf{q}_v\\| \\end{bmatrix} \\end{array}",
+        "Chain(Pow(e; \\mathbf{q}), Pow(e; Add(q_w, \\mathbf{q}_v)), Mul(Pow(e; q_w), Pow(e; \\mathbf{q}_v)), Mul(Pow(e; q_w), MatrixOf(Call(cos; Norm(\\mathbf{q}_v)), Mul(Div(\\mathbf{q}; Norm(\\mathbf{q}_v)), Call(sin; Norm(\\mathbf{q}_v))))); =, =, =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\begin{array}{llr} \\frac{dP^{0, 0}}{dx} & = 1 & \\\\ \\frac{dP^{n, n}}{dx} & = \\sin (x) \\frac{dP^{n-1, n-1}}{dx} + \\cos (x) P^{n-1, n-1} & n\\geq 1 \\\\ \\frac{dP^{n, m}}{dx} & = \\cos (x) \\frac{dP^{n-1, m}}{dx} - \\sin (x) P^{n-1, m} - K^{n, m} \\frac{dP^{n-2, m}}{dx} & \\end{array}",
+        "System(Chain(Derivative(Call(P ^ { 0 , 0 }); x, 1), 1; =), Chain(Derivative(Call(P ^ { n , n }); x, 1), Add(Mul(Call(sin; x), Derivative(Call(P ^ { n - 1 , n - 1 }); x, 1)), Mul(Call(cos; x), Call(P ^ { n - 1 , n - 1 }))); =), Chain(n, 1; \\ge), Chain(Derivative(Call(P ^ { n , m }); x, 1), Add(Mul(Call(cos; x), Derivative(Call(P ^ { n - 1 , m }); x, 1)), Neg(Mul(Call(sin; x), Call(P ^ { n - 1 , m }))), Neg(Mul(K ^ { n , m }, Derivative(Call(P ^ { n - 2 , m }); x, 1)))); =))",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "\\tilde{F}_r = F_r + \\left[F_{p+1} \\ldots F_n \\right] \\mathbf{A}_n \\hat{e}_r \\textrm{ for } r=1\\ldots p",
+        "System(Chain(\\tilde{F}_r, Add(F_r, Mul(Tuple(F_{p+1}, Dots(), F_n; []), \\mathbf{A}_n, \\hat{e}_r)); =), Values(r; 1, Dots(), p))",
+        "moorepants/learn-multibody-dynamics/generalized-forces.rst",
+    ),
+    (
+        "\\int_{-\\infty}^\\infty p_x(x ;n) dx = 1.",
+        "Chain(Integral(Call(p_x; Given(x; n; ;)); x; Neg(Infinity()); Infinity()), 1; =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "{}^Gp^A = {}^GX^F {}^Fp^A = {}^Gp^F + {}^Fp^A_G = {}^Gp^F + {}^GR^F {}^Fp^A.",
+        "Chain(\\prescript { G } { } { p } ^ { A }, Mul(\\prescript { G } { } { X } ^ { F }, \\prescript { F } { } { p } ^ { A }), Add(\\prescript { G } { } { p } ^ { F }, \\prescript { F } { } { p } _ { G } ^ { A }), Add(\\prescript { G } { } { p } ^ { F }, Mul(\\prescript { G } { } { R } ^ { F }, \\prescript { F } { } { p } ^ { A })); =, =, =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "x = x' + \\frac{b_2 c_1 - b_1 c_2}{a_2 b_1 - a_1 b_2}",
+        "Chain(x, Add(x', Div(Add(Mul(b_2, c_1), Neg(Mul(b_1, c_2))); Add(Mul(a_2, b_1), Neg(Mul(a_1, b_2))))); =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "W = zRT\\ln\\left(\\frac{P_2}{P_1}\\right)",
+        "Chain(W, Mul(z, R, T, Call(ln; Div(P_2; P_1))); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\textbf{u}_t=[v_t, \\omega_t]",
+        "Chain(\\mathbf{u}_t, Tuple(v_t, \\omega_t; []); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/extended_kalman_filter_localization_files/extended_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\operatorname{Li}_{s+1}(z) = \\int_0^z \\frac{\\operatorname{Li}_s(t)}{t} \\mathrm{d}t.",
+        "Chain(Call(\\text{Li}_{s+1}; z), Integral(Div(Call(\\text{Li}_s; t); t); t; 0; z); =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "\\Delta\\left(\\frac{a\\tau+b}{c\\tau+d}\\right) = (c\\tau+d)^{12} \\Delta(\\tau).",
+        "Chain(Call(\\Delta; Div(Add(Mul(a, \\tau), b); Add(Mul(c, \\tau), d))), Mul(Pow(Add(Mul(c, \\tau), d); 12), Call(\\Delta; \\tau)); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "{\\bf A}{\\bf v}_i = \\lambda_i {\\bf v}_i,",
+        "Chain(Mul(\\mathbf{A}, \\mathbf{v}_i), Mul(\\lambda_i, \\mathbf{v}_i); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\mathbf{T}^T\\left[\\mathbf{M}\\mathbf{T}\\dot{\\bar{u}} + \\left(\\dot{\\mathbf{M}}\\mathbf{T} + \\mathbf{M}\\dot{\\mathbf{T}}\\right)\\bar{u}\\right] = \\mathbf{T}^T \\bar{F} \\in \\mathbb{R}^{n}",
+        "Chain(Mul(Transpose(Call(\\mathbf{T})), Add(Mul(Call(\\mathbf{M}), Call(\\mathbf{T}), Call(\\dot{\\bar{u}})), Mul(Add(Mul(Call(\\dot{\\mathbf{M}}), Call(\\mathbf{T})), Mul(Call(\\mathbf{M}), Call(\\dot{\\mathbf{T}}))), Call(\\bar{u})))), Mul(Transpose(Call(\\mathbf{T})), \\bar{F}), Pow(\\mathbb{R}; n); =, \\in)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\begin{aligned} r_A &= \\frac{p_t}{1 + e_t\\cos\\nu_A} & r_B &= \\frac{p_t}{1 + e_t\\cos\\nu_B} \\end{aligned}",
+        "System(Chain(r_A, Div(p_t; Add(1, Mul(e_t, Call(cos; \\nu_A)))); =), Chain(r_B, Div(p_t; Add(1, Mul(e_t, Call(cos; \\nu_B)))); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "\\hat{n}_x \\times \\hat{n}_y & = \\hat{n}_z \\\\ \\hat{n}_y \\times \\hat{n}_z & = \\hat{n}_x \\\\ \\hat{n}_z \\times \\hat{n}_x & = \\hat{n}_y",
+        "System(Chain(Cross(\\hat{n}_x; \\hat{n}_y), \\hat{n}_z; =), Chain(Cross(\\hat{n}_y; \\hat{n}_z), \\hat{n}_x; =), Chain(Cross(\\hat{n}_z; \\hat{n}_x), \\hat{n}_y; =))",
+        "moorepants/learn-multibody-dynamics/orientation.rst",
+    ),
+    (
+        "\\hat{h}_r = \\frac{r}{|r|}",
+        "Chain(\\hat{h}_r, Div(r; Bars(r)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/hillStateConverter/hillStateConverter.rst",
+    ),
+    (
+        "\\bm \\sigma_{\\text{ch}}(t_\\text{s}) = - \\frac{\\bm \\sigma_0(t_\\text{s})}{\\vert \\bm \\sigma_0(t_\\text{s}) \\vert^2}",
+        "Chain(Call(\\bm{\\sigma}_{ch}; t_s), Neg(Div(Call(\\bm{\\sigma}_0; t_s); Pow(Bars(Call(\\bm{\\sigma}_0; t_s)); 2))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/spacecraft/_Documentation/Spacecraft/secTest.tex",
+    ),
+    (
+        "f(E) = E - e\\sin E - M_e",
+        "Chain(Call(f; E), Add(E, Neg(Mul(e, Call(sin; E))), Neg(M_e)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "x(T)=a_0+a_1T+a_2T^2+a_3T^3+a_4T^4+a_5T^5=x_e",
+        "Chain(Call(x; T), Add(a_0, Mul(a_1, T), Mul(a_2, Pow(T; 2)), Mul(a_3, Pow(T; 3)), Mul(a_4, Pow(T; 4)), Mul(a_5, Pow(T; 5))), x_e; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\operatorname{Li}_s(z) = \\frac{\\Gamma(v)}{(2\\pi)^v} \\left[ i^v \\zeta \\left(v, \\frac{1}{2} + \\frac{\\log(-z)}{2\\pi i}\\right) + i^{-v} \\zeta \\left(v, \\frac{1}{2} - \\frac{\\log(-z)}{2\\pi i}\\right) \\right]",
+        "Chain(Call(\\text{Li}_s; z), Mul(Div(Call(Gamma; v); Pow(Mul(2, \\pi); v)), Add(Mul(Pow(i; v), Call(\\zeta; v, Add(Div(1; 2), Div(Call(log; Neg(z)); Mul(2, \\pi, i))))), Mul(Pow(i; Neg(v)), Call(\\zeta; v, Add(Div(1; 2), Neg(Div(Call(log; Neg(z)); Mul(2, \\pi, i)))))))); =)",
+        "fredrik-johansson/arb/doc/source/polylogarithms.rst",
+    ),
+    (
+        "L(\\mathbf{A}) = \\frac{1}{2}\\sum_{i=1}^Nw_i|u_i-\\mathbf{A}v_i|^2",
+        "Chain(Call(L; \\mathbf{A}), Mul(Div(1; 2), BigSum(i; 1; N; Mul(w_i, Pow(Bars(Add(u_i, Neg(Mul(\\mathbf{A}, v_i)))); 2)))); =)",
+        "Mayitzin/ahrs/ahrs/filters/davenport.py",
+    ),
+    (
+        "u_{\\min} = \\frac{km+\\sqrt{k^2m^2-2mE(l^2+cm)}}{l^2+cm}",
+        "Chain(u_\\min, Div(Add(Mul(k, m), Sqrt(Add(Mul(Pow(k; 2), Pow(m; 2)), Neg(Mul(2, m, E, Add(Pow(l; 2), Mul(c, m))))))); Add(Pow(l; 2), Mul(c, m))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "\\mathbf{q}^{-1} = \\mathbf{q}^*",
+        "Chain(Pow(\\mathbf{q}; Neg(1)), \\mathbf { q } ^ { * }; =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "{}^{B}{\\pmb\\omega}_{{\\mathcal{B}}^{\\ast}/\\mathcal{R}} = - {\\bf f}(\\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}})",
+        "Chain(\\prescript { B } { } { \\pmb { \\omega } } _ { \\mathcal { B } ^ { * } / \\mathcal { R } }, Neg(Call(\\mathbf{f}; \\pmb{\\sigma}_{\\mathcal B/\\mathcal R})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "y = C_1 y_0(t) + C_2 [\\frac{F(t) P(t)}{x_0(t)} + y_0(t) \\int \\frac{g(t) F(t) P(t)}{x_0^{2}(t)} \\,dt]",
+        "Chain(y, Add(Mul(C_1, Call(y_0; t)), Mul(C_2, Add(Div(Mul(Call(F; t), Call(P; t)); Call(x_0; t)), Mul(Call(y_0; t), Antiderivative(Div(Mul(Call(g; t), Call(F; t), Call(P; t)); Pow(Call(x_0; t); 2)); t))))); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\rho(t) = b (t - t_f)^2 + \\rho_{\\text{ref}}",
+        "Chain(Call(\\rho; t), Add(Mul(b, Pow(Add(t, Neg(t_f)); 2)), \\rho_{ref}); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "L = I + \\mathrm{tril} (U\\,W^T)",
+        "Chain(L, Add(I, Call(\\text{tril}; Mul(U, Transpose(W)))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "{}_I\\mbox{\\boldmath $\\omega$}_{I\\!B} = \\mathbf E(\\mbox{\\boldmath $\\chi$}) \\cdot \\dot{\\mbox{\\boldmath $\\chi$}}",
+        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I \\! B }, Mul(Call(\\mathbf{E}; Call(\\boldsymbol{\\chi})), Call(\\dot{\\boldsymbol{\\chi}}); 1); =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "& J_p(x) = \\frac{1}{2^p\\Gamma(1+p)} y_1 = \\sum_{k=0}^\\infty \\frac{{(-1)}^k}{k! \\, \\Gamma(k+p+1)} {\\left(\\frac{x}{2}\\right)}^{2k+p} , \\\\ & J_{-p}(x) = \\frac{1}{2^{-p}\\Gamma(1-p)} y_2 = \\sum_{k=0}^\\infty \\frac{{(-1)}^k}{k! \\,\\Gamma(k-p+1)} {\\left(\\frac{x}{2}\\right)}^{2k-p} .",
+        "System(Chain(Call(J_p; x), Mul(Div(1; Mul(Pow(2; p), Call(Gamma; Add(1, p)))), y_1), BigSum(k; 0; Infinity(); Mul(Div(Pow(Neg(1); k); Mul(Factorial(k), Call(Gamma; Add(k, p, 1)))), Pow(Div(x; 2); Add(Mul(2, k), p)))); =, =), Chain(Call(J_{-p}; x), Mul(Div(1; Mul(Pow(2; Neg(p)), Call(Gamma; Add(1, Neg(p))))), y_2), BigSum(k; 0; Infinity(); Mul(Div(Pow(Neg(1); k); Mul(Factorial(k), Call(Gamma; Add(k, Neg(p), 1)))), Pow(Div(x; 2); Add(Mul(2, k), Neg(p))))); =, =))",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\mathscr{J}_\\alpha = \\int_{t_0}^{t_0+\\tau} \\left(\\sum_{i=1}^n \\boldsymbol{F}_i \\cdot \\frac{\\partial \\boldsymbol{r}_i}{\\partial q_\\alpha}\\right)\\mathrm{d} t = \\int_{t_0}^{t_0+\\tau} Q_\\alpha\\mathrm{d} t",
+        "Chain(\\mathscr{J}_\\alpha, Integral(BigSum(i; 1; n; Mul(\\boldsymbol{F}_i, Derivative(Call(\\boldsymbol{r}_i); q_\\alpha, 1; True))); t; t_0; Add(t_0, \\tau)), Integral(Q_\\alpha; t; t_0; Add(t_0, \\tau)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\begin{aligned}\\left\\{r\\right\\}_{{x}_{\\omega}} &= \\left\\{\\begin{matrix}{x}_{\\omega}\\\\{y}_{\\omega}\\\\ 0\\end{matrix}\\right\\} = \\left[\\mathbf{Q}\\right]_{X{x}_{\\omega}} \\left\\{r\\right\\}_{X} & \\left\\{v\\right\\}_{{x}_{\\omega}} &= \\left\\{\\begin{matrix}\\dot{{x}_{\\omega}}\\\\\\dot{{y}_{\\omega}}\\\\ 0\\end{matrix}\\right\\} = \\left[\\mathbf{Q}\\right]_{X{x}_{\\omega}} \\left\\{v\\right\\}_{X}\\end{aligned}",
+        "System(Chain(Marked(Tuple(r; {}); _{ x _ { \\omega } }), Tuple(MatrixOf(Call(x_\\omega), Call(y_\\omega), 0); {}), Mul([ \\mathbf { Q } ] _ { X x _ { \\omega } }, Marked(Tuple(r; {}); _{ X })); =, =), Chain(Marked(Tuple(v; {}); _{ x _ { \\omega } }), Tuple(MatrixOf(Call(\\dot{x}_\\omega), Call(\\dot{y}_\\omega), 0); {}), Mul([ \\mathbf { Q } ] _ { X x _ { \\omega } }, Marked(Tuple(v; {}); _{ X })); =, =))",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/6-transformation-between-geocentric-equatorial-and-perifocal-frames.md",
+    ),
+    (
+        "J({\\bf x}_0) = \\int_0^\\infty \\left[ {\\bf x}^T(t) {\\bf Q} {\\bf x}(t) + {\\bf u}^T(t) {\\bf R} {\\bf u}(t) \\right]dt, \\quad {\\bf x}(0)={\\bf x}_0, {\\bf Q}={\\bf Q}^T>0, {\\bf R}={\\bf R}^T>0.",
+        "System(Chain(Call(J; \\mathbf{x}_0), Integral(Add(Mul(Transpose(Call(\\mathbf{x}; t)), \\mathbf{Q}, Call(\\mathbf{x}; t)), Mul(Transpose(Call(\\mathbf{u}; t)), \\mathbf{R}, Call(\\mathbf{u}; t))); t; 0; Infinity()); =), Chain(Call(\\mathbf{x}; 0), \\mathbf{x}_0; =), Chain(\\mathbf{Q}, Transpose(\\mathbf{Q}), 0; =, >), Chain(\\mathbf{R}, Transpose(\\mathbf{R}), 0; =, >))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\mathbf{B} = \\sum_{i=1}^nw_i\\mathbf{A}(\\mathbf{q}_i)",
+        "Chain(\\mathbf{B}, BigSum(i; 1; n; Mul(w_i, Call(\\mathbf{A}; \\mathbf{q}_i))); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\boldsymbol{e} = \\frac{\\dot{\\boldsymbol{r}}\\times\\boldsymbol{h}}{\\mu} - \\frac{\\boldsymbol{r}}{r}",
+        "Chain(\\boldsymbol{e}, Add(Div(Cross(Call(\\dot{\\boldsymbol{r}}); \\boldsymbol{h}); \\mu), Neg(Div(Call(\\boldsymbol{r}); Call(r)))); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "p^2 - \\omega_0^2 = {\\left( \\frac{c}{2m} \\right)}^2 - \\frac{k}{m} = \\frac{c^2 - 4km}{4m^2} .",
+        "Chain(Add(Pow(p; 2), Neg(Pow(\\omega_0; 2))), Add(Pow(Div(c; Mul(2, m)); 2), Neg(Div(k; m))), Div(Add(Pow(c; 2), Neg(Mul(4, k, m))); Mul(4, Pow(m; 2))); =, =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "x = \\xi e^s, \\qquad t = s .",
+        "System(Chain(x, Mul(\\xi, Pow(e; s)); =), Chain(t, s; =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\boldsymbol{r}(t) = \\boldsymbol{r}(\\boldsymbol{q}(t),t)",
+        "Chain(Call(\\boldsymbol{r}; t), Call(\\boldsymbol{r}; Call(\\boldsymbol{q}; t), t); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{B}} = w_x \\mathbf{\\hat{b}_x} + w_y \\mathbf{\\hat{b}_y} + w_z \\mathbf{\\hat{b}_z}",
+        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Add(Mul(w_x, \\mathbf{\\hat{b}}_x), Mul(w_y, \\mathbf{\\hat{b}}_y), Mul(w_z, \\mathbf{\\hat{b}}_z)); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
+    ),
+    (
+        "\\int\\frac{d\\nu}{\\left(1 + e\\cos \\nu\\right)^2} = \\frac{1}{\\left(e^2 - 1\\right)^{3/2}}\\left[\\frac{e\\sqrt{e^2 - 1}\\sin \\nu}{1 + e\\cos \\nu} - \\ln\\left(\\frac{\\sqrt{e + 1} + \\sqrt{e - 1}\\tan\\frac{\\nu}{2}}{\\sqrt{e + 1} - \\sqrt{e - 1}\\tan\\frac{\\nu}{2}}\\right)\\right]",
+        "Chain(Antiderivative(Div(1; Pow(Add(1, Mul(e, Call(cos; \\nu))); 2)); \\nu), Mul(Div(1; Pow(Add(Pow(e; 2), Neg(1)); Div(3; 2))), Add(Div(Mul(e, Sqrt(Add(Pow(e; 2), Neg(1))), Call(sin; \\nu)); Add(1, Mul(e, Call(cos; \\nu)))), Neg(Call(ln; Div(Add(Sqrt(Add(e, 1)), Mul(Sqrt(Add(e, Neg(1))), Call(tan; Div(\\nu; 2)))); Add(Sqrt(Add(e, 1)), Neg(Mul(Sqrt(Add(e, Neg(1))), Call(tan; Div(\\nu; 2)))))))))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "x_1'' + \\lambda_1 x_1 = 0 \\qquad \\text{and} \\qquad x_2'' + \\lambda_2 x_2 = 0.",
+        "System(Chain(Add(x_1'', Mul(\\lambda_1, x_1)), 0; =), Chain(Add(x_2'', Mul(\\lambda_2, x_2)), 0; =))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "u(t) = \\begin{cases} 0 & \\text{if } \\; t < 0 , \\\\ 1 & \\text{if } \\; t \\geq 0 . \\end{cases}",
+        "Chain(Call(u; t), Piecewise(0, Chain(t, 0; <), 1, Chain(t, 0; \\ge)); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "\\sin\\dfrac q2 = k_1\\sin u",
+        "Chain(Call(sin; Div(q; 2)), Mul(k_1, Call(sin; u)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\begin{array}{rcl} h(\\hat{\\mathbf{x}}) &=& \\mathbf{R}(\\hat{\\mathbf{x}})^T \\mathbf{g} \\\\ &=& \\begin{bmatrix} 1 - 2(\\hat{q_y}^2 + \\hat{q_z}^2) & 2(\\hat{q_x} \\hat{q_y} + \\hat{q_w} \\hat{q_z}) & 2(\\hat{q_x} \\hat{q_z} - \\hat{q_w} \\hat{q_y}) \\\\ 2(\\hat{q_x} \\hat{q_y} - \\hat{q_w} \\hat{q_z}) & 1 - 2(\\hat{q_x}^2 + \\hat{q_z}^2) & 2(\\hat{q_y} \\hat{q_z} + \\hat{q_w} \\hat{q_x}) \\\\ 2(\\hat{q_x} \\hat{q_z} + \\hat{q_w} \\hat{q_y}) & 2(\\hat{q_y} \\hat{q_z} - \\hat{q_w} \\hat{q_x}) & 1 - 2(\\hat{q_x}^2 + \\hat{q_y}^2) \\end{bmatrix} \\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\end{bmatrix} \\\\ &=& \\begin{bmatrix} 2(\\hat{q_x} \\hat{q_z} - \\hat{q_w} \\hat{q_y}) \\\\ 2(\\hat{q_y} \\hat{q_z} + \\hat{q_w} \\hat{q_x}) \\\\ 1 - 2(\\hat{q_x}^2 + \\hat{q_y}^2) \\end{bmatrix} \\end{array}",
+        "Chain(Call(h; \\hat{\\mathbf{x}}), Mul(Transpose(Call(\\mathbf{R}; \\hat{\\mathbf{x}})), \\mathbf{g}), Mul(MatrixOf(Add(1, Neg(Mul(2, Add(Pow(\\hat{q}_y; 2), Pow(\\hat{q}_z; 2))))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_y), Mul(\\hat{q}_w, \\hat{q}_z))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_z), Neg(Mul(\\hat{q}_w, \\hat{q}_y)))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_y), Neg(Mul(\\hat{q}_w, \\hat{q}_z)))), Add(1, Neg(Mul(2, Add(Pow(\\hat{q}_x; 2), Pow(\\hat{q}_z; 2))))), Mul(2, Add(Mul(\\hat{q}_y, \\hat{q}_z), Mul(\\hat{q}_w, \\hat{q}_x))), Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_z), Mul(\\hat{q}_w, \\hat{q}_y))), Mul(2, Add(Mul(\\hat{q}_y, \\hat{q}_z), Neg(Mul(\\hat{q}_w, \\hat{q}_x)))), Add(1, Neg(Mul(2, Add(Pow(\\hat{q}_x; 2), Pow(\\hat{q}_y; 2)))))), MatrixOf(0, 0, 1)), MatrixOf(Mul(2, Add(Mul(\\hat{q}_x, \\hat{q}_z), Neg(Mul(\\hat{q}_w, \\hat{q}_y)))), Mul(2, Add(Mul(\\hat{q}_y, \\hat{q}_z), Mul(\\hat{q}_w, \\hat{q}_x))), Add(1, Neg(Mul(2, Add(Pow(\\hat{q}_x; 2), Pow(\\hat{q}_y; 2)))))); =, =, =)",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "-{}^A\\text{v}^B_F = {}^B\\text{v}^A_F + {}^A\\omega^B_F \\times {}^Bp^A_F.",
+        "Chain(Neg(\\prescript { A } { } { \\text { v } } _ { F } ^ { B }), Add(\\prescript { B } { } { \\text { v } } _ { F } ^ { A }, Cross(\\prescript { A } { } { \\omega } _ { F } ^ { B }; \\prescript { B } { } { p } _ { F } ^ { A })); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "x_1' + 5x_1 - 3x_2 &= e^t , \\\\ x_2' + 3x_1 - x_2 &= 0 ,",
+        "System(Chain(Add(x_1', Mul(5, x_1), Neg(Mul(3, x_2))), Pow(e; t); =), Chain(Add(x_2', Mul(3, x_1), Neg(x_2)), 0; =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\bm\\omega_{B/R} = \\bm\\omega_{B/N} - \\bm\\omega_{R/N}",
+        "Chain(\\bm{\\omega}_{B/R}, Add(\\bm{\\omega}_{B/N}, Neg(\\bm{\\omega}_{R/N})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attGuidance/opNavPoint/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\tan \\phi = \\frac{v_r}{v_{\\perp}} = \\frac{e\\sin\\nu}{1 + e\\cos\\nu}",
+        "Chain(Call(tan; \\phi), Div(v_r; v_\\perp), Div(Mul(e, Call(sin; \\nu)); Add(1, Mul(e, Call(cos; \\nu)))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/orbital-nomenclature.md",
+    ),
+    (
+        "h = r v_{\\perp}",
+        "Chain(h, Mul(r, v_\\perp); =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "{ {\\boldsymbol{y}}} = K\\,{ {\\boldsymbol{z}}}",
+        "Chain(\\boldsymbol{y}, Mul(K, \\boldsymbol{z}); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\mathbf{M}_N^B(\\mathbf{q}) = \\begin{bmatrix} 2(s^2 + v_x^2) - 1 & 2(v_xv_y + sv_z) & 2(v_xv_z - sv_y) \\\\ 2(v_xv_y - sv_z) & 2(s^2 + v_y^2) - 1 & 2(sv_x + v_yv_z) \\\\ 2(sv_y + v_xv_z) & 2(v_yv_z - sv_x) & 2(s^2 + v_z^2) - 1 \\end{bmatrix}",
+        "Chain(Call(\\mathbf { M } _ { N } ^ { B }; \\mathbf{q}), MatrixOf(Add(Mul(2, Add(Pow(s; 2), Pow(v_x; 2))), Neg(1)), Mul(2, Add(Mul(v_x, v_y), Mul(s, v_z))), Mul(2, Add(Mul(v_x, v_z), Neg(Mul(s, v_y)))), Mul(2, Add(Mul(v_x, v_y), Neg(Mul(s, v_z)))), Add(Mul(2, Add(Pow(s; 2), Pow(v_y; 2))), Neg(1)), Mul(2, Add(Mul(s, v_x), Mul(v_y, v_z))), Mul(2, Add(Mul(s, v_y), Mul(v_x, v_z))), Mul(2, Add(Mul(v_y, v_z), Neg(Mul(s, v_x)))), Add(Mul(2, Add(Pow(s; 2), Pow(v_z; 2))), Neg(1))); =)",
+        "Mayitzin/ahrs/ahrs/filters/fourati.py",
+    ),
+    (
+        "\\begin{cases} \\displaystyle p_\\alpha = \\frac{\\partial F_1}{\\partial q_\\alpha} = \\bar{p}_\\alpha(\\boldsymbol{q},\\boldsymbol{Q},t) \\\\[1.5ex] \\displaystyle P_\\alpha = -\\frac{\\partial F_1}{\\partial Q_\\alpha} = \\bar{P}_\\alpha(\\boldsymbol{q},\\boldsymbol{Q},t) \\\\[1.5ex] \\displaystyle K = H+\\frac{\\partial F_1}{\\partial t} \\end{cases}",
+        "System(Chain(p_\\alpha, Derivative(Call(F_1); q_\\alpha, 1; True), Call(\\bar{p}_\\alpha; \\boldsymbol{q}, \\boldsymbol{Q}, t); =, =), Chain(P_\\alpha, Neg(Derivative(Call(F_1); Q_\\alpha, 1; True)), Call(\\bar{P}_\\alpha; \\boldsymbol{q}, \\boldsymbol{Q}, t); =, =), Chain(K, Add(H, Derivative(Call(F_1); t, 1; True)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "(\\boldsymbol{v}_{O_k}^+-\\boldsymbol{v}_{O_k}^-) \\cdot \\boldsymbol{n}_k & = \\Delta\\boldsymbol{v}_k \\cdot \\boldsymbol{n}_k + (\\Delta\\boldsymbol{\\omega}_k\\times \\overrightarrow{C_kO_k})\\cdot \\boldsymbol{n}_k \\\\ & = \\Delta\\boldsymbol{v}_k \\cdot \\boldsymbol{n}_k + (\\overrightarrow{C_kO_k} \\times \\boldsymbol{n}_k)\\cdot \\Delta\\boldsymbol{\\omega}_k",
+        "Chain(Mul(Add(\\boldsymbol { v } _ { O _ { k } } ^ { + }, Neg(\\boldsymbol { v } _ { O _ { k } } ^ { - })), \\boldsymbol{n}_k; 1), Add(Mul(\\Delta \\boldsymbol { v } _ { k }, \\boldsymbol{n}_k; 1), Mul(Cross(\\Delta \\boldsymbol { \\omega } _ { k }; \\vec { C _ { k } O _ { k } }), \\boldsymbol{n}_k; 1)), Add(Mul(\\Delta \\boldsymbol { v } _ { k }, \\boldsymbol{n}_k; 1), Mul(Cross(\\vec { C _ { k } O _ { k } }; \\boldsymbol{n}_k), \\Delta \\boldsymbol { \\omega } _ { k }; 1)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "A_m = C t = \\pi a b \\frac{t}{T}",
+        "Chain(A_m, Mul(C, t), Mul(\\pi, a, b, Div(t; T)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "{}_I \\mathbf e^x_{I''} = \\mathbf C_{I\\!I'}(z) \\cdot \\mathbf C_{I\\!'I''}(y) \\cdot \\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\end{bmatrix} = \\begin{bmatrix} \\cos(z) & -\\sin(z) & 0 \\\\ \\sin(z) & \\cos(z) & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\begin{bmatrix} \\cos(y) & 0 & \\sin(y) \\\\ 0 & 1 & 0 \\\\ -\\sin(y) & 0 & \\cos(z) \\end{bmatrix} \\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\end{bmatrix} = \\begin{bmatrix} \\cos(y)\\cos(z) \\\\ \\cos(y)\\sin(z) \\\\ -\\sin(z) \\end{bmatrix}",
+        "Chain(\\prescript { } { I } { \\mathbf { e } } _ { I ' ' } ^ { x }, Mul(Call(\\mathbf{C}_{I\\!I'}; z), Call(\\mathbf{C}_{I\\!'I''}; y), MatrixOf(1, 0, 0)), Mul(MatrixOf(Call(cos; z), Neg(Call(sin; z)), 0, Call(sin; z), Call(cos; z), 0, 0, 0, 1), MatrixOf(Call(cos; y), 0, Call(sin; y), 0, 1, 0, Neg(Call(sin; y)), 0, Call(cos; z)), MatrixOf(1, 0, 0)), MatrixOf(Mul(Call(cos; y), Call(cos; z)), Mul(Call(cos; y), Call(sin; z)), Neg(Call(sin; z))); =, =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\begin{aligned} v_r &= v \\sin\\phi & v_{\\perp} &= v \\cos\\phi \\end{aligned}",
+        "System(Chain(v_r, Mul(v, Call(sin; \\phi)); =), Chain(v_\\perp, Mul(v, Call(cos; \\phi)); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
+    ),
+    (
+        "E_{apex}(z, \\dot{x}) = \\frac{1}{2}m \\dot{x}^2 + mgz = E_0.",
+        "Chain(Call(E_{apex}; z, Call(\\dot{x})), Add(Mul(Div(1; 2), m, Pow(Call(\\dot{x}); 2)), Mul(m, g, z)), E_0; =, =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "\\mathbf{M}_r = \\begin{bmatrix} \\mathbf{q}_r & \\mathbf{r}_r & \\mathbf{s}_r \\end{bmatrix}",
+        "Chain(\\mathbf{M}_r, MatrixOf(\\mathbf{q}_r, \\mathbf{r}_r, \\mathbf{s}_r); =)",
+        "Mayitzin/ahrs/ahrs/filters/triad.py",
+    ),
+    (
+        "u(x,y) M(x,y) \\, dx + u(x,y) N(x,y) \\, dy = 0",
+        "Chain(Add(Mul(Call(u; x, y), Call(M; x, y), Total(x)), Mul(Call(u; x, y), Call(N; x, y), Total(y))), 0; =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\Gamma(s,z) = e^{-z} U(1-s,1-s,z)",
+        "Chain(Call(Gamma; s, z), Mul(Pow(e; Neg(z)), Call(U; Add(1, Neg(s)), Add(1, Neg(s)), z)); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\begin{aligned} Y(l_1,l_2,l_3,m_1,m_2,m_3) &=Y(l_3,l_1,l_2,m_3,m_1,m_2) \\\\ &=Y(l_2,l_3,l_1,m_2,m_3,m_1) \\\\ &=Y(l_3,l_2,l_1,m_3,m_2,m_1) \\\\ &=Y(l_1,l_3,l_2,m_1,m_3,m_2) \\\\ &=Y(l_2,l_1,l_3,m_2,m_1,m_3) \\end{aligned}",
+        "Chain(Call(Y; l_1, l_2, l_3, m_1, m_2, m_3), Call(Y; l_3, l_1, l_2, m_3, m_1, m_2), Call(Y; l_2, l_3, l_1, m_2, m_3, m_1), Call(Y; l_3, l_2, l_1, m_3, m_2, m_1), Call(Y; l_1, l_3, l_2, m_1, m_3, m_2), Call(Y; l_2, l_1, l_3, m_2, m_1, m_3); =, =, =, =, =)",
+        "sympy/sympy/sympy/physics/wigner.py",
+    ),
+    (
+        "f^+_{n,j} &=& \\phi_{n+1,j}\\,\\left[f^+_{n+1,j} + \\tilde{U}_{n,j}\\,z_{n+1}\\right] \\\\ f^-_{n,j} &=& \\phi_{n,j}\\,\\left[f^-_{n-1,j} + \\tilde{V}_{n-1,j}\\,z_{n-1}\\right] \\\\ y_n &=& A_{n,n}\\,z_n + \\sum_{j=1}^{2\\,J} \\left[ \\tilde{V}_{n,j} f^+_{n,j} + \\tilde U_{n-1,j} f^-_{n,j}\\right] \\quad,",
+        "System(Chain(f _ { n , j } ^ { + }, Mul(\\phi_{n+1,j}, Add(f _ { n + 1 , j } ^ { + }, Mul(\\tilde{U}_{n,j}, z_{n+1}))); =), Chain(f _ { n , j } ^ { - }, Mul(\\phi_{n,j}, Add(f _ { n - 1 , j } ^ { - }, Mul(\\tilde{V}_{n-1,j}, z_{n-1}))); =), Chain(y_n, Add(Mul(A_{n,n}, z_n), BigSum(j; 1; Mul(2, J); Add(Mul(\\tilde{V}_{n,j}, f _ { n , j } ^ { + }), Mul(\\tilde{U}_{n-1,j}, f _ { n , j } ^ { - })))); =))",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "J = x^T Q x + u^T R u",
+        "Chain(J, Add(Mul(Transpose(x), Q, x), Mul(Transpose(u), R, u)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/10_inverted_pendulum/inverted_pendulum_main.rst",
+    ),
+    (
+        "{\\bf H}_1 = 0, {\\bf H}_2 = {\\bf I}, \\dot{\\bf H} = 0, \\bar{\\bf H} = {\\bf I}, \\bar{\\bf H}^+ = {\\bf I}.",
+        "System(Chain(\\mathbf{H}_1, 0; =), Chain(\\mathbf{H}_2, \\mathbf{I}; =), Chain(Call(\\dot{\\mathbf{H}}), 0; =), Chain(\\bar{\\mathbf{H}}, \\mathbf{I}; =), Chain(\\bar { \\mathbf { H } } ^ { + }, \\mathbf{I}; =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\sum_r a_r(\\bar{q}) \\dot{q}_r = 0",
+        "Chain(BigSum(r; Mul(Call(a_r; \\bar{q}), Call(\\dot{q}_r))), 0; =)",
+        "moorepants/learn-multibody-dynamics/lagrange.rst",
+    ),
+    (
+        "\\begin{cases} m\\ddot{x} = F_x+2m\\omega_0 \\dot{y} \\sin \\lambda \\\\ m\\ddot{y} = F_y-2m\\omega_0 (\\dot{x} \\sin \\lambda + \\dot{z} \\cos \\lambda) \\\\ m\\ddot{z} = F_z+2m\\omega_0 \\dot{y} \\cos \\lambda \\end{cases}",
+        "System(Chain(Mul(m, Call(\\ddot{x})), Add(F_x, Mul(2, m, \\omega_0, Call(\\dot{y}), Call(sin; \\lambda))); =), Chain(Mul(m, Call(\\ddot{y})), Add(F_y, Neg(Mul(2, m, \\omega_0, Add(Mul(Call(\\dot{x}), Call(sin; \\lambda)), Mul(Call(\\dot{z}), Call(cos; \\lambda)))))); =), Chain(Mul(m, Call(\\ddot{z})), Add(F_z, Mul(2, m, \\omega_0, Call(\\dot{y}), Call(cos; \\lambda))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "\\mathbf{D}_{\\mathrm{orth}} = \\mathbf{B}(\\mathbf{B}^T\\mathbf{B})^{-\\frac{1}{2}}",
+        "Chain(\\mathbf{D}_{orth}, Mul(\\mathbf{B}, Pow(Mul(Transpose(\\mathbf{B}), \\mathbf{B}); Neg(Div(1; 2)))); =)",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\dot{\\bf y} = {\\bf H} \\dot{\\bf q} \\\\ \\ddot{\\bf y} = \\dot{\\bf H} \\dot{\\bf q} + {\\bf H}_1 \\ddot{\\bf q}_1 + {\\bf H}_2 \\ddot{\\bf q}_2.",
+        "System(Chain(Call(\\dot{\\mathbf{y}}), Mul(Call(\\mathbf{H}), Call(\\dot{\\mathbf{q}})); =), Chain(Call(\\ddot{\\mathbf{y}}), Add(Mul(Call(\\dot{\\mathbf{H}}), Call(\\dot{\\mathbf{q}})), Mul(\\mathbf{H}_1, Call(\\ddot{\\mathbf{q}}_1)), Mul(\\mathbf{H}_2, Call(\\ddot{\\mathbf{q}}_2))); =))",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "f'(F) = e \\cosh F - 1",
+        "Chain(Call(f'; F), Add(Mul(e, Call(cosh; F)), Neg(1)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "A = \\begin{bmatrix} 3 & 0 \\\\ 0 & 3 \\end{bmatrix} .",
+        "Chain(A, MatrixOf(3, 0, 0, 3); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\xi_1'' = - \\xi_1 + \\frac{2}{3} \\cos (3t) , \\qquad \\xi_2'' = -4 \\, \\xi_2 - \\frac{2}{3} \\cos (3t) .",
+        "System(Chain(\\xi_1'', Add(Neg(\\xi_1), Mul(Div(2; 3), Call(cos; Mul(3, t)))); =), Chain(\\xi_2'', Add(Neg(Mul(4, \\xi_2)), Neg(Mul(Div(2; 3), Call(cos; Mul(3, t))))); =))",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\dot{x}_1 = \\dot{\\theta}_1 = x_2",
+        "Chain(Call(\\dot{x}_1), Call(\\dot{\\theta}_1), x_2; =, =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial T}{\\partial \\dot{q}_\\alpha} - \\frac{\\partial T}{\\partial q_\\alpha} = Q_\\alpha \\quad (\\alpha = 1,2,\\cdots,s)",
+        "System(Chain(Add(Derivative(Derivative(Call(T); \\dot{q}_{\\alpha}, 1; True); t, 1), Neg(Derivative(Call(T); q_{\\alpha}, 1; True))), Q_{\\alpha}; =), Values(\\alpha; 1, 2, Dots(), s))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\bar{u}_r = -\\mathbf{M}_n(\\bar{q}, t)^{-1}\\bar{g}_n(\\bar{u}_s, \\bar{q}, t)",
+        "Chain(\\bar{u}_r, Neg(Mul(Pow(Call(\\mathbf{M}_n; \\bar{q}, t); Neg(1)), Call(\\bar{g}_n; \\bar{u}_s, \\bar{q}, t))); =)",
+        "moorepants/learn-multibody-dynamics/nonholonomic-eom.rst",
+    ),
+    (
+        "P_\\alpha = D_\\alpha\\quad \\text{（常数）}",
+        "System(Chain(P_\\alpha, D_\\alpha; =), Words(\\text{（常数）}))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\frac{{}^Ad}{dt} {}^A\\bar{\\omega}^B = \\frac{{}^Bd}{dt} {}^A\\bar{\\omega}^B",
+        "Chain(Marked(Derivative(Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }); t, 1); _{ A }), Marked(Derivative(Call(\\prescript { A } { } { \\bar { \\omega } } ^ { B }); t, 1); _{ B }); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\mathbf{a} = \\mathbf{R}^T(\\dot{\\mathbf{v}}-\\mathbf{g}_0) + \\mathbf{b}_a + \\mu_a",
+        "Chain(\\mathbf{a}, Add(Mul(Transpose(\\mathbf{R}), Add(Call(\\dot{\\mathbf{v}}), Neg(\\mathbf{g}_0))), \\mathbf{b}_a, \\mu_a); =)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\ddot{\\bm{r}}_{B/N} = \\ddot{\\bm{r}}_{B/C} + \\ddot{\\bm{r}}_{C/N} = \\ddot{\\bm{r}}_{B/C, \\mathrm{grav}} + \\ddot{\\bm{r}}_{C/N, \\mathrm{grav}} + \\ddot{\\bm{r}}_{B/N, \\mathrm{thrust}} + \\ddot{\\bm{r}}_{B/N, \\mathrm{SRP}} + \\dots",
+        "Chain(Call(\\ddot{\\bm{r}}_{B/N}), Add(Call(\\ddot{\\bm{r}}_{B/C}), Call(\\ddot{\\bm{r}}_{C/N})), Add(Call(\\ddot{\\bm{r}}_{B/C,grav}), Call(\\ddot{\\bm{r}}_{C/N,grav}), Call(\\ddot{\\bm{r}}_{B/N,thrust}), Call(\\ddot{\\bm{r}}_{B/N,SRP}), Dots()); =, =)",
+        "AVSLab/basilisk/src/simulation/dynamics/gravityEffector/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\lambda_n = {(2n-1)}^2 .",
+        "Chain(\\lambda_n, Pow(Add(Mul(2, n), Neg(1)); 2); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "{\\vec{x}}'(t) = A\\vec{x}(t) + \\vec{f}(t) ,",
+        "Chain(Call(\\vec{x}'; t), Add(Mul(A, Call(\\vec{x}; t)), Call(\\vec{f}; t)); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\psi = 2\\arcsin(\\tanh \\omega_0t) = -\\pi+4\\arctan(\\mathrm{e}^{\\omega_0t})",
+        "Chain(\\psi, Mul(2, Call(arcsin; Call(tanh; Mul(\\omega_0, t)))), Add(Neg(\\pi), Mul(4, Call(arctan; Pow(\\text{e}; Mul(\\omega_0, t))))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "K = \\frac{2 A^{2} \\rho \\left(P_{1} - P_{2}\\right)}{m^{2}}",
+        "Chain(K, Div(Mul(2, Pow(A; 2), \\rho, Add(P_1, Neg(P_2))); Pow(m; 2)); =)",
+        "CalebBell/fluids/fluids/safety_valve.py",
+    ),
+    (
+        "v = \\frac{ds}{dt} = \\dot{s}",
+        "Chain(v, Derivative(Call(s); t, 1), Call(\\dot{s}); =, =)",
+        "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
+    ),
+    (
+        "k(\\tau) &=& \\lim_{f \\to 0}\\, S_0\\,\\omega_0\\,e^{-\\omega_0\\,\\tau}\\, \\left[\\cos(f\\,\\tau) + \\frac{\\omega_0}{f}\\,\\sin(f\\,\\tau)\\right] \\\\ &=& S_0\\,\\omega_0\\,e^{-\\omega_0\\,\\tau}\\,[1+\\omega_0\\,\\tau] \\quad.",
+        "Chain(Call(k; \\tau), Limiting(lim; _{ f \\to 0 }; Mul(S_0, \\omega_0, Pow(e; Neg(Mul(\\omega_0, \\tau))), Add(Call(cos; Mul(f, \\tau)), Mul(Div(\\omega_0; f), Call(sin; Mul(f, \\tau)))))), Mul(S_0, \\omega_0, Pow(e; Neg(Mul(\\omega_0, \\tau))), Add(1, Mul(\\omega_0, \\tau))); =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\dot{\\hat{\\mathbf{q}}} = \\big(\\frac{1}{2}\\hat{\\mathbf{q}}\\omega_\\mathbf{q}\\big)\\Delta",
+        "Chain(Call(\\dot{\\hat{\\mathbf{q}}}), Mul(Mul(Div(1; 2), Call(\\hat{\\mathbf{q}}), \\omega_{\\mathbf q}), \\Delta); =)",
+        "Mayitzin/ahrs/ahrs/filters/fourati.py",
+    ),
+    (
+        "I_{\\mathrm{ph}}(\\phi) = \\begin{cases} j_{\\mathrm{ph},0}\\,A_{\\mathrm{sunlit}}, & \\phi \\le 0 \\\\ j_{\\mathrm{ph},0}\\,A_{\\mathrm{sunlit}} \\exp\\!\\left(-\\dfrac{\\phi}{T_{\\mathrm{ph}}}\\right), & \\phi > 0 \\end{cases}",
+        "Chain(Call(I_{ph}; \\phi), Piecewise(Mul(j_{ph,0}, A_{sunlit}), Chain(\\phi, 0; \\le), Mul(j_{ph,0}, A_{sunlit}, Call(exp; Neg(Div(\\phi; T_{ph})))), Chain(\\phi, 0; >)); =)",
+        "AVSLab/basilisk/src/simulation/environment/spacecraftChargingEquilibrium/spacecraftChargingEquilibrium.rst",
+    ),
+    (
+        "a = \\frac{\\mu_i}{v_{\\infty}^2}",
+        "Chain(a, Div(\\mu_i; Pow(v_\\infty; 2)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-depahture-trajectory.md",
+    ),
+    (
+        "\\boldsymbol{v} = \\boldsymbol{v}_O + \\boldsymbol{\\Omega}\\times\\boldsymbol{r}_{\\text{rel}} + \\boldsymbol{v}_{\\text{rel}}",
+        "Chain(\\boldsymbol{v}, Add(\\boldsymbol{v}_O, Cross(\\boldsymbol{\\Omega}; \\boldsymbol{r}_{rel}), \\boldsymbol{v}_{rel}); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "& \\omega_1 = \\omega_\\phi-\\omega_\\theta,\\quad \\omega_2 = \\omega_\\theta-\\omega_r,\\quad \\omega_3 = \\omega_r \\\\ & J_1 = J_\\phi,\\quad J_2 = J_\\theta+J_\\phi,\\quad J_3 = J_r+J_\\theta+J_\\phi",
+        "System(Chain(\\omega_1, Add(\\omega_\\phi, Neg(\\omega_\\theta)); =), Chain(\\omega_2, Add(\\omega_\\theta, Neg(\\omega_r)); =), Chain(\\omega_3, \\omega_r; =), Chain(J_1, J_\\phi; =), Chain(J_2, Add(J_\\theta, J_\\phi); =), Chain(J_3, Add(J_r, J_\\theta, J_\\phi); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\gamma = \\frac{S_0(2n) - K_0(2n)}{I_0(2n)} - \\log(n)",
+        "Chain(\\gamma, Add(Div(Add(Call(S_0; Mul(2, n)), Neg(Call(K_0; Mul(2, n)))); Call(I_0; Mul(2, n))), Neg(Call(log; n))); =)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "1 - \\sum_{i=1}^q \\left(\\frac{D}{k}\\right)^i \\ge 1 + \\frac{D}{D-k}.",
+        "Chain(Add(1, Neg(BigSum(i; 1; q; Pow(Div(D; k); i)))), Add(1, Div(D; Add(D, Neg(k)))); \\ge)",
+        "fredrik-johansson/arb/doc/source/hypgeom.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathcal{X}_0 &=& \\mathbf{x}_{t-1} \\\\ \\mathcal{X}_i &=& \\mathbf{x}_{t-1} + \\mathbf{L}_i \\\\ \\mathcal{X}_{i+n} &=& \\mathbf{x}_{t-1} - \\mathbf{L}_i \\end{array}",
+        "System(Chain(\\mathcal{X}_0, \\mathbf{x}_{t-1}; =), Chain(\\mathcal{X}_i, Add(\\mathbf{x}_{t-1}, \\mathbf{L}_i); =), Chain(\\mathcal{X}_{i+n}, Add(\\mathbf{x}_{t-1}, Neg(\\mathbf{L}_i)); =))",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "\\Big[m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3}^T + m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3}^T \\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i1,2}} \\hat{\\bm s}_{i1,2}^T - m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i1}/B}] - m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}] \\Big]\\dot{\\bm\\omega}_{\\cal B/N} \\\\ + I_{s_{i1,2}} \\ddot\\theta_{i1} + m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3}^T \\bm{r}''_{S_{c,i1}/B} + m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3}^T \\bm{r}''_{S_{c,i2}/B} = - (I_{s_{i1,1}} - I_{s_{i1,3}}) \\omega_{s_{i1,3}} \\omega_{s_{i1,1}} - k_{i1} \\theta_{i1} - c_{i1}\\dot{\\theta}_{i1} \\\\ + k_{i2} \\theta_{i2} + c_{i2} \\dot\\theta_{i2} + \\hat{\\bm s}_{i1,2} \\cdot \\bm \\tau_{\\text{ext}_{i1},H_{i1}} + l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\bm F_{\\text{ext}_{i2}} - m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i1}/B} \\\\ + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B})\\Big] - m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[ 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]",
+        "Chain(Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3})), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i1,2}, Transpose(\\hat{\\bm{s}}_{i1,2})), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 1 } / B } ])), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(I_{s_i1,2}, Call(\\ddot{\\theta}_{i1})), Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{r}_{S_c,i1/B}''), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{r}_{S_c,i2/B}'')), Add(Neg(Mul(Add(I_{s_i1,1}, Neg(I_{s_i1,3})), \\omega_{s_i1,3}, \\omega_{s_i1,1})), Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(\\hat{\\bm{s}}_{i1,2}, \\bm{\\tau}_{ext_i1,H_i1}; 1), Mul(l_{i1}, \\hat{\\bm{s}}_{i1,3}, \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B}))); 3)), Neg(Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))); 3))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\Gamma = \\nu_B - \\nu_A",
+        "Chain(\\varGamma, Add(\\nu_B, Neg(\\nu_A)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "{\\bf u}_{min} \\le \\frac{1}{2}{\\bf m}(s_i)b'(s_i) + {\\bf c}(s_i)b(s_i) + \\bar{\\bf \\tau}_g(s_i) \\le {\\bf u}_{max} \\Rightarrow\\\\ {\\bf u}_{min} \\le {\\bf u}(t_i) \\le {\\bf u}_{max}.",
+        "Implies(Chain(\\mathbf{u}_{min}, Add(Mul(Div(1; 2), Call(\\mathbf{m}; s_i), Call(b'; s_i)), Mul(Call(\\mathbf{c}; s_i), Call(b; s_i)), Call(\\bar{\\mathbf{\\tau}}_g; s_i)), \\mathbf{u}_{max}; \\le, \\le); Chain(\\mathbf{u}_{min}, Call(\\mathbf{u}; t_i), \\mathbf{u}_{max}; \\le, \\le))",
+        "RussTedrake/manipulation/book/trajectories.html",
+    ),
+    (
+        "\\dot{x} = -x + x^3 + \\alpha, \\quad -\\frac{1}{4} < \\alpha < \\frac{1}{4}.",
+        "System(Chain(Call(\\dot{x}), Add(Neg(Call(x)), Pow(Call(x); 3), \\alpha); =), Chain(Neg(Div(1; 4)), \\alpha, Div(1; 4); <, <))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "E_n = 2^n E_n\\left(\\frac{1}{2}\\right).",
+        "Chain(Call(E_n), Mul(Pow(2; n), Call(E_n; Div(1; 2))); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "\\mathbf{R}(\\mathbf{q}_\\mathrm{acc}) \\begin{bmatrix}0 \\\\ 0 \\\\ 1\\end{bmatrix} = \\begin{bmatrix}a_x \\\\ a_y \\\\ a_z\\end{bmatrix}",
+        "Chain(Mul(Call(\\mathbf{R}; \\mathbf{q}_{acc}), MatrixOf(0, 0, 1)), MatrixOf(a_x, a_y, a_z); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "U_0 = \\frac{GM}{E} \\arctan e' + \\frac{\\omega^2a^2}{3}",
+        "Chain(U_0, Add(Mul(Div(Mul(G, M); E), Call(arctan; e')), Div(Mul(Pow(\\omega; 2), Pow(a; 2)); 3)); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "\\zeta(s, 1) = \\zeta(s) = \\sum_{n=1}^\\infty \\frac{1}{n^s}.",
+        "Chain(Call(\\zeta; s, 1), Call(\\zeta; s), BigSum(n; 1; Infinity(); Div(1; Pow(n; s))); =, =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "{\\bf Q}_{xx} = {\\bf Q}_t,\\quad {\\bf q}_x = -{\\bf Q}_t {\\bf x}_d - {\\bf N}_t{\\bf u}_d, \\quad q_0 = {\\bf x}_d^T {\\bf Q}_t {\\bf x}_d + 2 {\\bf x}_d^T {\\bf N}_t {\\bf u}_d, \\\\ {\\bf R}_{uu} = {\\bf R}_t, \\quad {\\bf r}_u = -{\\bf R}_t {\\bf u}_d - {\\bf N}_t^T {\\bf x}_d, \\quad r_0 = {\\bf u}_d^T {\\bf R}_t {\\bf u}_d, \\quad {\\bf N} = {\\bf N}_t.",
+        "System(Chain(\\mathbf{Q}_{xx}, \\mathbf{Q}_t; =), Chain(\\mathbf{q}_x, Add(Neg(Mul(\\mathbf{Q}_t, \\mathbf{x}_d)), Neg(Mul(\\mathbf{N}_t, \\mathbf{u}_d))); =), Chain(q_0, Add(Mul(Transpose(\\mathbf{x}_d), \\mathbf{Q}_t, \\mathbf{x}_d), Mul(2, Transpose(\\mathbf{x}_d), \\mathbf{N}_t, \\mathbf{u}_d)); =), Chain(\\mathbf{R}_{uu}, \\mathbf{R}_t; =), Chain(\\mathbf{r}_u, Add(Neg(Mul(\\mathbf{R}_t, \\mathbf{u}_d)), Neg(Mul(Transpose(\\mathbf{N}_t), \\mathbf{x}_d))); =), Chain(r_0, Mul(Transpose(\\mathbf{u}_d), \\mathbf{R}_t, \\mathbf{u}_d); =), Chain(\\mathbf{N}, \\mathbf{N}_t; =))",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "D = \\begin{bmatrix} \\lambda_1 & 0 & \\cdots & 0 \\\\ 0 & \\lambda_2 & \\cdots & 0 \\\\ \\vdots & \\vdots & \\ddots & \\vdots \\\\ 0 & 0 & \\cdots & \\lambda_n \\end{bmatrix} .",
+        "Chain(D, MatrixOf(\\lambda_1, 0, Dots(), 0, 0, \\lambda_2, Dots(), 0, Dots(), Dots(), Dots(), Dots(), 0, 0, Dots(), \\lambda_n); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\boldsymbol{v}(t) = v_x \\boldsymbol{\\hat{\\imath}} + v_y \\boldsymbol{\\hat{\\jmath}} + v_z \\boldsymbol{\\hat{k}}",
+        "Chain(Call(\\boldsymbol{v}; t), Add(Mul(v_x, \\boldsymbol{\\hat{\\imath}}), Mul(v_y, \\boldsymbol{\\hat{\\jmath}}), Mul(v_z, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
+    ),
+    (
+        "\\mathcal{K}^{B_q}_C = \\begin{bmatrix} I_{3 \\times 3} & \\left[ {}^{B_q}p^{B_p}_C \\right]_\\times \\\\ 0_{3 \\times 3} & I_{3 \\times 3} \\end{bmatrix} \\mathcal{K}^{B_p}_C,",
+        "Chain(\\mathcal { K } _ { C } ^ { B _ { q } }, Mul(MatrixOf(I_{3\\times3}, Marked(\\prescript { B _ { q } } { } { p } _ { C } ^ { B _ { p } }; _{ \\times }), Marked(0; _{ 3 \\times 3 }), I_{3\\times3}), \\mathcal { K } _ { C } ^ { B _ { p } }); =)",
+        "RussTedrake/manipulation/book/clutter.html",
+    ),
+    (
+        "\\dot{\\bar{x}} = -\\mathbf{M}_m^{-1} \\bar{g}_m =\\bar{f}_m(\\bar{x}, t)",
+        "Chain(Call(\\dot{\\bar{x}}), Neg(Mul(Pow(\\mathbf{M}_m; Neg(1)), \\bar{g}_m)), Call(\\bar{f}_m; Call(\\bar{x}), t); =, =)",
+        "moorepants/learn-multibody-dynamics/eom.rst",
+    ),
+    (
+        "\\boldsymbol{\\hat{\\lambda}} = \\cos\\phi \\boldsymbol{\\hat{\\imath}} + \\sin\\phi \\boldsymbol{\\hat{\\jmath}} + 0 \\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{\\hat{\\lambda}}, Add(Mul(Call(cos; \\phi), \\boldsymbol{\\hat{\\imath}}), Mul(Call(sin; \\phi), \\boldsymbol{\\hat{\\jmath}}), Mul(0, \\boldsymbol{\\hat{k}})); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
+    ),
+    (
+        "\\sum_i {}^Bp^{B_i}_{W_z} f^{B_i}_{W_x} = {}^Bp^{\\text{ZMP}}_{W_z} \\sum_i f^{B_i}_{W_x} = {}^Bp^\\text{ZMP}_{W_z} f^\\text{ZMP}_{net, W_x},",
+        "Chain(BigSum(i; Mul(\\prescript { B } { } { p } _ { W _ { z } } ^ { B _ { i } }, f _ { W _ { x } } ^ { B _ { i } })), Mul(\\prescript { B } { } { p } _ { W _ { z } } ^ { \\text { Z M P } }, BigSum(i; f _ { W _ { x } } ^ { B _ { i } })), Mul(\\prescript { B } { } { p } _ { W _ { z } } ^ { \\text { Z M P } }, f _ { n e t , W _ { x } } ^ { \\text { Z M P } }); =, =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\mathrm{JDN} = \\mathrm{INT}\\left(\\frac{B}{4}\\right) + \\mathrm{INT}\\left(\\frac{C}{12}\\right) - \\mathrm{INT}\\left(\\frac{3E}{4}\\right) + D - 32075",
+        "Chain(\\text{JDN}, Add(Call(\\text{INT}; Div(B; 4)), Call(\\text{INT}; Div(C; 12)), Neg(Call(\\text{INT}; Div(Mul(3, E); 4))), D, Neg(32075)); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/julian-date.md",
+    ),
+    (
+        "e_m = \\frac{|\\|\\,^L\\tilde{\\mathbf{a}}\\|-g|}{g}",
+        "Chain(e_m, Div(Bars(Add(Norm(\\prescript { L } { } { \\tilde { \\mathbf { a } } }), Neg(g))); g); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -9850,5 +11330,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\ddot{\\bm{r}}_{P_{c,j}/B} &= \\bm{r}''_{P_{c,j}/B} +2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{P_{c,j}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{P_{c,j}/B} +\\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{P_{c,j}/B})",
         "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\epsilon = \\sqrt{\\frac{- D^{4} P_{1} P_{2}^{2} \\log{\\left(\\frac{P_{2}} {P_{1}} \\right)} + Do^{4} P_{1} P_{2}^{2} \\log{\\left(\\frac{P_{2}}{P_{1}} \\right)}}{D^{4} P_{1}^{3} - D^{4} P_{1}^{2} P_{2} - Do^{4} P_{1} P_{2}^{2} + Do^{4} P_{2}^{3}}}",
+        "CalebBell/fluids/fluids/flow_meter.py",
     ),
 )

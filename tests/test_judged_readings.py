@@ -237,6 +237,10 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"x \in \mathbb{R}^{6 \nu \times n}, \quad \nu = n", {r"\nu": ("scalar", ""), "n": ("scalar", "")}),
     (r"I \ddot{\theta} + b \dot{\theta} = \tau", {r"\theta": ("scalar", "t")}),
     (r"\dot{x} + x = u(\tau)", {"x": ("scalar", r"\tau")}),
+    (r"\dot{\tau} = f(x, \tau)", {r"\tau": ("scalar", "t")}),
+    (r"\rho = [HN](r - s)", {"[ H N ]": ("matrix", "")}),
+    (r"J = \left[BM_j\right] A \left[BM_j\right]^T", {"[ B M _ { j } ]": ("matrix", "")}),
+    (r"\mathbf{D} = \mathbf{B} (\mathbf{B}^T \mathbf{B})^{-1/2}", {r"\mathbf{B}": ("matrix", "")}),
     (r"f = x \dot{y}_0 - y_0 \dot{x}", {r"\dot { y } _ { 0 }": ("scalar", ""), "y_0": ("scalar", "")}),
     (r"\dot{q}_1 = a \dot{q}_0 + q", {"q_0": ("scalar", "t"), "q_1": ("scalar", "t")}),
     (r"\dot{x}_0 = a x_0", {"x_0": ("scalar", "t")}),
@@ -325,6 +329,7 @@ IN_DOUBT = {  # read as one name, of which nothing is said before somebody says 
     r"PV = \frac{FV}{(1 + r)^n}": "one name PV, or a product",
     r"R^2 = 1 - \frac{SS_{res}}{SS_{tot}}": "one name SS, or a product",
     r"F = \frac{MSB}{MSW}": "one name MS., or a product",
+    r"e = D^4 P - Do^4 P": "one name Do, or a product",
     r"\pi = p q - c": "the number pi, or a letter",
 }
 

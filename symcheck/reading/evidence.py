@@ -168,6 +168,7 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 
 
 _TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
+_SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
 # capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
 # three capitals or more behind the sign or as a part of a fraction, or two where other factors have a dot between them
@@ -197,6 +198,8 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
             found |= dict.fromkeys(letters, told)
+    for diameter in {x for text in formulas for x in _SMALL_O.findall(text)}:
+        found["o"] = f"one name {diameter}o, or a product? say what its letters are, or write {diameter}_o"
     return found
 
 
@@ -257,7 +260,7 @@ def _complete(evidence: dict[str, Evidence]) -> None:
 def time(every: Mapping[str, Evidence]) -> str:
     r"""The letter of the time: `\tau` only where something is a function of it, or differentiated by it."""
     own = every.get(r"\tau")
-    if "t" in every or own is None:
+    if "t" in every or own is None or own.dotted:
         return "t"
     texts = (arg for each in every.values() for args in each.arguments for arg in args)
     used = any(place.role == "variable" for place in own.places) or any(r"\tau" in text.split() for text in texts)

@@ -75,7 +75,10 @@ def _multiplies(of: Evidence, place: Occurrence) -> bool:
     """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?"""
     power = place.superscript or ()
     raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
-    return raised or any(of.spelling in arg.split() for arg in place.arguments or ())
+    if raised or not place.arguments:
+        return raised
+    printed = " ".join(tok.text for tok in tex.tokenize(of.spelling))
+    return any(f" {printed} " in f" {arg} " for arg in place.arguments)
 
 
 def in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -215,6 +218,8 @@ def _before_sums(of: Evidence) -> Iterator[Guess]:
     function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
     crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
     factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
+    if of.spelling.startswith("["):
+        product = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
     constant = of.spelling in ("g", "G") and not any(map(is_shift, of.arguments))  # of gravity
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)

@@ -825,7 +825,8 @@ class Lowering:
         if len(size) != 2 or size[0] != size[1] or not isinstance(exponent, int):
             if len(size) == 1 and exponent == 2:
                 return dot(base, base)
-            raise Unsaid(f"{to_latex(tree)}: only a whole power of a square matrix is read")
+            square = len(size) == 2 and size[0] == size[1]
+            raise (NoForm if square else Unsaid)(f"{to_latex(tree)}: only a whole power of a square matrix is read")
         return power(base, exponent)
 
     def is_whole(self, tree: Tree) -> bool:

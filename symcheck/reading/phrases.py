@@ -18,7 +18,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
     (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
     (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
     # a matrix in brackets, and one of zeros
-    (re.compile(rf"\\left \[ ({_LETTER}(?: _ {_BRACED})?) \\right \]"), r"[ \1 ]"),
+    (re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
     (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
     (re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
     (re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
