@@ -55,7 +55,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{a} = a_t \\boldsymbol{\\hat{u}}_{t} + a_n \\boldsymbol{\\hat{u}}_{n}",
-        "Chain(\\boldsymbol{a}, Add(Mul(a_t, \\boldsymbol{\\hat{u}}_t), Mul(a_n, \\boldsymbol{\\hat{u}}_n)); =)",
+        "Chain(\\boldsymbol{a}, Add(Mul(a_t, \\hat{\\boldsymbol{u}}_t), Mul(a_n, \\hat{\\boldsymbol{u}}_n)); =)",
         "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
     ),
     (
@@ -520,7 +520,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\boldsymbol{h} &= \\boldsymbol{r}\\times\\boldsymbol{v} = r\\boldsymbol{\\hat{u}}_r \\times\\left(v_r\\boldsymbol{\\hat{u}}_r + v_{\\perp}\\boldsymbol{\\hat{u}}_{\\perp}\\right)\\\\ &= r v_r\\left(\\boldsymbol{\\hat{u}}_r\\times\\boldsymbol{\\hat{u}}_r\\right) + r v_{\\perp}\\left(\\boldsymbol{\\hat{u}}_r\\times\\boldsymbol{\\hat{u}}_{\\perp}\\right)\\\\ &= r v_{\\perp}\\boldsymbol{\\hat{h}} \\end{aligned}",
-        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}; \\boldsymbol{v}), Cross(Mul(r, \\boldsymbol{\\hat{u}}_r); Add(Mul(v_r, \\boldsymbol{\\hat{u}}_r), Mul(v_\\perp, \\boldsymbol{\\hat{u}}_\\perp))), Add(Mul(r, v_r, Cross(\\boldsymbol{\\hat{u}}_r; \\boldsymbol{\\hat{u}}_r)), Mul(r, v_\\perp, Cross(\\boldsymbol{\\hat{u}}_r; \\boldsymbol{\\hat{u}}_\\perp))), Mul(r, v_\\perp, \\boldsymbol{\\hat{h}}); =, =, =, =)",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}; \\boldsymbol{v}), Cross(Mul(r, \\hat{\\boldsymbol{u}}_r); Add(Mul(v_r, \\hat{\\boldsymbol{u}}_r), Mul(v_\\perp, \\hat{\\boldsymbol{u}}_\\perp))), Add(Mul(r, v_r, Cross(\\hat{\\boldsymbol{u}}_r; \\hat{\\boldsymbol{u}}_r)), Mul(r, v_\\perp, Cross(\\hat{\\boldsymbol{u}}_r; \\hat{\\boldsymbol{u}}_\\perp))), Mul(r, v_\\perp, \\hat{\\boldsymbol{h}}); =, =, =, =)",
         "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
     ),
     (
@@ -610,7 +610,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{r}_2 = \\left(x - \\pi_1 r_{12}\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{r}_2, Add(Mul(Add(x, Neg(Mul(\\pi_1, r_{12}))), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\boldsymbol{r}_2, Add(Mul(Add(x, Neg(Mul(\\pi_1, r_{12}))), \\hat{\\boldsymbol{\\imath}}), Mul(y, \\hat{\\boldsymbol{\\jmath}}), Mul(z, \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -680,7 +680,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{A}} &= 0\\\\ {}^{\\mathbf{A}}\\boldsymbol{\\omega}^{\\mathbf{B}} &= \\dot{q_1} \\mathbf{\\hat{a}_x}\\\\ {}^{\\mathbf{B}}\\boldsymbol{\\omega}^{\\mathbf{C}} &= - \\dot{q_2} \\mathbf{\\hat{b}_z}\\\\ {}^{\\mathbf{C}}\\boldsymbol{\\omega}^{\\mathbf{D}} &= \\dot{q_3} \\mathbf{\\hat{c}_y}\\\\ {}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{D}} &= \\dot{q_1} \\mathbf{\\hat{a}_x} - \\dot{q_2} \\mathbf{\\hat{b}_z} + \\dot{q_3} \\mathbf{\\hat{c}_y}",
-        "System(Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { A } }, 0; =), Chain(\\prescript { \\mathbf { A } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Mul(Call(\\dot{q}_1), \\mathbf{\\hat{a}}_x); =), Chain(\\prescript { \\mathbf { B } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { C } }, Neg(Mul(Call(\\dot{q}_2), \\mathbf{\\hat{b}}_z)); =), Chain(\\prescript { \\mathbf { C } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Mul(Call(\\dot{q}_3), \\mathbf{\\hat{c}}_y); =), Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Add(Mul(Call(\\dot{q}_1), \\mathbf{\\hat{a}}_x), Neg(Mul(Call(\\dot{q}_2), \\mathbf{\\hat{b}}_z)), Mul(Call(\\dot{q}_3), \\mathbf{\\hat{c}}_y)); =))",
+        "System(Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { A } }, 0; =), Chain(\\prescript { \\mathbf { A } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Mul(Call(\\dot{q}_1), \\hat{\\mathbf{a}}_x); =), Chain(\\prescript { \\mathbf { B } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { C } }, Neg(Mul(Call(\\dot{q}_2), \\hat{\\mathbf{b}}_z)); =), Chain(\\prescript { \\mathbf { C } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Mul(Call(\\dot{q}_3), \\hat{\\mathbf{c}}_y); =), Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { D } }, Add(Mul(Call(\\dot{q}_1), \\hat{\\mathbf{a}}_x), Neg(Mul(Call(\\dot{q}_2), \\hat{\\mathbf{b}}_z)), Mul(Call(\\dot{q}_3), \\hat{\\mathbf{c}}_y)); =))",
         "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
     ),
     (
@@ -720,7 +720,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{B} = B_X\\boldsymbol{\\hat{I}} + B_Y\\boldsymbol{\\hat{J}} + B_Z\\boldsymbol{\\hat{K}}",
-        "Chain(\\boldsymbol{B}, Add(Mul(B_X, \\boldsymbol{\\hat{I}}), Mul(B_Y, \\boldsymbol{\\hat{J}}), Mul(B_Z, \\boldsymbol{\\hat{K}})); =)",
+        "Chain(\\boldsymbol{B}, Add(Mul(B_X, \\hat{\\boldsymbol{I}}), Mul(B_Y, \\hat{\\boldsymbol{J}}), Mul(B_Z, \\hat{\\boldsymbol{K}})); =)",
         "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
     ),
     (
@@ -770,7 +770,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{h} = \\boldsymbol{r}_0 \\times\\boldsymbol{v}_0 = \\boldsymbol{\\hat{w}}\\left(x_0\\dot{y}_0 - y_0\\dot{x}_0\\right)",
-        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), Mul(\\boldsymbol{\\hat{w}}, Add(Mul(x_0, \\dot { y } _ { 0 }), Neg(Mul(y_0, \\dot { x } _ { 0 })))); =, =)",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}_0; \\boldsymbol{v}_0), Mul(\\hat{\\boldsymbol{w}}, Add(Mul(x_0, \\dot { y } _ { 0 }), Neg(Mul(y_0, \\dot { x } _ { 0 })))); =, =)",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
     ),
     (
@@ -815,7 +815,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\hat{h}} = \\frac{\\boldsymbol{h}}{h}",
-        "Chain(\\boldsymbol{\\hat{h}}, Div(\\boldsymbol{h}; h); =)",
+        "Chain(\\hat{\\boldsymbol{h}}, Div(\\boldsymbol{h}; h); =)",
         "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
     ),
     (
@@ -840,7 +840,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\hat{w}} = \\frac{\\boldsymbol{h}}{h}",
-        "Chain(\\boldsymbol{\\hat{w}}, Div(\\boldsymbol{h}; h); =)",
+        "Chain(\\hat{\\boldsymbol{w}}, Div(\\boldsymbol{h}; h); =)",
         "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
     ),
     (
@@ -900,7 +900,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{r} = \\frac{h^2}{\\mu}\\frac{1}{1 + e\\cos\\nu}\\left(\\cos\\nu\\boldsymbol{\\hat{p}} + \\sin\\nu\\boldsymbol{\\hat{q}}\\right)",
-        "Chain(\\boldsymbol{r}, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(e, Call(cos; \\nu)))), Add(Mul(Call(cos; \\nu), \\boldsymbol{\\hat{p}}), Mul(Call(sin; \\nu), \\boldsymbol{\\hat{q}}))); =)",
+        "Chain(\\boldsymbol{r}, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(e, Call(cos; \\nu)))), Add(Mul(Call(cos; \\nu), \\hat{\\boldsymbol{p}}), Mul(Call(sin; \\nu), \\hat{\\boldsymbol{q}}))); =)",
         "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
     ),
     (
@@ -980,7 +980,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\ddot{\\boldsymbol{\\rho}} = \\left(\\ddot{x}^* - 2\\dot{y}^* - x^*\\right)\\boldsymbol{\\hat{\\imath}} + \\left(\\ddot{y}^* + 2\\dot{x}^* - y^*\\right)\\boldsymbol{\\hat{\\jmath}} + \\ddot{z}^*\\boldsymbol{\\hat{k}}",
-        "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Add(Mul(Add(Call(\\ddot { x } ^ { * }), Neg(Mul(2, Call(\\dot { y } ^ { * }))), Neg(Call(x ^ { * }))), \\boldsymbol{\\hat{\\imath}}), Mul(Add(Call(\\ddot { y } ^ { * }), Mul(2, Call(\\dot { x } ^ { * })), Neg(Call(y ^ { * }))), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\ddot { z } ^ { * }), \\boldsymbol{\\hat{k}})); =)",
+        "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Add(Mul(Add(Call(\\ddot { x } ^ { * }), Neg(Mul(2, Call(\\dot { y } ^ { * }))), Neg(Call(x ^ { * }))), \\hat{\\boldsymbol{\\imath}}), Mul(Add(Call(\\ddot { y } ^ { * }), Mul(2, Call(\\dot { x } ^ { * })), Neg(Call(y ^ { * }))), \\hat{\\boldsymbol{\\jmath}}), Mul(Call(\\ddot { z } ^ { * }), \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -1035,7 +1035,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned}\\boldsymbol{r}_0 &= 7000.0\\boldsymbol{\\hat{\\imath}} - 12124\\boldsymbol{\\hat{\\jmath}}\\\\\\boldsymbol{v}_0 &= 2.6679\\boldsymbol{\\hat{\\imath}} + 4.6210\\boldsymbol{\\hat{\\jmath}}\\end{aligned}",
-        "System(Chain(\\boldsymbol{r}_0, Add(Mul(7000.0, \\boldsymbol{\\hat{\\imath}}), Neg(Mul(12124, \\boldsymbol{\\hat{\\jmath}}))); =), Chain(\\boldsymbol{v}_0, Add(Mul(2.6679, \\boldsymbol{\\hat{\\imath}}), Mul(4.6210, \\boldsymbol{\\hat{\\jmath}})); =))",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(7000.0, \\hat{\\boldsymbol{\\imath}}), Neg(Mul(12124, \\hat{\\boldsymbol{\\jmath}}))); =), Chain(\\boldsymbol{v}_0, Add(Mul(2.6679, \\hat{\\boldsymbol{\\imath}}), Mul(4.6210, \\hat{\\boldsymbol{\\jmath}})); =))",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
     ),
     (
@@ -1125,7 +1125,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\mathbf{\\hat{n}_v} = \\frac{\\mathbf{v}}{\\Vert \\mathbf{v} \\Vert}",
-        "Chain(\\mathbf{\\hat{n}}_v, Div(\\mathbf{v}; Norm(\\mathbf{v})); =)",
+        "Chain(\\hat{\\mathbf{n}}_v, Div(\\mathbf{v}; Norm(\\mathbf{v})); =)",
         "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
     ),
     (
@@ -1370,7 +1370,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned}\\boldsymbol{r}_0 &= x_0\\boldsymbol{\\hat{p}} + y_0\\boldsymbol{\\hat{q}} & \\boldsymbol{v}_0 &= \\dot{x}_0\\boldsymbol{\\hat{p}} + \\dot{y}_0\\boldsymbol{\\hat{q}}\\end{aligned}",
-        "System(Chain(\\boldsymbol{r}_0, Add(Mul(x_0, \\boldsymbol{\\hat{p}}), Mul(y_0, \\boldsymbol{\\hat{q}})); =), Chain(\\boldsymbol{v}_0, Add(Mul(\\dot { x } _ { 0 }, \\boldsymbol{\\hat{p}}), Mul(\\dot { y } _ { 0 }, \\boldsymbol{\\hat{q}})); =))",
+        "System(Chain(\\boldsymbol{r}_0, Add(Mul(x_0, \\hat{\\boldsymbol{p}}), Mul(y_0, \\hat{\\boldsymbol{q}})); =), Chain(\\boldsymbol{v}_0, Add(Mul(\\dot { x } _ { 0 }, \\hat{\\boldsymbol{p}}), Mul(\\dot { y } _ { 0 }, \\hat{\\boldsymbol{q}})); =))",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
     ),
     (
@@ -1490,7 +1490,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "U(\\mathbf{\\bar r}) = G \\frac{ m_\\text{Q}}{\\rho_\\text{Q}}",
-        "Chain(Call(U; \\mathbf{\\bar{r}}), Mul(G, Div(m_Q; \\rho_Q)); =)",
+        "Chain(Call(U; \\bar{\\mathbf{r}}), Mul(G, Div(m_Q; \\rho_Q)); =)",
         "AVSLab/basilisk/src/simulation/dynamics/gravityEffector/_Documentation/secModelDescription.tex",
     ),
     (
@@ -1505,7 +1505,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v}_{\\ell mn} = v_{\\ell}\\boldsymbol{\\hat{\\lambda}} + v_m\\boldsymbol{\\hat{\\rho}} + v_n\\boldsymbol{\\hat{\\sigma}}",
-        "Chain(\\boldsymbol{v}_{\\ell mn}, Add(Mul(v_\\ell, \\boldsymbol{\\hat{\\lambda}}), Mul(v_m, \\boldsymbol{\\hat{\\rho}}), Mul(v_n, \\boldsymbol{\\hat{\\sigma}})); =)",
+        "Chain(\\boldsymbol{v}_{\\ell mn}, Add(Mul(v_\\ell, \\hat{\\boldsymbol{\\lambda}}), Mul(v_m, \\hat{\\boldsymbol{\\rho}}), Mul(v_n, \\hat{\\boldsymbol{\\sigma}})); =)",
         "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
     ),
     (
@@ -1770,7 +1770,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\dot{\\bm{H}}_{\\text{sc},B} = [I_{\\text{hub},B_c}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N} + m_{\\text{hub}} \\bm{r}_{B_c/B}\\times\\ddot{\\bm r}_{B_c/B}\\\\ +\\sum\\limits_{i=1}^{N_S} \\biggl( [I'_{\\text{sp}_{i1},S_{c,i1}}] \\bm\\omega_{\\cal B/N} + [I_{\\text{sp}_{i1},S_{c,i1}}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sp}_{i1},S_{c,i1}}] \\bm\\omega_{\\cal B/N}\\\\ + \\ddot{\\theta}_{i1} I_{s_{i1,2}}\\bm{\\hat{s}}_{i1,2}+ \\bm\\omega_{\\cal B/N} \\times \\dot{\\theta}_{i1} I_{s_{i1,2}}\\bm{\\hat{s}}_{i1,2} +m_{\\text{sp}_{i1}} \\bm{r}_{S_{c,i1}/B} \\times \\ddot{\\bm r}_{S_{c,i1}/B}\\\\ + [I'_{\\text{sp}_{i2},S_{c,i2}}] \\bm\\omega_{\\cal B/N} + [I_{\\text{sp}_{i2},S_{c,i2}}] \\dot{\\bm\\omega}_{\\cal B/N} + \\bm\\omega_{\\cal B/N} \\times [I_{\\text{sp}_{i2},S_{c,i2}}] \\bm\\omega_{\\cal B/N}\\\\ + \\big(\\ddot{\\theta}_{i1} + \\ddot{\\theta}_{i2}\\big) I_{s_{i2,2}}\\bm{\\hat{s}}_{i2,2}+ \\bm\\omega_{\\cal B/N} \\times \\big(\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2}\\big) I_{s_{i2,2}}\\bm{\\hat{s}}_{i2,2} +m_{\\text{sp}_{i1}} \\bm{r}_{S_{c,i2}/B} \\times \\ddot{\\bm r}_{S_{c,i2}/B}\\biggr)",
-        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\ddot{\\bm{r}}_{B_c/B})), BigSum(i; 1; N_S; Add(Mul([ I ' _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Call(\\ddot{\\theta}_{i1}), I_{s_i1,2}, \\bm{\\hat{s}}_{i1,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Call(\\dot{\\theta}_{i1}), I_{s_i1,2}, \\bm{\\hat{s}}_{i1,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i1/B})); Call(\\ddot{\\bm{r}}_{S_c,i1/B})), Mul([ I ' _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Add(Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2})), I_{s_i2,2}, \\bm{\\hat{s}}_{i2,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})), I_{s_i2,2}, \\bm{\\hat{s}}_{i2,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i2/B})); Call(\\ddot{\\bm{r}}_{S_c,i2/B}))))); =)",
+        "Chain(Call(\\dot{\\bm{H}}_{sc,B}), Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { h u b } , B _ { c } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\ddot{\\bm{r}}_{B_c/B})), BigSum(i; 1; N_S; Add(Mul([ I ' _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Call(\\ddot{\\theta}_{i1}), I_{s_i1,2}, \\hat{\\bm{s}}_{i1,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Call(\\dot{\\theta}_{i1}), I_{s_i1,2}, \\hat{\\bm{s}}_{i1,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i1/B})); Call(\\ddot{\\bm{r}}_{S_c,i1/B})), Mul([ I ' _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})), Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Mul(Add(Call(\\ddot{\\theta}_{i1}), Call(\\ddot{\\theta}_{i2})), I_{s_i2,2}, \\hat{\\bm{s}}_{i2,2}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Mul(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})), I_{s_i2,2}, \\hat{\\bm{s}}_{i2,2})), Cross(Mul(m_{sp_i1}, Call(\\bm{r}_{S_c,i2/B})); Call(\\ddot{\\bm{r}}_{S_c,i2/B}))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -2125,7 +2125,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "m_j l_j^2\\ddot{\\varphi}_j\\cos^2(\\vartheta_j) -m_{j} \\bm{\\hat{p}}_{0_j,3}^T [\\bm{\\tilde{l}_j}]([\\bm{\\tilde{l}_j}]+ [\\bm{\\tilde{d}}]) \\bm{\\dot{\\omega}}_{B/N} +m_{j} \\bm{\\hat{p}}_{0_j,3}^{T} [\\bm{\\tilde{l}_j}] \\bm{\\ddot{r}}_{B/N} =-m_{j} \\bm{\\hat{p}}_{0_j,3}^{T} [\\bm{\\tilde{l}_j}][\\bm{\\tilde{\\omega}}_{\\cal B/N}][\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\bm{d}\\\\+\\bm{\\hat{p}}_{0_j,3}^T \\bm{L}_{T,j}+2m_j l_j^2\\dot{\\varphi}_j\\dot{\\vartheta}\\cos(\\vartheta_j)\\sin(\\vartheta_j)- m_j \\bm{\\hat{p}}_{0_j,3}^T [\\bm{\\tilde{l}_j}]\\bigg[2[\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\bm{l_j'}+[\\bm{\\tilde{\\omega}}_{\\cal B/N}][\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\bm{l_j}\\bigg]",
-        "Chain(Add(Mul(m_j, Pow(l_j; 2), Call(\\ddot{\\varphi}_j), Pow(Call(cos; \\vartheta_j); 2)), Neg(Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], Add([ \\bm { \\tilde { l } } _ { j } ], [ \\bm { \\tilde { d } } ]), \\bm{\\dot{\\omega}}_{B/N})), Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], \\bm{\\ddot{r}}_{B/N})), Add(Neg(Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{d})), Mul(Transpose(\\bm{\\hat{p}}_{0_j,3}), \\bm{L}_{T,j}), Mul(2, m_j, Pow(l_j; 2), Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}), Call(cos; \\vartheta_j), Call(sin; \\vartheta_j)), Neg(Mul(m_j, Transpose(\\bm{\\hat{p}}_{0_j,3}), [ \\bm { \\tilde { l } } _ { j } ], Add(Mul(2, [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{l}_j'), Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{l}_j))))); =)",
+        "Chain(Add(Mul(m_j, Pow(l_j; 2), Call(\\ddot{\\varphi}_j), Pow(Call(cos; \\vartheta_j); 2)), Neg(Mul(m_j, Transpose(\\hat{\\bm{p}}_{0_j,3}), [ \\tilde { \\bm { l } } _ { j } ], Add([ \\tilde { \\bm { l } } _ { j } ], [ \\tilde { \\bm { d } } ]), Call(\\dot{\\bm{\\omega}}_{B/N}))), Mul(m_j, Transpose(\\hat{\\bm{p}}_{0_j,3}), [ \\tilde { \\bm { l } } _ { j } ], Call(\\ddot{\\bm{r}}_{B/N}))), Add(Neg(Mul(m_j, Transpose(\\hat{\\bm{p}}_{0_j,3}), [ \\tilde { \\bm { l } } _ { j } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{d})), Mul(Transpose(\\hat{\\bm{p}}_{0_j,3}), \\bm{L}_{T,j}), Mul(2, m_j, Pow(l_j; 2), Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}), Call(cos; \\vartheta_j), Call(sin; \\vartheta_j)), Neg(Mul(m_j, Transpose(\\hat{\\bm{p}}_{0_j,3}), [ \\tilde { \\bm { l } } _ { j } ], Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{l}_j'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{l}_j))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -2385,7 +2385,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "T_{rot}=\\frac{1}{2}\\bm\\omega_{\\cal B/N}^T [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N}+\\frac{1}{2}m_{\\text{hub}}(\\bm{\\dot{r}}_{B_c,B}-\\bm{\\dot{c}})\\cdot(\\bm{\\dot{r}}_{B_c,B}-\\bm{\\dot{c}})+\\sum\\limits_{j=1}^{N_P} \\frac{1}{2} m_j (\\bm{\\dot{r}}_{P_{c,j}/B}-\\bm{\\dot{c}})\\cdot(\\bm{\\dot{r}}_{P_{c,j}/B}-\\bm{\\dot{c}})",
-        "Chain(T_{rot}, Add(Mul(Div(1; 2), Transpose(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), [ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Mul(Div(1; 2), m_{hub}, Add(\\bm{\\dot{r}}_{B_c,B}, Neg(\\bm{\\dot{c}})), Add(\\bm{\\dot{r}}_{B_c,B}, Neg(\\bm{\\dot{c}})); 3), BigSum(j; 1; N_P; Mul(Div(1; 2), m_j, Add(\\bm{\\dot{r}}_{P_c,j/B}, Neg(\\bm{\\dot{c}})), Add(\\bm{\\dot{r}}_{P_c,j/B}, Neg(\\bm{\\dot{c}})); 3))); =)",
+        "Chain(T_{rot}, Add(Mul(Div(1; 2), Transpose(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), [ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Mul(Div(1; 2), m_{hub}, Add(Call(\\dot{\\bm{r}}_{B_c,B}), Neg(Call(\\dot{\\bm{c}}))), Add(Call(\\dot{\\bm{r}}_{B_c,B}), Neg(Call(\\dot{\\bm{c}}))); 3), BigSum(j; 1; N_P; Mul(Div(1; 2), m_j, Add(Call(\\dot{\\bm{r}}_{P_c,j/B}), Neg(Call(\\dot{\\bm{c}}))), Add(Call(\\dot{\\bm{r}}_{P_c,j/B}), Neg(Call(\\dot{\\bm{c}}))); 3))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -2505,12 +2505,12 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\Big[m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T\\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i2,2}} \\hat{\\bm s}_{i2,2}^T - m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}]\\Big] \\dot{\\bm\\omega}_{\\cal B/N} + \\Big[I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d_{i2}^2 + m_{\\text{sp}_{i2}} l_{i1} d_{i2} \\hat{\\bm s}_{i2,3}^T \\bm{\\hat{s}}_{i1,3} \\Big] \\ddot\\theta_{i1} \\\\ + \\Big[I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d_{i2}^2 \\Big] \\ddot\\theta_{i2} = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} - k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\hat{\\bm s}_{i2,2}^T \\bm \\tau_{\\text{ext}_{i2},H_{i2}} \\\\ - m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T \\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B} + l_{i1} \\dot{\\theta}_{i1}^2 \\bm{\\hat{s}}_{i1,1} \\Big]",
-        "Chain(Add(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i2,2}, Transpose(\\hat{\\bm{s}}_{i2,2})), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\bm{\\hat{s}}_{i1,3})), Call(\\ddot{\\theta}_{i1})), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(Transpose(\\hat{\\bm{s}}_{i2,2}), \\bm{\\tau}_{ext_i2,H_i2}), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(l_{i1}, Pow(Call(\\dot{\\theta}_{i1}); 2), \\bm{\\hat{s}}_{i1,1}))))); =)",
+        "Chain(Add(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i2,2}, Transpose(\\hat{\\bm{s}}_{i2,2})), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\hat{\\bm{s}}_{i1,3})), Call(\\ddot{\\theta}_{i1})), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(Transpose(\\hat{\\bm{s}}_{i2,2}), \\bm{\\tau}_{ext_i2,H_i2}), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(l_{i1}, Pow(Call(\\dot{\\theta}_{i1}); 2), \\hat{\\bm{s}}_{i1,1}))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
         "\\boldsymbol{\\hat{u}}_{r,1} = \\boldsymbol{\\hat{u}}_{r,2} = \\boldsymbol{\\hat{u}}_r",
-        "Chain(\\boldsymbol{\\hat{u}}_{r,1}, \\boldsymbol{\\hat{u}}_{r,2}, \\boldsymbol{\\hat{u}}_r; =, =)",
+        "Chain(\\hat{\\boldsymbol{u}}_{r,1}, \\hat{\\boldsymbol{u}}_{r,2}, \\hat{\\boldsymbol{u}}_r; =, =)",
         "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
     ),
     (
@@ -2590,7 +2590,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "L_{s_{i1,2}} = - k_{i1} \\theta_{i1} - c_{i1}\\dot{\\theta}_{i1} + k_{i2} \\theta_{i2} + c_{i2} \\dot\\theta_{i2} + \\hat{\\bm s}_{i1,2} \\cdot \\bm \\tau_{\\text{ext}_{i1},H_{i1}} + l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\bm F_{\\text{ext}_{i2}} - m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[\\ddot{\\bm{r}}_{B/N} \\\\ + \\bm{r}''_{S_{c,i1}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i1}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B})\\Big]\\\\ - m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[\\ddot{\\bm{r}}_{B/N} + \\bm{r}''_{S_{c,i2}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B} \\\\ + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]",
-        "Chain(L_{s_i1,2}, Add(Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(\\hat{\\bm{s}}_{i1,2}, \\bm{\\tau}_{ext_i1,H_i1}; 1), Mul(l_{i1}, \\hat{\\bm{s}}_{i1,3}, \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i1/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i1/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B}))); 3)), Neg(Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))); 3))); =)",
+        "Chain(L_{s_i1,2}, Add(Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(\\hat{\\bm{s}}_{i1,2}, \\bm{\\tau}_{ext_i1,H_i1}; 1), Mul(l_{i1}, \\hat{\\bm{s}}_{i1,3}, \\bm{F}_{ext_i2}; 2), Neg(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i1/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i1/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B}))); 3)), Neg(Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))); 3))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -2945,7 +2945,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\bm{r}''_{Tc/B}\\cdot\\bm{\\hat{k}}_3 = -\\frac{\\pi\\,R_{\\text{tank}}^4\\,\\rho_{\\text{fuel}}}{4} \\left(\\frac{\\ddot{q}}{m_{\\text{fuel}}} -\\frac{2\\dot{q}\\dot{m}_{\\text{fuel}}}{m_{\\text{fuel}}^2} -\\frac{q\\ddot{m}_{\\text{fuel}}}{m_{\\text{fuel}}^2} +\\frac{2q\\dot{m}_{\\text{fuel}}^2}{m_{\\text{fuel}}^3}\\right).",
-        "Chain(Mul(\\bm{r}_{Tc/B}'', \\bm{\\hat{k}}_3; 1), Neg(Mul(Div(Mul(\\pi, Pow(R_{tank}; 4), \\rho_{fuel}); 4), Add(Div(Call(\\ddot{q}); Call(m_{fuel})), Neg(Div(Mul(2, Call(\\dot{q}), Call(\\dot{m}_{fuel})); Pow(Call(m_{fuel}); 2))), Neg(Div(Mul(Call(q), Call(\\ddot{m}_{fuel})); Pow(Call(m_{fuel}); 2))), Div(Mul(2, Call(q), Pow(Call(\\dot{m}_{fuel}); 2)); Pow(Call(m_{fuel}); 3))))); =)",
+        "Chain(Mul(\\bm{r}_{Tc/B}'', \\hat{\\bm{k}}_3; 1), Neg(Mul(Div(Mul(\\pi, Pow(R_{tank}; 4), \\rho_{fuel}); 4), Add(Div(Call(\\ddot{q}); Call(m_{fuel})), Neg(Div(Mul(2, Call(\\dot{q}), Call(\\dot{m}_{fuel})); Pow(Call(m_{fuel}); 2))), Neg(Div(Mul(Call(q), Call(\\ddot{m}_{fuel})); Pow(Call(m_{fuel}); 2))), Div(Mul(2, Call(q), Pow(Call(\\dot{m}_{fuel}); 2)); Pow(Call(m_{fuel}); 3))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
     ),
     (
@@ -3215,7 +3215,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\bm{r}_{S_{c,{i1}}/B} = \\bm{r}_{H_{i1}/B} -d_{i1} \\bm{\\hat{s}}_{i1,1}",
-        "Chain(\\bm{r}_{S_c,i1/B}, Add(\\bm{r}_{H_i1/B}, Neg(Mul(d_{i1}, \\bm{\\hat{s}}_{i1,1}))); =)",
+        "Chain(\\bm{r}_{S_c,i1/B}, Add(\\bm{r}_{H_i1/B}, Neg(Mul(d_{i1}, \\hat{\\bm{s}}_{i1,1}))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -3260,7 +3260,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v} = v_r\\boldsymbol{\\hat{u}}_r + v_{\\perp}\\boldsymbol{\\hat{u}}_{\\perp}",
-        "Chain(\\boldsymbol{v}, Add(Mul(v_r, \\boldsymbol{\\hat{u}}_r), Mul(v_\\perp, \\boldsymbol{\\hat{u}}_\\perp)); =)",
+        "Chain(\\boldsymbol{v}, Add(Mul(v_r, \\hat{\\boldsymbol{u}}_r), Mul(v_\\perp, \\hat{\\boldsymbol{u}}_\\perp)); =)",
         "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
     ),
     (
@@ -3385,7 +3385,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{r}_{C/P} = \\rho \\boldsymbol{\\hat{u}}_{n}",
-        "Chain(\\boldsymbol{r}_{C/P}, Mul(\\rho, \\boldsymbol{\\hat{u}}_n); =)",
+        "Chain(\\boldsymbol{r}_{C/P}, Mul(\\rho, \\hat{\\boldsymbol{u}}_n); =)",
         "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
     ),
     (
@@ -3455,7 +3455,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "[A] = \\Big\\{m_{\\text{sc}}[I_{3\\times3}] -\\sum_{j=1}^{N_{P}}m_j l_j \\bigg[ \\Big(\\sin(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1}-\\cos(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}\\Big)\\bm a_{\\varphi_j}^T \\\\ +\\Big(\\cos(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1}+\\sin(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}+\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,3}\\Big)\\bm a_{\\vartheta_j}^T \\bigg]\\Big\\}",
-        "Chain([ A ], Tuple(Add(Mul(m_{sc}, [ I _ { 3 \\times 3 } ]), Neg(BigSum(j; 1; N_P; Mul(m_j, l_j, Add(Mul(Add(Mul(Call(sin; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Neg(Mul(Call(cos; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}))), Transpose(\\bm{a}_{\\varphi_j})), Mul(Add(Mul(Call(cos; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Mul(Call(sin; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}), Mul(Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,3})), Transpose(\\bm{a}_{\\vartheta_j}))))))); {}); =)",
+        "Chain([ A ], Tuple(Add(Mul(m_{sc}, [ I _ { 3 \\times 3 } ]), Neg(BigSum(j; 1; N_P; Mul(m_j, l_j, Add(Mul(Add(Mul(Call(sin; \\varphi_j), Call(cos; \\vartheta_j), \\hat{\\bm{p}}_{0_j,1}), Neg(Mul(Call(cos; \\varphi_j), Call(cos; \\vartheta_j), \\hat{\\bm{p}}_{0_j,2}))), Transpose(\\bm{a}_{\\varphi_j})), Mul(Add(Mul(Call(cos; \\varphi_j), Call(sin; \\vartheta_j), \\hat{\\bm{p}}_{0_j,1}), Mul(Call(sin; \\varphi_j), Call(sin; \\vartheta_j), \\hat{\\bm{p}}_{0_j,2}), Mul(Call(cos; \\vartheta_j), \\hat{\\bm{p}}_{0_j,3})), Transpose(\\bm{a}_{\\vartheta_j}))))))); {}); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -3810,7 +3810,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v}_{xyz} = v_x\\boldsymbol{\\hat{\\imath}} + v_y\\boldsymbol{\\hat{\\jmath}} + v_z\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{v}_{xyz}, Add(Mul(v_x, \\boldsymbol{\\hat{\\imath}}), Mul(v_y, \\boldsymbol{\\hat{\\jmath}}), Mul(v_z, \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\boldsymbol{v}_{xyz}, Add(Mul(v_x, \\hat{\\boldsymbol{\\imath}}), Mul(v_y, \\hat{\\boldsymbol{\\jmath}}), Mul(v_z, \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
     ),
     (
@@ -4110,7 +4110,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\ddot{\\boldsymbol{r}} = \\left(\\ddot{x} - 2\\varOmega\\dot{y} - \\varOmega^2 x\\right)\\boldsymbol{\\hat{\\imath}} + \\left(\\ddot{y} + 2\\varOmega\\dot{x} - \\varOmega^2 y\\right)\\boldsymbol{\\hat{\\jmath}} + \\ddot{z}\\boldsymbol{\\hat{k}}",
-        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Mul(Add(Call(\\ddot{x}), Neg(Mul(2, \\varOmega, Call(\\dot{y}))), Neg(Mul(Pow(\\varOmega; 2), Call(x)))), \\boldsymbol{\\hat{\\imath}}), Mul(Add(Call(\\ddot{y}), Mul(2, \\varOmega, Call(\\dot{x})), Neg(Mul(Pow(\\varOmega; 2), Call(y)))), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\ddot{z}), \\boldsymbol{\\hat{k}})); =)",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Mul(Add(Call(\\ddot{x}), Neg(Mul(2, \\varOmega, Call(\\dot{y}))), Neg(Mul(Pow(\\varOmega; 2), Call(x)))), \\hat{\\boldsymbol{\\imath}}), Mul(Add(Call(\\ddot{y}), Mul(2, \\varOmega, Call(\\dot{x})), Neg(Mul(Pow(\\varOmega; 2), Call(y)))), \\hat{\\boldsymbol{\\jmath}}), Mul(Call(\\ddot{z}), \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -4315,12 +4315,12 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\Delta v^2 = \\Delta\\boldsymbol{v}\\cdot\\Delta\\boldsymbol{v} = \\left(v_{r,2} - v_{r,1}\\right)^2 + v_{\\perp,2}^2 + v_{\\perp,1}^2 - 2v_{\\perp,1}v_{\\perp,2}\\left(\\boldsymbol{\\hat{u}}_{\\perp,1}\\cdot\\boldsymbol{\\hat{u}}_{\\perp,2}\\right)",
-        "Chain(Pow(\\Delta v; 2), Mul(\\Delta \\boldsymbol { v }, \\Delta \\boldsymbol { v }; 1), Add(Pow(Add(v_{r,2}, Neg(v_{r,1})); 2), Pow(v_{\\perp,2}; 2), Pow(v_{\\perp,1}; 2), Neg(Mul(2, v_{\\perp,1}, v_{\\perp,2}, Mul(\\boldsymbol{\\hat{u}}_{\\perp,1}, \\boldsymbol{\\hat{u}}_{\\perp,2}; 1)))); =, =)",
+        "Chain(Pow(\\Delta v; 2), Mul(\\Delta \\boldsymbol { v }, \\Delta \\boldsymbol { v }; 1), Add(Pow(Add(v_{r,2}, Neg(v_{r,1})); 2), Pow(v_{\\perp,2}; 2), Pow(v_{\\perp,1}; 2), Neg(Mul(2, v_{\\perp,1}, v_{\\perp,2}, Mul(\\hat{\\boldsymbol{u}}_{\\perp,1}, \\hat{\\boldsymbol{u}}_{\\perp,2}; 1)))); =, =)",
         "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
     ),
     (
         "m_{\\text{sc}}[\\tilde{\\bm{c}}]\\ddot{\\bm r}_{B/N}+[I_{\\text{sc},B}] \\dot{\\bm\\omega}_{\\cal B/N} +\\sum\\limits_{i}^{N}\\biggl\\lbrace I_{s_i,2}\\bm{\\hat{h}}_{i,2}+m_{\\text{sp}_i}d_i [\\tilde{\\bm{r}}_{S_i/B}] \\bm{\\hat{s}}_{i,3}\\biggr\\rbrace\\ddot{\\theta}_i = \\\\ -[\\bm{\\tilde{\\omega}}_{\\cal B/N}] [I_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - [I'_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - \\sum\\limits_{i}^{N}\\biggl\\lbrace\\dot{\\theta}_i [\\bm{\\tilde{\\omega}}_{\\cal B/N}] \\left(I_{s_i,2} \\bm{\\hat{h}}_{i,2}+m_{\\text{sp}_i} d_i [\\tilde{\\bm{r}}_{S_i/B}] \\hat{\\bm s}_{i,3}\\right)\\\\ +m_{\\text{sp}_i}d_i\\dot{\\theta}_i^2[\\tilde{\\bm{r}}_{S_i/B}] \\bm{\\hat{s}}_{i,1} \\biggr\\rbrace + \\bm{L}_B",
-        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Limiting(sum; _{ i }^{ N }; Mul(Tuple(Add(Mul(I_{s_i,2}, \\bm{\\hat{h}}_{i2}), Mul(m_{sp_i}, d_i, [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\bm{\\hat{s}}_{i3})); {}), Call(\\ddot{\\theta}_i)))), Add(Neg(Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Limiting(sum; _{ i }^{ N }; Tuple(Add(Mul(Call(\\dot{\\theta}_i), [ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], Add(Mul(I_{s_i,2}, \\bm{\\hat{h}}_{i2}), Mul(m_{sp_i}, d_i, [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\hat{\\bm{s}}_{i3}))), Mul(m_{sp_i}, d_i, Pow(Call(\\dot{\\theta}_i); 2), [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\bm{\\hat{s}}_{i1})); {}))), \\bm{L}_B); =)",
+        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Limiting(sum; _{ i }^{ N }; Mul(Tuple(Add(Mul(I_{s_i,2}, \\hat{\\bm{h}}_{i2}), Mul(m_{sp_i}, d_i, [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\hat{\\bm{s}}_{i3})); {}), Call(\\ddot{\\theta}_i)))), Add(Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Limiting(sum; _{ i }^{ N }; Tuple(Add(Mul(Call(\\dot{\\theta}_i), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], Add(Mul(I_{s_i,2}, \\hat{\\bm{h}}_{i2}), Mul(m_{sp_i}, d_i, [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\hat{\\bm{s}}_{i3}))), Mul(m_{sp_i}, d_i, Pow(Call(\\dot{\\theta}_i); 2), [ \\tilde { \\bm { r } } _ { S _ { i } / B } ], \\hat{\\bm{s}}_{i1})); {}))), \\bm{L}_B); =)",
         "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -4360,7 +4360,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{a}(t) = \\frac{d v_x}{dt} \\boldsymbol{\\hat{\\imath}} + \\frac{d v_y}{dt} \\boldsymbol{\\hat{\\jmath}} + \\frac{d v_z}{dt} \\boldsymbol{\\hat{k}} = a_x \\boldsymbol{\\hat{imath}} + a_y \\boldsymbol{\\hat{\\jmath}} + a_z \\boldsymbol{\\hat{k}}",
-        "Chain(Call(\\boldsymbol{a}; t), Add(Mul(Derivative(Call(v_x); t, 1), \\boldsymbol{\\hat{\\imath}}), Mul(Derivative(Call(v_y); t, 1), \\boldsymbol{\\hat{\\jmath}}), Mul(Derivative(Call(v_z); t, 1), \\boldsymbol{\\hat{k}})), Add(Mul(a_x, \\boldsymbol{\\hat{\\imath}}), Mul(a_y, \\boldsymbol{\\hat{\\jmath}}), Mul(a_z, \\boldsymbol{\\hat{k}})); =, =)",
+        "Chain(Call(\\boldsymbol{a}; t), Add(Mul(Derivative(Call(v_x); t, 1), \\hat{\\boldsymbol{\\imath}}), Mul(Derivative(Call(v_y); t, 1), \\hat{\\boldsymbol{\\jmath}}), Mul(Derivative(Call(v_z); t, 1), \\hat{\\boldsymbol{k}})), Add(Mul(a_x, \\hat{\\boldsymbol{\\imath}}), Mul(a_y, \\hat{\\boldsymbol{\\jmath}}), Mul(a_z, \\hat{\\boldsymbol{k}})); =, =)",
         "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
     ),
     (
@@ -4470,7 +4470,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{r}(t) = x(t)\\boldsymbol{\\hat{\\imath}} + y(t)\\boldsymbol{\\hat{\\jmath}} + z(t)\\boldsymbol{\\hat{k}}",
-        "Chain(Call(\\boldsymbol{r}; t), Add(Mul(Call(x; t), \\boldsymbol{\\hat{\\imath}}), Mul(Call(y; t), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(z; t), \\boldsymbol{\\hat{k}})); =)",
+        "Chain(Call(\\boldsymbol{r}; t), Add(Mul(Call(x; t), \\hat{\\boldsymbol{\\imath}}), Mul(Call(y; t), \\hat{\\boldsymbol{\\jmath}}), Mul(Call(z; t), \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
     ),
     (
@@ -4615,7 +4615,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned}\\boldsymbol{a}(t) &= \\frac{dv_x(t)}{dt}\\boldsymbol{\\hat{\\imath}} + \\frac{dv_y(t)}{dt}\\boldsymbol{\\hat{\\jmath}} + \\frac{dv_z(t)}{dt}\\boldsymbol{\\hat{k}} \\\\ &= a_x\\boldsymbol{\\hat{\\imath}} + a_y\\boldsymbol{\\hat{\\jmath}} + a_z\\boldsymbol{\\hat{k}} \\\\ &= \\dot{\\boldsymbol{v}} = \\ddot{\\boldsymbol{r}}\\end{aligned}",
-        "Chain(Call(\\boldsymbol{a}; t), Add(Mul(Derivative(Call(v_x; t); t, 1), \\boldsymbol{\\hat{\\imath}}), Mul(Derivative(Call(v_y; t); t, 1), \\boldsymbol{\\hat{\\jmath}}), Mul(Derivative(Call(v_z; t); t, 1), \\boldsymbol{\\hat{k}})), Add(Mul(a_x, \\boldsymbol{\\hat{\\imath}}), Mul(a_y, \\boldsymbol{\\hat{\\jmath}}), Mul(a_z, \\boldsymbol{\\hat{k}})), Call(\\dot{\\boldsymbol{v}}), Call(\\ddot{\\boldsymbol{r}}); =, =, =, =)",
+        "Chain(Call(\\boldsymbol{a}; t), Add(Mul(Derivative(Call(v_x; t); t, 1), \\hat{\\boldsymbol{\\imath}}), Mul(Derivative(Call(v_y; t); t, 1), \\hat{\\boldsymbol{\\jmath}}), Mul(Derivative(Call(v_z; t); t, 1), \\hat{\\boldsymbol{k}})), Add(Mul(a_x, \\hat{\\boldsymbol{\\imath}}), Mul(a_y, \\hat{\\boldsymbol{\\jmath}}), Mul(a_z, \\hat{\\boldsymbol{k}})), Call(\\dot{\\boldsymbol{v}}), Call(\\ddot{\\boldsymbol{r}}); =, =, =, =)",
         "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
     ),
     (
@@ -4705,7 +4705,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v}_{\\text{rel}} = \\dot{x}\\boldsymbol{\\hat{\\imath}} + \\dot{y}\\boldsymbol{\\hat{\\jmath}} + \\dot{z}\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{v}_{rel}, Add(Mul(Call(\\dot{x}), \\boldsymbol{\\hat{\\imath}}), Mul(Call(\\dot{y}), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\dot{z}), \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\boldsymbol{v}_{rel}, Add(Mul(Call(\\dot{x}), \\hat{\\boldsymbol{\\imath}}), Mul(Call(\\dot{y}), \\hat{\\boldsymbol{\\jmath}}), Mul(Call(\\dot{z}), \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
     ),
     (
@@ -4815,7 +4815,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\boldsymbol{R}_1 &= X_1\\boldsymbol{\\hat{I}} + Y_1\\boldsymbol{\\hat{J}} + Z_1\\boldsymbol{\\hat{K}}\\\\ \\boldsymbol{R}_2 &= X_2\\boldsymbol{\\hat{I}} + Y_2\\boldsymbol{\\hat{J}} + Z_2\\boldsymbol{\\hat{K}} \\end{aligned}",
-        "System(Chain(\\boldsymbol{R}_1, Add(Mul(X_1, \\boldsymbol{\\hat{I}}), Mul(Y_1, \\boldsymbol{\\hat{J}}), Mul(Z_1, \\boldsymbol{\\hat{K}})); =), Chain(\\boldsymbol{R}_2, Add(Mul(X_2, \\boldsymbol{\\hat{I}}), Mul(Y_2, \\boldsymbol{\\hat{J}}), Mul(Z_2, \\boldsymbol{\\hat{K}})); =))",
+        "System(Chain(\\boldsymbol{R}_1, Add(Mul(X_1, \\hat{\\boldsymbol{I}}), Mul(Y_1, \\hat{\\boldsymbol{J}}), Mul(Z_1, \\hat{\\boldsymbol{K}})); =), Chain(\\boldsymbol{R}_2, Add(Mul(X_2, \\hat{\\boldsymbol{I}}), Mul(Y_2, \\hat{\\boldsymbol{J}}), Mul(Z_2, \\hat{\\boldsymbol{K}})); =))",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
     ),
     (
@@ -4995,12 +4995,12 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "[\\mathcal{F}\\mathcal{F}_0] = \\text{PRV2C}(\\phi, {}^\\mathcal{F} \\boldsymbol{\\hat{s}})",
-        "Chain([ \\mathcal { F } \\mathcal { F } _ { 0 } ], Call(\\text{PRV2C}; \\phi, \\prescript { \\mathcal { F } } { } { \\boldsymbol { \\hat { s } } }); =)",
+        "Chain([ \\mathcal { F } \\mathcal { F } _ { 0 } ], Call(\\text{PRV2C}; \\phi, \\prescript { \\mathcal { F } } { } { \\hat { \\boldsymbol { s } } }); =)",
         "AVSLab/basilisk/src/simulation/dynamics/facetSRPDynamicEffector/facetSRPDynamicEffector.rst",
     ),
     (
         "\\boldsymbol{\\hat{\\rho}} = -\\sin\\phi\\boldsymbol{\\hat{\\imath}} + \\cos\\phi \\boldsymbol{\\hat{\\jmath}} + 0 \\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{\\hat{\\rho}}, Add(Neg(Mul(Call(sin; \\phi), \\boldsymbol{\\hat{\\imath}})), Mul(Call(cos; \\phi), \\boldsymbol{\\hat{\\jmath}}), Mul(0, \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\hat{\\boldsymbol{\\rho}}, Add(Neg(Mul(Call(sin; \\phi), \\hat{\\boldsymbol{\\imath}})), Mul(Call(cos; \\phi), \\hat{\\boldsymbol{\\jmath}}), Mul(0, \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
     ),
     (
@@ -5035,7 +5035,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "v_{r,0} = \\boldsymbol{v}\\cdot\\boldsymbol{\\hat{u}}_r = \\boldsymbol{v}\\cdot\\frac{\\boldsymbol{r}}{r}",
-        "Chain(v_{r,0}, Mul(\\boldsymbol{v}, \\boldsymbol{\\hat{u}}_r; 1), Mul(\\boldsymbol{v}, Div(\\boldsymbol{r}; r); 1); =, =)",
+        "Chain(v_{r,0}, Mul(\\boldsymbol{v}, \\hat{\\boldsymbol{u}}_r; 1), Mul(\\boldsymbol{v}, Div(\\boldsymbol{r}; r); 1); =, =)",
         "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
     ),
     (
@@ -5120,7 +5120,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "m_j\\bm{l_j}\\times \\bigg[ l_j\\Big(-\\ddot{\\varphi}_j\\sin(\\varphi_j)\\cos(\\vartheta_j)-\\ddot{\\vartheta}_j\\cos(\\varphi_j)\\sin(\\vartheta_j)-\\dot{\\varphi}_j^2\\cos(\\varphi_j)\\cos(\\vartheta_j)-\\dot{\\vartheta}_j^2\\cos(\\varphi_j)\\cos(\\vartheta_j)\\\\+2\\dot{\\varphi}_j\\dot{\\vartheta}_j\\sin(\\varphi_j)\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,1} +l_j\\Big(\\ddot{\\varphi}_j\\cos(\\varphi_j)\\cos(\\vartheta_j)-\\ddot{\\vartheta}_j\\sin(\\varphi_j)\\sin(\\vartheta_j)-\\dot{\\varphi}_j^2\\sin(\\varphi_j)\\cos(\\vartheta_j)\\\\-\\dot{\\vartheta}_j^2\\sin(\\varphi_j)\\cos(\\vartheta_j)-2\\dot{\\varphi}_j\\dot{\\vartheta}_j\\cos(\\varphi_j)\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,2} +l_j\\Big(-\\ddot{\\vartheta}_j\\cos(\\vartheta_j)+\\dot{\\vartheta}_j^2\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,3}\\\\ +\\bm{\\dot{\\omega}}_{B/N}\\times \\bm{l_j} + 2\\bm\\omega_{\\cal B/N}\\times \\bm{l_j'}+\\bm\\omega_{\\cal B/N}\\times(\\bm\\omega_{\\cal B/N}\\times \\bm{l_j})\\bigg]=\\bm{L}_{T,j}+m_{j} \\bm{\\ddot{r}}_{T/N}\\times \\bm{l_j}",
-        "Chain(Cross(Mul(m_j, \\bm{l}_j); Add(Mul(l_j, Add(Neg(Mul(Call(\\ddot{\\varphi}_j), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\varphi}_j); 2), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Mul(2, Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), \\bm{\\hat{p}}_{0_j,1}), Mul(l_j, Add(Mul(Call(\\ddot{\\varphi}_j), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j))), Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\varphi}_j); 2), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(2, Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\bm{\\hat{p}}_{0_j,2}), Mul(l_j, Add(Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(cos; Call(\\vartheta_j)))), Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(sin; Call(\\vartheta_j)))), \\bm{\\hat{p}}_{0_j,3}), Cross(\\bm{\\dot{\\omega}}_{B/N}; \\bm{l}_j), Cross(Mul(2, \\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{l}_j'), Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; \\bm{l}_j)))), Add(\\bm{L}_{T,j}, Cross(Mul(m_j, \\bm{\\ddot{r}}_{T/N}); \\bm{l}_j)); =)",
+        "Chain(Cross(Mul(m_j, \\bm{l}_j); Add(Mul(l_j, Add(Neg(Mul(Call(\\ddot{\\varphi}_j), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\varphi}_j); 2), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Mul(2, Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), \\hat{\\bm{p}}_{0_j,1}), Mul(l_j, Add(Mul(Call(\\ddot{\\varphi}_j), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j))), Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\varphi}_j); 2), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(2, Call(\\dot{\\varphi}_j), Call(\\dot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\hat{\\bm{p}}_{0_j,2}), Mul(l_j, Add(Neg(Mul(Call(\\ddot{\\vartheta}_j), Call(cos; Call(\\vartheta_j)))), Mul(Pow(Call(\\dot{\\vartheta}_j); 2), Call(sin; Call(\\vartheta_j)))), \\hat{\\bm{p}}_{0_j,3}), Cross(Call(\\dot{\\bm{\\omega}}_{B/N}); \\bm{l}_j), Cross(Mul(2, \\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{l}_j'), Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; \\bm{l}_j)))), Add(\\bm{L}_{T,j}, Cross(Mul(m_j, Call(\\ddot{\\bm{r}}_{T/N})); \\bm{l}_j)); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -5350,7 +5350,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "a_{i1,1} &= I_{s_{i1,2}} + m_{\\text{sp}_{i1}} d^2_{i1} + m_{sp_{i2}} l^2_{i1}+ m_{sp_{i2}} l_{i1} d_{i2}\\hat{\\bm s}^T_{i1,3} \\bm{\\hat{s}}_{i2,3} \\\\ a_{i1,2} &= m_{sp_{i2}} l_{i1} d_{i2} \\hat{\\bm s}^T_{i1,3} \\bm{\\hat{s}}_{i2,3}\\\\ a_{i2,1} &= I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d^2_{i2} + m_{\\text{sp}_{i2}} l_{i1} d_{i2}\\hat{\\bm s}^T_{i2,3} \\bm{\\hat{s}}_{i1,3} \\\\ a_{i2,2} &= I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d^2_{i2}",
-        "System(Chain(a_{i1,1}, Add(I_{s_i1,2}, Mul(m_{sp_i1}, Pow(d_{i1}; 2)), Mul(m_{sp_i2}, Pow(l_{i1}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3})); =), Chain(a_{i1,2}, Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3}); =), Chain(a_{i2,1}, Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\bm{\\hat{s}}_{i1,3})); =), Chain(a_{i2,2}, Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))); =))",
+        "System(Chain(a_{i1,1}, Add(I_{s_i1,2}, Mul(m_{sp_i1}, Pow(d_{i1}; 2)), Mul(m_{sp_i2}, Pow(l_{i1}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\hat{\\bm{s}}_{i2,3})); =), Chain(a_{i1,2}, Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\hat{\\bm{s}}_{i2,3}); =), Chain(a_{i2,1}, Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\hat{\\bm{s}}_{i1,3})); =), Chain(a_{i2,2}, Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))); =))",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -5450,7 +5450,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "[B_{\\text{contr}}] = \\sum_{i=1}^{N_{S}}\\bigg[\\Big(m_{\\text{sp}_{i1}}d_{i1} \\bm{\\hat{s}}_{i1,3} +m_{\\text{sp}_{i2}}l_{i1}\\bm{\\hat{s}}_{i1,3}+m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}\\Big) e_{i1}^T[G_i] +m_{\\text{sp}_{i2}} d_{i2} \\bm{\\hat{s}}_{i2,3} e_{i2}^T[G_i]\\bigg]",
-        "Chain([ B _ { \\text { c o n t r } } ], BigSum(i; 1; N_S; Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, \\bm{\\hat{s}}_{i1,3}), Mul(m_{sp_i2}, l_{i1}, \\bm{\\hat{s}}_{i1,3}), Mul(m_{sp_i2}, d_{i2}, \\bm{\\hat{s}}_{i2,3})), Transpose(e_{i1}), [ G _ { i } ]), Mul(m_{sp_i2}, d_{i2}, \\bm{\\hat{s}}_{i2,3}, Transpose(e_{i2}), [ G _ { i } ]))); =)",
+        "Chain([ B _ { \\text { c o n t r } } ], BigSum(i; 1; N_S; Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}), Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}), Mul(m_{sp_i2}, d_{i2}, \\hat{\\bm{s}}_{i2,3})), Transpose(e_{i1}), [ G _ { i } ]), Mul(m_{sp_i2}, d_{i2}, \\hat{\\bm{s}}_{i2,3}, Transpose(e_{i2}), [ G _ { i } ]))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -5560,7 +5560,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\bm{\\ddot{d}}=\\bm{\\dot{\\omega}}_{B/N}\\times \\bm{d}+\\bm\\omega_{\\cal B/N}\\times(\\bm\\omega_{\\cal B/N}\\times \\bm{d})",
-        "Chain(\\bm{\\ddot{d}}, Add(Cross(\\bm{\\dot{\\omega}}_{B/N}; \\bm{d}), Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; \\bm{d}))); =)",
+        "Chain(Call(\\ddot{\\bm{d}}), Add(Cross(Call(\\dot{\\bm{\\omega}}_{B/N}); Call(\\bm{d})), Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Cross(\\bm{\\omega}_{\\mathcal B/\\mathcal N}; Call(\\bm{d})))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -5640,7 +5640,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\bm T^* = -[I_{\\text{hub},B}] \\dot{\\bm\\omega}_{\\cal B/N} -[\\bm{\\tilde{\\omega}}_{\\cal B/N}] [I_{\\text{hub},B}] \\bm\\omega_{\\cal B/N}",
-        "Chain(\\bm { T } ^ { * }, Add(Neg(Mul([ I _ { \\text { h u b } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Neg(Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { h u b } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})))); =)",
+        "Chain(\\bm { T } ^ { * }, Add(Neg(Mul([ I _ { \\text { h u b } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { h u b } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
     ),
     (
@@ -5830,7 +5830,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "L = \\frac12 m\\dot{\\boldsymbol{r}}^2 + e \\boldsymbol{A} \\cdot \\dot{\\boldsymbol{r}} - e\\phi",
-        "Chain(L, Add(Mul(Div(1; 2), m, Pow(Call(\\dot{\\boldsymbol{r}}); 2)), Mul(e, \\boldsymbol{A}, Call(\\dot{\\boldsymbol{r}})), Neg(Mul(e, \\phi))); =)",
+        "Chain(L, Add(Mul(Div(1; 2), m, Pow(Call(\\dot{\\boldsymbol{r}}); 2)), Mul(e, \\boldsymbol{A}, Call(\\dot{\\boldsymbol{r}}); 2), Neg(Mul(e, \\phi))); =)",
         "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
     ),
     (
@@ -5895,7 +5895,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v} = \\dot{\\boldsymbol{r}} = \\dot{{x}_{\\omega}}\\boldsymbol{\\hat{p}} + \\dot{{y}_{\\omega}}\\boldsymbol{\\hat{q}}",
-        "Chain(\\boldsymbol{v}, Call(\\dot{\\boldsymbol{r}}), Add(Mul(Call(\\dot{x}_\\omega), \\boldsymbol{\\hat{p}}), Mul(Call(\\dot{y}_\\omega), \\boldsymbol{\\hat{q}})); =, =)",
+        "Chain(\\boldsymbol{v}, Call(\\dot{\\boldsymbol{r}}), Add(Mul(Call(\\dot{x}_\\omega), \\hat{\\boldsymbol{p}}), Mul(Call(\\dot{y}_\\omega), \\hat{\\boldsymbol{q}})); =, =)",
         "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
     ),
     (
@@ -6050,7 +6050,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\Omega} = \\varOmega\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{\\Omega}, Mul(\\varOmega, \\boldsymbol{\\hat{k}}); =)",
+        "Chain(\\boldsymbol{\\Omega}, Mul(\\varOmega, \\hat{\\boldsymbol{k}}); =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -6250,7 +6250,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{V} = V \\boldsymbol{\\hat{u}}_V = \\sqrt{\\frac{\\mu_{\\text{sun}}}{R}} \\boldsymbol{\\hat{u}}_V",
-        "Chain(\\boldsymbol{V}, Mul(V, \\boldsymbol{\\hat{u}}_V), Mul(Sqrt(Div(\\mu_{sun}; R)), \\boldsymbol{\\hat{u}}_V); =, =)",
+        "Chain(\\boldsymbol{V}, Mul(V, \\hat{\\boldsymbol{u}}_V), Mul(Sqrt(Div(\\mu_{sun}; R)), \\hat{\\boldsymbol{u}}_V); =, =)",
         "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
     ),
     (
@@ -6445,7 +6445,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{B} = B_x\\boldsymbol{\\hat{\\imath}} + B_y\\boldsymbol{\\hat{\\jmath}} + B_z\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{B}, Add(Mul(B_x, \\boldsymbol{\\hat{\\imath}}), Mul(B_y, \\boldsymbol{\\hat{\\jmath}}), Mul(B_z, \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\boldsymbol{B}, Add(Mul(B_x, \\hat{\\boldsymbol{\\imath}}), Mul(B_y, \\hat{\\boldsymbol{\\jmath}}), Mul(B_z, \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
     ),
     (
@@ -6490,7 +6490,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "m_{\\text{sc}}[\\tilde{\\bm{c}}]\\ddot{\\bm r}_{B/N}+[I_{\\text{sc},B}] \\dot{\\bm\\omega}_{\\cal B/N} + \\sum\\limits_{j=1}^{N_P}m_j [\\tilde{\\bm r}_{P_{c,j}/B}] \\hat{\\bm p}_j \\ddot{\\rho}_j = \\\\ -[\\bm{\\tilde{\\omega}}_{\\cal B/N}] [I_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - [I'_{\\text{sc},B}] \\bm\\omega_{\\cal B/N} - \\sum\\limits_{j=1}^{N_P} m_j [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm{r}}_{P_{c,j}/B}] \\bm{r}'_{P_{c,j}/B} + \\bm{L}_B",
-        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], \\hat{\\bm{p}}_j, Call(\\ddot{\\rho}_j)))), Add(Neg(Mul([ \\bm { \\tilde { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], \\bm{r}_{P_c,j/B}'))), \\bm{L}_B); =)",
+        "Chain(Add(Mul(m_{sc}, [ \\tilde { \\bm { c } } ], Call(\\ddot{\\bm{r}}_{B/N})), Mul([ I _ { \\text { s c } , B } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], \\hat{\\bm{p}}_j, Call(\\ddot{\\rho}_j)))), Add(Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ I _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(Mul([ I ' _ { \\text { s c } , B } ], Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}))), Neg(BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], \\bm{r}_{P_c,j/B}'))), \\bm{L}_B); =)",
         "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
     ),
     (
@@ -6810,7 +6810,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\omega} = -\\dot{\\phi}\\boldsymbol{\\hat{\\imath}} + \\dot{\\Lambda}\\cos\\phi\\boldsymbol{\\hat{\\jmath}} + \\dot{\\Lambda}\\sin\\phi\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{\\omega}, Add(Neg(Mul(Call(\\dot{\\phi}), \\boldsymbol{\\hat{\\imath}})), Mul(Call(\\dot{\\Lambda}), Call(cos; Call(\\phi)), \\boldsymbol{\\hat{\\jmath}}), Mul(Call(\\dot{\\Lambda}), Call(sin; Call(\\phi)), \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\boldsymbol{\\omega}, Add(Neg(Mul(Call(\\dot{\\phi}), \\hat{\\boldsymbol{\\imath}})), Mul(Call(\\dot{\\Lambda}), Call(cos; Call(\\phi)), \\hat{\\boldsymbol{\\jmath}}), Mul(Call(\\dot{\\Lambda}), Call(sin; Call(\\phi)), \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
     ),
     (
@@ -6820,7 +6820,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\Big(m_{\\text{sc}} [I_{3\\times3}] +\\sum_{i=1}^{N}m_{\\text{sp}_i}d_i \\bm{\\hat{s}}_{i,3} \\bm a_{\\theta_i}^T\\Big)\\ddot{\\bm r}_{B/N}+\\Big(-m_{\\text{sc}} [\\tilde{\\bm{c}}] +\\sum_{i=1}^{N}m_{\\text{sp}_i}d_i \\bm{\\hat{s}}_{i,3} \\bm b_{\\theta_i}^T\\Big) \\dot{\\bm\\omega}_{\\cal B/N} \\\\ = m_{\\text{sc}} \\ddot{\\bm r}_{C/N} - 2 m_{\\text{sc}} [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm c' -m_{\\text{sc}} [\\tilde{\\bm\\omega}_{\\cal B/N}][\\tilde{\\bm\\omega}_{\\cal B/N}]\\bm{c} -\\sum_{i=1}^{N}\\Big(m_{\\text{sp}_i}d_i \\dot{\\theta}_i^2 \\bm{\\hat{s}}_{i,1}+m_{\\text{sp}_i}d_i c_{\\theta_i} \\bm{\\hat{s}}_{i,3} \\Big)",
-        "Chain(Add(Mul(Add(Mul(m_{sc}, [ I _ { 3 \\times 3 } ]), BigSum(i; 1; N; Mul(m_{sp_i}, d_i, \\bm{\\hat{s}}_{i3}, Transpose(\\bm{a}_{\\theta_i})))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Neg(Mul(m_{sc}, [ \\tilde { \\bm { c } } ])), BigSum(i; 1; N; Mul(m_{sp_i}, d_i, \\bm{\\hat{s}}_{i3}, Transpose(\\bm{b}_{\\theta_i})))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Add(Mul(m_{sc}, Call(\\ddot{\\bm{r}}_{C/N})), Neg(Mul(2, m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c}')), Neg(Mul(m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c})), Neg(BigSum(i; 1; N; Add(Mul(m_{sp_i}, d_i, Pow(Call(\\dot{\\theta}_i); 2), \\bm{\\hat{s}}_{i1}), Mul(m_{sp_i}, d_i, c_{\\theta_i}, \\bm{\\hat{s}}_{i3}))))); =)",
+        "Chain(Add(Mul(Add(Mul(m_{sc}, [ I _ { 3 \\times 3 } ]), BigSum(i; 1; N; Mul(m_{sp_i}, d_i, \\hat{\\bm{s}}_{i3}, Transpose(\\bm{a}_{\\theta_i})))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Neg(Mul(m_{sc}, [ \\tilde { \\bm { c } } ])), BigSum(i; 1; N; Mul(m_{sp_i}, d_i, \\hat{\\bm{s}}_{i3}, Transpose(\\bm{b}_{\\theta_i})))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Add(Mul(m_{sc}, Call(\\ddot{\\bm{r}}_{C/N})), Neg(Mul(2, m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c}')), Neg(Mul(m_{sc}, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{c})), Neg(BigSum(i; 1; N; Add(Mul(m_{sp_i}, d_i, Pow(Call(\\dot{\\theta}_i); 2), \\hat{\\bm{s}}_{i1}), Mul(m_{sp_i}, d_i, c_{\\theta_i}, \\hat{\\bm{s}}_{i3}))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -7545,7 +7545,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\hat{u}}_S = -\\boldsymbol{\\hat{u}}_{r}",
-        "Chain(\\boldsymbol{\\hat{u}}_S, Neg(\\boldsymbol{\\hat{u}}_r); =)",
+        "Chain(\\hat{\\boldsymbol{u}}_S, Neg(\\hat{\\boldsymbol{u}}_r); =)",
         "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
     ),
     (
@@ -7615,7 +7615,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\mathbf{\\bar g} = (a_1[r,s,t,u] + s \\cdot a_4[r,s,t,u]) \\mathbf{\\hat i} + (a_2[r,s,t,u] + t \\cdot a_4[r,s,t,u]) \\mathbf{\\hat j} + (a_3[r,s,t,u] + u \\cdot a_4[r,s,t,u]) \\mathbf{\\hat k}",
-        "Chain(\\mathbf{\\bar{g}}, Add(Mul(Add(Indexed(a_1; r, s, t, u), Mul(s, Indexed(a_4; r, s, t, u))), \\mathbf{\\hat{i}}), Mul(Add(Indexed(a_2; r, s, t, u), Mul(t, Indexed(a_4; r, s, t, u))), \\mathbf{\\hat{j}}), Mul(Add(Indexed(a_3; r, s, t, u), Mul(u, Indexed(a_4; r, s, t, u))), \\mathbf{\\hat{k}})); =)",
+        "Chain(\\bar{\\mathbf{g}}, Add(Mul(Add(Indexed(a_1; r, s, t, u), Mul(s, Indexed(a_4; r, s, t, u))), \\hat{\\mathbf{i}}), Mul(Add(Indexed(a_2; r, s, t, u), Mul(t, Indexed(a_4; r, s, t, u))), \\hat{\\mathbf{j}}), Mul(Add(Indexed(a_3; r, s, t, u), Mul(u, Indexed(a_4; r, s, t, u))), \\hat{\\mathbf{k}})); =)",
         "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
     ),
     (
@@ -7725,7 +7725,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\boldsymbol{r} &= \\boldsymbol{R}_2 - \\boldsymbol{R}_1\\\\ \\boldsymbol{r} &= \\left(X_2 - X_1\\right)\\boldsymbol{\\hat{I}} + \\left(Y_2 - Y_1\\right)\\boldsymbol{\\hat{J}} + \\left(Z_2 - Z_1\\right)\\boldsymbol{\\hat{K}} \\end{aligned}",
-        "System(Chain(\\boldsymbol{r}, Add(\\boldsymbol{R}_2, Neg(\\boldsymbol{R}_1)); =), Chain(\\boldsymbol{r}, Add(Mul(Add(X_2, Neg(X_1)), \\boldsymbol{\\hat{I}}), Mul(Add(Y_2, Neg(Y_1)), \\boldsymbol{\\hat{J}}), Mul(Add(Z_2, Neg(Z_1)), \\boldsymbol{\\hat{K}})); =))",
+        "System(Chain(\\boldsymbol{r}, Add(\\boldsymbol{R}_2, Neg(\\boldsymbol{R}_1)); =), Chain(\\boldsymbol{r}, Add(Mul(Add(X_2, Neg(X_1)), \\hat{\\boldsymbol{I}}), Mul(Add(Y_2, Neg(Y_1)), \\hat{\\boldsymbol{J}}), Mul(Add(Z_2, Neg(Z_1)), \\hat{\\boldsymbol{K}})); =))",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
     ),
     (
@@ -7795,7 +7795,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\frac{^{\\mathbf{B}} d \\mathbf{c}}{dt} &= \\frac{dx}{dt} \\mathbf{\\hat{b}_x} + \\frac{dl}{dt} \\mathbf{\\hat{b}_y}\\\\ &= \\dot{x} \\mathbf{\\hat{b}_x}",
-        "Chain(Marked(Derivative(Call(\\mathbf{c}); t, 1); _{ \\mathbf { B } }), Add(Mul(Derivative(Call(x); t, 1), \\mathbf{\\hat{b}}_x), Mul(Derivative(Call(l); t, 1), \\mathbf{\\hat{b}}_y)), Mul(Call(\\dot{x}), \\mathbf{\\hat{b}}_x); =, =)",
+        "Chain(Marked(Derivative(Call(\\mathbf{c}); t, 1); _{ \\mathbf { B } }), Add(Mul(Derivative(Call(x); t, 1), \\hat{\\mathbf{b}}_x), Mul(Derivative(Call(l); t, 1), \\hat{\\mathbf{b}}_y)), Mul(Call(\\dot{x}), \\hat{\\mathbf{b}}_x); =, =)",
         "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
     ),
     (
@@ -7945,7 +7945,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "-k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\bm{\\hat{s}}_{i2,2} \\cdot \\bm \\tau_{\\text{ext}_{i2},H_{i2}} + \\bm{\\hat{s}}_{i2,2} \\cdot \\Big[-[I_{\\text{sp}_{i2},S_{c,i2}}] \\dot{\\bm\\omega}_{\\mathcal{S}_{i2}/\\mathcal{N}} -[\\tilde{\\bm \\omega}_{\\mathcal{S}_{i2}/\\mathcal{N}}] [I_{\\text{sp}_{i2},S_{c,i2}}] \\bm \\omega_{\\mathcal{S}_{i2}/\\mathcal{N}} \\Big] \\\\ - m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T \\ddot{\\bm{r}}_{S_{c,i2}/N} = 0",
-        "Chain(Add(Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(\\bm{\\hat{s}}_{i2,2}, \\bm{\\tau}_{ext_i2,H_i2}; 1), Mul(\\bm{\\hat{s}}_{i2,2}, Add(Neg(Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal S _ i 2 / \\mathcal N }))), Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { S } _ { i 2 } / \\mathcal { N } } ], [ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal S_i2/\\mathcal N})))); 1), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), Call(\\ddot{\\bm{r}}_{S_c,i2/N})))), 0; =)",
+        "Chain(Add(Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(\\hat{\\bm{s}}_{i2,2}, \\bm{\\tau}_{ext_i2,H_i2}; 1), Mul(\\hat{\\bm{s}}_{i2,2}, Add(Neg(Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\dot { \\bm { \\omega } } _ { \\mathcal S _ i 2 / \\mathcal N }))), Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { S } _ { i 2 } / \\mathcal { N } } ], [ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], Call(\\bm{\\omega}_{\\mathcal S_i2/\\mathcal N})))); 1), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Call(\\ddot{\\bm{r}}_{S_c,i2/N})))), 0; =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -7955,7 +7955,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{r}_1 = \\left(x - x_1\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}} = \\left(x + \\pi_2 r_{12}\\right)\\boldsymbol{\\hat{\\imath}} + y\\boldsymbol{\\hat{\\jmath}} + z\\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{r}_1, Add(Mul(Add(x, Neg(x_1)), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})), Add(Mul(Add(x, Mul(\\pi_2, r_{12})), \\boldsymbol{\\hat{\\imath}}), Mul(y, \\boldsymbol{\\hat{\\jmath}}), Mul(z, \\boldsymbol{\\hat{k}})); =, =)",
+        "Chain(\\boldsymbol{r}_1, Add(Mul(Add(x, Neg(x_1)), \\hat{\\boldsymbol{\\imath}}), Mul(y, \\hat{\\boldsymbol{\\jmath}}), Mul(z, \\hat{\\boldsymbol{k}})), Add(Mul(Add(x, Mul(\\pi_2, r_{12})), \\hat{\\boldsymbol{\\imath}}), Mul(y, \\hat{\\boldsymbol{\\jmath}}), Mul(z, \\hat{\\boldsymbol{k}})); =, =)",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -8020,7 +8020,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\boldsymbol{F}_1 &= -G\\frac{m_1 m}{r_1^2} \\left.\\boldsymbol{\\hat{u}}_r\\right)_1 = -\\frac{\\mu_1 m}{r_1^3}\\boldsymbol{r}_1 \\\\ \\boldsymbol{F}_2 &= -G\\frac{m_2 m}{r_2^2}\\left.\\boldsymbol{\\hat{u}}_r\\right)_2 = -\\frac{\\mu_2 m}{r_2^3}\\boldsymbol{r}_2 \\end{aligned}",
-        "System(Chain(\\boldsymbol{F}_1, Neg(Mul(G, Div(Mul(m_1, m); Pow(r_1; 2)), Marked(\\boldsymbol{\\hat{u}}_r; _{ 1 }))), Neg(Mul(Div(Mul(\\mu_1, m); Pow(r_1; 3)), \\boldsymbol{r}_1)); =, =), Chain(\\boldsymbol{F}_2, Neg(Mul(G, Div(Mul(m_2, m); Pow(r_2; 2)), Marked(\\boldsymbol{\\hat{u}}_r; _{ 2 }))), Neg(Mul(Div(Mul(\\mu_2, m); Pow(r_2; 3)), \\boldsymbol{r}_2)); =, =))",
+        "System(Chain(\\boldsymbol{F}_1, Neg(Mul(G, Div(Mul(m_1, m); Pow(r_1; 2)), Marked(\\hat{\\boldsymbol{u}}_r; _{ 1 }))), Neg(Mul(Div(Mul(\\mu_1, m); Pow(r_1; 3)), \\boldsymbol{r}_1)); =, =), Chain(\\boldsymbol{F}_2, Neg(Mul(G, Div(Mul(m_2, m); Pow(r_2; 2)), Marked(\\hat{\\boldsymbol{u}}_r; _{ 2 }))), Neg(Mul(Div(Mul(\\mu_2, m); Pow(r_2; 3)), \\boldsymbol{r}_2)); =, =))",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -8420,7 +8420,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "[D] = \\Big\\{[I_{\\text{sc},B}] - \\sum\\limits_{j=1}^{N_P}m_j l_j [\\tilde{\\bm{r}}_{P_{c,j}/B}] \\bigg[ \\Big(\\sin(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1}-\\cos(\\varphi_j)\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}\\Big)\\bm b_{\\varphi_j}^T \\\\ +\\Big(\\cos(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,1} +\\sin(\\varphi_j)\\sin(\\vartheta_j)\\bm{\\hat{p}}_{0_j,2}+\\cos(\\vartheta_j)\\bm{\\hat{p}}_{0_j,3} \\Big)\\bm b_{\\vartheta_j}^T \\bigg] \\Big\\}",
-        "Chain([ D ], Tuple(Add([ I _ { \\text { s c } , B } ], Neg(BigSum(j; 1; N_P; Mul(m_j, l_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], Add(Mul(Add(Mul(Call(sin; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Neg(Mul(Call(cos; \\varphi_j), Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}))), Transpose(\\bm{b}_{\\varphi_j})), Mul(Add(Mul(Call(cos; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,1}), Mul(Call(sin; \\varphi_j), Call(sin; \\vartheta_j), \\bm{\\hat{p}}_{0_j,2}), Mul(Call(cos; \\vartheta_j), \\bm{\\hat{p}}_{0_j,3})), Transpose(\\bm{b}_{\\vartheta_j}))))))); {}); =)",
+        "Chain([ D ], Tuple(Add([ I _ { \\text { s c } , B } ], Neg(BigSum(j; 1; N_P; Mul(m_j, l_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], Add(Mul(Add(Mul(Call(sin; \\varphi_j), Call(cos; \\vartheta_j), \\hat{\\bm{p}}_{0_j,1}), Neg(Mul(Call(cos; \\varphi_j), Call(cos; \\vartheta_j), \\hat{\\bm{p}}_{0_j,2}))), Transpose(\\bm{b}_{\\varphi_j})), Mul(Add(Mul(Call(cos; \\varphi_j), Call(sin; \\vartheta_j), \\hat{\\bm{p}}_{0_j,1}), Mul(Call(sin; \\varphi_j), Call(sin; \\vartheta_j), \\hat{\\bm{p}}_{0_j,2}), Mul(Call(cos; \\vartheta_j), \\hat{\\bm{p}}_{0_j,3})), Transpose(\\bm{b}_{\\vartheta_j}))))))); {}); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -8605,7 +8605,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\Big[m_{\\text{sp}_{i1}} d_{i1} \\bm{\\hat{s}}_{i1,3}^T + m_{sp_{i2}} l_{i1} \\bm{\\hat{s}}_{i1,3}^T \\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i1,2}} \\bm{\\hat{s}}_{i1,2}^T - m_{\\text{sp}_{i1}} d_{i1} \\bm{\\hat{s}}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i1}/B}] - m_{sp_{i2}} l_{i1} \\bm{\\hat{s}}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}] \\Big] \\dot{\\bm \\omega}_{\\cal{B/N}} \\\\ + \\Big[I_{s_{i1,2}} + m_{\\text{sp}_{i1}} d_{i1}^2 + m_{sp_{i2}} l_{i1}^2 + m_{sp_{i2}} l_{i1} d_{i2} \\bm{\\hat{s}}_{i1,3}^T \\bm{\\hat{s}}_{i2,3} \\Big] \\ddot{\\theta}_{i1} + \\Big[m_{sp_{i2}} l_{i1} d_{i2} \\bm{\\hat{s}}_{i1,3}^T \\bm{\\hat{s}}_{i2,3} \\Big]\\ddot{\\theta}_{i2} = - (I_{s_{i1,1}} - I_{s_{i1,3}}) \\omega_{s_{i1,3}} \\omega_{s_{i1,1}}\\\\ -k_{i1} \\theta_{i1} - c_{i1} \\dot{\\theta}_{i1} + k_{i2} \\theta_{i2} + c_{i2} \\dot{\\theta}_{i2} + \\bm{\\hat{s}}_{i1,2}^T \\bm \\tau_{\\text{ext}_{i1},H_{i1}} + l_{i1} \\bm{\\hat{s}}_{i1,3}^T \\bm F_{\\text{ext}_{i2}} - m_{\\text{sp}_{i1}} d_{i1} \\bm{\\hat{s}}_{i1,3}^T [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i1}/B}\\\\ - m_{sp_{i2}} l_{i1} \\bm{\\hat{s}}_{i1,3}^T\\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B} + d_{i2} \\big(\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2}\\big)^2 \\bm{\\hat{s}}_{i2,1}\\Big]",
-        "Chain(Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3})), Mul(m_{sp_i2}, l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i1,2}, Transpose(\\bm{\\hat{s}}_{i1,2})), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 1 } / B } ])), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\cal B / N })), Mul(Add(I_{s_i1,2}, Mul(m_{sp_i1}, Pow(d_{i1}; 2)), Mul(m_{sp_i2}, Pow(l_{i1}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3})), Call(\\ddot{\\theta}_{i1})), Mul(Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i1,3}), \\bm{\\hat{s}}_{i2,3}), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i1,1}, Neg(I_{s_i1,3})), \\omega_{s_i1,3}, \\omega_{s_i1,1})), Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(Transpose(\\bm{\\hat{s}}_{i1,2}), \\bm{\\tau}_{ext_i1,H_i1}), Mul(l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i1/B})), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\bm{\\hat{s}}_{i1,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(d_{i2}, Pow(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})); 2), \\bm{\\hat{s}}_{i2,1}))))); =)",
+        "Chain(Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3})), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i1,2}, Transpose(\\hat{\\bm{s}}_{i1,2})), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 1 } / B } ])), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\cal B / N })), Mul(Add(I_{s_i1,2}, Mul(m_{sp_i1}, Pow(d_{i1}; 2)), Mul(m_{sp_i2}, Pow(l_{i1}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\hat{\\bm{s}}_{i2,3})), Call(\\ddot{\\theta}_{i1})), Mul(Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\hat{\\bm{s}}_{i2,3}), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Add(I_{s_i1,1}, Neg(I_{s_i1,3})), \\omega_{s_i1,3}, \\omega_{s_i1,1})), Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(Transpose(\\hat{\\bm{s}}_{i1,2}), \\bm{\\tau}_{ext_i1,H_i1}), Mul(l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i1/B})), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(d_{i2}, Pow(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})); 2), \\hat{\\bm{s}}_{i2,1}))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -8740,7 +8740,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "U(\\mathbf{\\bar r}) = \\frac{\\mu}{r} \\sum_{l=0}^\\infty \\sum_{m=0}^l \\bigg(\\frac{R_{\\text{ref}}}{r}\\bigg)^l \\bar A_{l,m}[u] \\{\\bar C_{l,m} R_m[s,t] + \\bar S_{l,m} I_m[s,t]\\}",
-        "Chain(Call(U; \\mathbf{\\bar{r}}), Mul(Div(\\mu; r), BigSum(l; 0; Infinity(); BigSum(m; 0; l; Mul(Pow(Div(R_{ref}; r); l), Indexed(\\bar{A}_{lm}; u), Tuple(Add(Mul(\\bar{C}_{lm}, Indexed(R_m; s, t)), Mul(\\bar{S}_{lm}, Indexed(I_m; s, t))); {}))))); =)",
+        "Chain(Call(U; \\bar{\\mathbf{r}}), Mul(Div(\\mu; r), BigSum(l; 0; Infinity(); BigSum(m; 0; l; Mul(Pow(Div(R_{ref}; r); l), Indexed(\\bar{A}_{lm}; u), Tuple(Add(Mul(\\bar{C}_{lm}, Indexed(R_m; s, t)), Mul(\\bar{S}_{lm}, Indexed(I_m; s, t))); {}))))); =)",
         "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
     ),
     (
@@ -8830,7 +8830,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\Big[m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T\\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i2,2}} \\bm{\\hat{s}}_{i2,2}^T - m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}] \\Big] \\dot{\\bm \\omega}_{\\cal{B/N}} + \\Big[I_{s_{i2,2}}\\Big] \\ddot{\\theta}_{i1} + \\Big[I_{s_{i2,2}}\\Big] \\ddot{\\theta}_{i2} \\\\+ m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T \\Big[ \\bm{r}''_{S_{c,i2}/B}\\Big] = - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} -k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\bm{\\hat{s}}_{i2,2} \\cdot \\bm \\tau_{\\text{ext}_{i2},H_{i2}} \\\\ - m_{\\text{sp}_{i2}} d_{i2}\\bm{\\hat{s}}_{i2,3}^T \\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B}\\Big]",
-        "Chain(Add(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i2,2}, Transpose(\\bm{\\hat{s}}_{i2,2})), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\cal B / N })), Mul(I_{s_i2,2}, Call(\\ddot{\\theta}_{i1})), Mul(I_{s_i2,2}, Call(\\ddot{\\theta}_{i2})), Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), \\bm{r}_{S_c,i2/B}'')), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(\\bm{\\hat{s}}_{i2,2}, \\bm{\\tau}_{ext_i2,H_i2}; 1), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\bm{\\hat{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}))))); =)",
+        "Chain(Add(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i2,2}, Transpose(\\hat{\\bm{s}}_{i2,2})), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\cal B / N })), Mul(I_{s_i2,2}, Call(\\ddot{\\theta}_{i1})), Mul(I_{s_i2,2}, Call(\\ddot{\\theta}_{i2})), Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\bm{r}_{S_c,i2/B}'')), Add(Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(\\hat{\\bm{s}}_{i2,2}, \\bm{\\tau}_{ext_i2,H_i2}; 1), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -9065,7 +9065,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{B}} = (\\frac{{}^{\\mathbf{N}}d \\mathbf{\\hat{b}_y}}{dt}\\cdot\\mathbf{\\hat{b}_z} )\\mathbf{\\hat{b}_x} + (\\frac{{}^{\\mathbf{N}}d \\mathbf{\\hat{b}_z}}{dt}\\cdot \\mathbf{\\hat{b}_x})\\mathbf{\\hat{b}_y} + (\\frac{{}^{\\mathbf{N}}d \\mathbf{\\hat{b}_x}}{dt}\\cdot\\mathbf{\\hat{b}_y})\\mathbf{\\hat{b}_z}",
-        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Add(Mul(Mul(Marked(Derivative(Call(\\mathbf{\\hat{b}}_y); t, 1); _{ \\mathbf { N } }), Call(\\mathbf{\\hat{b}}_z); 1), Call(\\mathbf{\\hat{b}}_x)), Mul(Mul(Marked(Derivative(Call(\\mathbf{\\hat{b}}_z); t, 1); _{ \\mathbf { N } }), Call(\\mathbf{\\hat{b}}_x); 1), Call(\\mathbf{\\hat{b}}_y)), Mul(Mul(Marked(Derivative(Call(\\mathbf{\\hat{b}}_x); t, 1); _{ \\mathbf { N } }), Call(\\mathbf{\\hat{b}}_y); 1), Call(\\mathbf{\\hat{b}}_z))); =)",
+        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Add(Mul(Mul(Marked(Derivative(Call(\\hat{\\mathbf{b}}_y); t, 1); _{ \\mathbf { N } }), Call(\\hat{\\mathbf{b}}_z); 1), Call(\\hat{\\mathbf{b}}_x)), Mul(Mul(Marked(Derivative(Call(\\hat{\\mathbf{b}}_z); t, 1); _{ \\mathbf { N } }), Call(\\hat{\\mathbf{b}}_x); 1), Call(\\hat{\\mathbf{b}}_y)), Mul(Mul(Marked(Derivative(Call(\\hat{\\mathbf{b}}_x); t, 1); _{ \\mathbf { N } }), Call(\\hat{\\mathbf{b}}_y); 1), Call(\\hat{\\mathbf{b}}_z))); =)",
         "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
     ),
     (
@@ -9200,7 +9200,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "T_{rot}=\\frac{1}{2}\\bm\\omega_{\\cal B/N}^T [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N}+\\frac{1}{2}m_{\\text{hub}}\\bm{\\dot{r}}_{B_c,B}\\cdot\\bm{\\dot{r}}_{B_c,B}+\\sum\\limits_{j=1}^{N_P} \\frac{1}{2} m_j \\bm{\\dot{r}}_{P_{c,j}/B}\\cdot\\bm{\\dot{r}}_{P_{c,j}/B}-\\frac{1}{2}m_{SC}\\bm{\\dot{c}}\\cdot\\bm{\\dot{c}}",
-        "Chain(T_{rot}, Add(Mul(Div(1; 2), Transpose(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), [ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Mul(Div(1; 2), m_{hub}, \\bm{\\dot{r}}_{B_c,B}, \\bm{\\dot{r}}_{B_c,B}; 3), BigSum(j; 1; N_P; Mul(Div(1; 2), m_j, \\bm{\\dot{r}}_{P_c,j/B}, \\bm{\\dot{r}}_{P_c,j/B}; 3)), Neg(Mul(Div(1; 2), m_{SC}, \\bm{\\dot{c}}, \\bm{\\dot{c}}; 3))); =)",
+        "Chain(T_{rot}, Add(Mul(Div(1; 2), Transpose(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), [ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Mul(Div(1; 2), m_{hub}, Call(\\dot{\\bm{r}}_{B_c,B}), Call(\\dot{\\bm{r}}_{B_c,B}); 3), BigSum(j; 1; N_P; Mul(Div(1; 2), m_j, Call(\\dot{\\bm{r}}_{P_c,j/B}), Call(\\dot{\\bm{r}}_{P_c,j/B}); 3)), Neg(Mul(Div(1; 2), m_{SC}, Call(\\dot{\\bm{c}}), Call(\\dot{\\bm{c}}); 3))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -9255,7 +9255,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned}\\frac{d\\boldsymbol{\\hat{\\imath}}}{dt} &= \\boldsymbol{\\Omega}\\times\\boldsymbol{\\hat{\\imath}} & \\frac{d\\boldsymbol{\\hat{\\jmath}}}{dt} &= \\boldsymbol{\\Omega}\\times\\boldsymbol{\\hat{\\jmath}} & \\frac{d\\boldsymbol{\\hat{k}}}{dt} &= \\boldsymbol{\\Omega}\\times\\boldsymbol{\\hat{k}}\\end{aligned}",
-        "System(Chain(Derivative(Call(\\boldsymbol{\\hat{\\imath}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{\\hat{\\imath}})); =), Chain(Derivative(Call(\\boldsymbol{\\hat{\\jmath}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{\\hat{\\jmath}})); =), Chain(Derivative(Call(\\boldsymbol{\\hat{k}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{\\hat{k}})); =))",
+        "System(Chain(Derivative(Call(\\hat{\\boldsymbol{\\imath}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\hat{\\boldsymbol{\\imath}})); =), Chain(Derivative(Call(\\hat{\\boldsymbol{\\jmath}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\hat{\\boldsymbol{\\jmath}})); =), Chain(Derivative(Call(\\hat{\\boldsymbol{k}}); t, 1), Cross(\\boldsymbol{\\Omega}; Call(\\hat{\\boldsymbol{k}})); =))",
         "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
     ),
     (
@@ -9275,7 +9275,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\bm{c}' = \\frac{1}{m_{\\text{sc}}}\\sum_{j=1}^{N_{P}}m_j l_j \\bigg[\\Big(-\\dot{\\varphi}_j\\sin(\\varphi_j)\\cos(\\vartheta_j)-\\dot{\\vartheta}_j\\cos(\\varphi_j)\\sin(\\vartheta_j)\\Big)\\bm{\\hat{p}}_{0_j,1}+\\\\ \\Big(\\dot{\\varphi}_j\\cos(\\varphi_j)\\cos(\\vartheta_j)-\\dot{\\vartheta}_j\\sin(\\varphi_j)\\sin(\\vartheta_j) \\Big)\\bm{\\hat{p}}_{0_j,2} -\\dot{\\vartheta}_j\\cos(\\vartheta_j) \\bm{\\hat{p}}_{0_j,3} \\bigg]",
-        "Chain(\\bm{c}', Mul(Div(1; m_{sc}), BigSum(j; 1; N_P; Mul(m_j, l_j, Add(Mul(Add(Neg(Mul(Call(\\dot{\\varphi}_j), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\bm{\\hat{p}}_{0_j,1}), Mul(Add(Mul(Call(\\dot{\\varphi}_j), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j))), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\bm{\\hat{p}}_{0_j,2}), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(cos; Call(\\vartheta_j)), \\bm{\\hat{p}}_{0_j,3})))))); =)",
+        "Chain(\\bm{c}', Mul(Div(1; m_{sc}), BigSum(j; 1; N_P; Mul(m_j, l_j, Add(Mul(Add(Neg(Mul(Call(\\dot{\\varphi}_j), Call(sin; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j)))), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(cos; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\hat{\\bm{p}}_{0_j,1}), Mul(Add(Mul(Call(\\dot{\\varphi}_j), Call(cos; Call(\\varphi_j)), Call(cos; Call(\\vartheta_j))), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(sin; Call(\\varphi_j)), Call(sin; Call(\\vartheta_j))))), \\hat{\\bm{p}}_{0_j,2}), Neg(Mul(Call(\\dot{\\vartheta}_j), Call(cos; Call(\\vartheta_j)), \\hat{\\bm{p}}_{0_j,3})))))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
     ),
     (
@@ -9680,7 +9680,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\sum_{i=1}^n \\boldsymbol{F}_i^*\\cdot \\boldsymbol{v}_i = 0",
-        "Chain(BigSum(i; 1; n; Mul(\\boldsymbol { F } _ { i } ^ { * }, \\boldsymbol{v}_i)), 0; =)",
+        "Chain(BigSum(i; 1; n; Mul(\\boldsymbol { F } _ { i } ^ { * }, \\boldsymbol{v}_i; 1)), 0; =)",
         "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
     ),
     (
@@ -9780,7 +9780,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\dot{\\boldsymbol{R}}_{1,0} &= \\left(10 \\boldsymbol{\\hat{I}} + 20 \\boldsymbol{\\hat{J}} + 30 \\boldsymbol{\\hat{K}}\\right) \\mathrm{km/s} \\\\ \\dot{\\boldsymbol{R}}_{2,0} &= \\left(0 \\boldsymbol{\\hat{I}} + 40 \\boldsymbol{\\hat{J}} + 0 \\boldsymbol{\\hat{K}}\\right) \\mathrm{km/s} \\end{aligned}",
-        "System(Chain(Call(\\dot{\\boldsymbol{R}}_{1,0}), Mul(Add(Mul(10, \\boldsymbol{\\hat{I}}), Mul(20, \\boldsymbol{\\hat{J}}), Mul(30, \\boldsymbol{\\hat{K}})), \\text{km/s}); =), Chain(Call(\\dot{\\boldsymbol{R}}_{2,0}), Mul(Add(Mul(0, \\boldsymbol{\\hat{I}}), Mul(40, \\boldsymbol{\\hat{J}}), Mul(0, \\boldsymbol{\\hat{K}})), \\text{km/s}); =))",
+        "System(Chain(Call(\\dot{\\boldsymbol{R}}_{1,0}), Mul(Add(Mul(10, \\hat{\\boldsymbol{I}}), Mul(20, \\hat{\\boldsymbol{J}}), Mul(30, \\hat{\\boldsymbol{K}})), \\text{km/s}); =), Chain(Call(\\dot{\\boldsymbol{R}}_{2,0}), Mul(Add(Mul(0, \\hat{\\boldsymbol{I}}), Mul(40, \\hat{\\boldsymbol{J}}), Mul(0, \\hat{\\boldsymbol{K}})), \\text{km/s}); =))",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-numerical-solution.md",
     ),
     (
@@ -9840,7 +9840,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\mathbf{a} &= \\mathbf{\\hat{n}_x} + 5 \\mathbf{\\hat{n}_y}\\\\ \\mathbf{b} &= \\mathbf{\\hat{n}_y} + \\alpha \\mathbf{\\hat{n}_z}\\\\ \\mathbf{a} + \\mathbf{b} &= \\mathbf{\\hat{n}_x} + 6 \\mathbf{\\hat{n}_y} + \\alpha \\mathbf{\\hat{n}_z}\\\\ \\mathbf{a} \\cdot \\mathbf{b} &= 5\\\\ \\mathbf{a} \\cdot \\mathbf{\\hat{n}_y} &= 5\\\\ \\mathbf{a} \\cdot \\mathbf{\\hat{n}_z} &= 0\\\\ \\mathbf{a} \\times \\mathbf{b} &= 5 \\alpha \\mathbf{\\hat{n}_x} - \\alpha \\mathbf{\\hat{n}_y} + \\mathbf{\\hat{n}_z}\\\\ \\mathbf{b} \\times \\mathbf{a} &= -5 \\alpha \\mathbf{\\hat{n}_x} + \\alpha \\mathbf{\\hat{n}_y} - \\mathbf{\\hat{n}_z}",
-        "System(Chain(\\mathbf{a}, Add(\\mathbf{\\hat{n}}_x, Mul(5, \\mathbf{\\hat{n}}_y)); =), Chain(\\mathbf{b}, Add(\\mathbf{\\hat{n}}_y, Mul(\\alpha, \\mathbf{\\hat{n}}_z)); =), Chain(Add(\\mathbf{a}, \\mathbf{b}), Add(\\mathbf{\\hat{n}}_x, Mul(6, \\mathbf{\\hat{n}}_y), Mul(\\alpha, \\mathbf{\\hat{n}}_z)); =), Chain(Mul(\\mathbf{a}, \\mathbf{b}; 1), 5; =), Chain(Mul(\\mathbf{a}, \\mathbf{\\hat{n}}_y; 1), 5; =), Chain(Mul(\\mathbf{a}, \\mathbf{\\hat{n}}_z; 1), 0; =), Chain(Cross(\\mathbf{a}; \\mathbf{b}), Add(Mul(5, \\alpha, \\mathbf{\\hat{n}}_x), Neg(Mul(\\alpha, \\mathbf{\\hat{n}}_y)), \\mathbf{\\hat{n}}_z); =), Chain(Cross(\\mathbf{b}; \\mathbf{a}), Add(Neg(Mul(5, \\alpha, \\mathbf{\\hat{n}}_x)), Mul(\\alpha, \\mathbf{\\hat{n}}_y), Neg(\\mathbf{\\hat{n}}_z)); =))",
+        "System(Chain(\\mathbf{a}, Add(\\hat{\\mathbf{n}}_x, Mul(5, \\hat{\\mathbf{n}}_y)); =), Chain(\\mathbf{b}, Add(\\hat{\\mathbf{n}}_y, Mul(\\alpha, \\hat{\\mathbf{n}}_z)); =), Chain(Add(\\mathbf{a}, \\mathbf{b}), Add(\\hat{\\mathbf{n}}_x, Mul(6, \\hat{\\mathbf{n}}_y), Mul(\\alpha, \\hat{\\mathbf{n}}_z)); =), Chain(Mul(\\mathbf{a}, \\mathbf{b}; 1), 5; =), Chain(Mul(\\mathbf{a}, \\hat{\\mathbf{n}}_y; 1), 5; =), Chain(Mul(\\mathbf{a}, \\hat{\\mathbf{n}}_z; 1), 0; =), Chain(Cross(\\mathbf{a}; \\mathbf{b}), Add(Mul(5, \\alpha, \\hat{\\mathbf{n}}_x), Neg(Mul(\\alpha, \\hat{\\mathbf{n}}_y)), \\hat{\\mathbf{n}}_z); =), Chain(Cross(\\mathbf{b}; \\mathbf{a}), Add(Neg(Mul(5, \\alpha, \\hat{\\mathbf{n}}_x)), Mul(\\alpha, \\hat{\\mathbf{n}}_y), Neg(\\hat{\\mathbf{n}}_z)); =))",
         "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
     ),
     (
@@ -9865,7 +9865,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v} = \\frac{\\mu}{h}\\left[-\\sin\\nu\\boldsymbol{\\hat{p}} + \\left(e + \\cos\\nu\\right)\\boldsymbol{\\hat{q}}\\right]",
-        "Chain(\\boldsymbol{v}, Mul(Div(\\mu; h), Add(Neg(Mul(Call(sin; \\nu), \\boldsymbol{\\hat{p}})), Mul(Add(e, Call(cos; \\nu)), \\boldsymbol{\\hat{q}}))); =)",
+        "Chain(\\boldsymbol{v}, Mul(Div(\\mu; h), Add(Neg(Mul(Call(sin; \\nu), \\hat{\\boldsymbol{p}})), Mul(Add(e, Call(cos; \\nu)), \\hat{\\boldsymbol{q}}))); =)",
         "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
     ),
     (
@@ -9935,7 +9935,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\int_{\\mathcal{A}_{\\text{sc}}} \\rho\\,\\bm{r}'_{M/B}\\cdot\\bm{\\hat{n}}\\,\\bm{r}_{M/B}\\,\\text{d}A =-\\sum_{j=1}^{N} \\int_{\\dot{m}_{\\text{noz}_j}}\\left(\\bm{r}_{M/N_j}+ \\bm{r}_{N_j/B}\\right)\\text{d}\\dot{m} =-\\sum_{j=1}^{N}\\dot{m}_{\\text{noz}_j}\\bm{r}_{N_j/B}",
-        "Chain(Over(\\int; _ { \\mathcal { A } _ { \\text { s c } } }; Mul(\\rho, \\bm{r}_{M/B}', \\bm{\\hat{n}}, \\bm{r}_{M/B}; 2); A), Neg(BigSum(j; 1; N; Over(\\int; _ { \\dot { m } _ { \\text { n o z } _ { j } } }; Add(\\bm{r}_{M/N_j}, \\bm{r}_{N_j/B}); Call(\\dot{m})))), Neg(BigSum(j; 1; N; Mul(Call(\\dot{m}_{noz_j}), \\bm{r}_{N_j/B}))); =, =)",
+        "Chain(Over(\\int; _ { \\mathcal { A } _ { \\text { s c } } }; Mul(\\rho, \\bm{r}_{M/B}', \\hat{\\bm{n}}, \\bm{r}_{M/B}; 2); A), Neg(BigSum(j; 1; N; Over(\\int; _ { \\dot { m } _ { \\text { n o z } _ { j } } }; Add(\\bm{r}_{M/N_j}, \\bm{r}_{N_j/B}); Call(\\dot{m})))), Neg(BigSum(j; 1; N; Mul(Call(\\dot{m}_{noz_j}), \\bm{r}_{N_j/B}))); =, =)",
         "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
     ),
     (
@@ -10200,12 +10200,12 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\omega = \\cos^{-1}\\left(\\frac{\\boldsymbol{e}\\cdot\\boldsymbol{N}}{e N}\\right)",
-        "Chain(\\omega, Call(arccos; Div(Mul(\\boldsymbol{e}, \\boldsymbol{N}); Mul(e, N))); =)",
+        "Chain(\\omega, Call(arccos; Div(Mul(\\boldsymbol{e}, \\boldsymbol{N}; 1); Mul(e, N))); =)",
         "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
     ),
     (
         "m_{\\text{hub}} \\ddot{\\bm r}_{B/N} + m_{\\text{hub}}\\Big[\\bm{\\dot{\\omega}}_{\\cal B/N} \\times \\bm{r}_{B_c/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{B_c/B})\\Big] + \\sum\\limits_{i}^{N_S} \\bigg( m_{\\text{sp}_{i1}} \\Big[\\ddot{\\bm r}_{B/N} + \\bm{r}''_{S_{c,i1}/B} \\\\ + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i1}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B})\\Big] + m_{\\text{sp}_{i2}} \\Big[\\ddot{\\bm r}_{B/N} \\\\ + \\bm{r}''_{S_{c,i2}/B} + 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\dot{\\bm\\omega}_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]\\bigg) = \\bm F_{\\text{ext}}",
-        "Chain(Add(Mul(m_{hub}, Call(\\ddot{\\bm{r}}_{B/N})), Mul(m_{hub}, Add(Cross(\\bm{\\dot{\\omega}}_{\\mathcal B/\\mathcal N}; \\bm{r}_{B_c/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{B_c/B})))), Limiting(sum; _{ i }^{ N _ { S } }; Add(Mul(m_{sp_i1}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i1/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i1/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B})))), Mul(m_{sp_i2}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))))))), \\bm{F}_{ext}; =)",
+        "Chain(Add(Mul(m_{hub}, Call(\\ddot{\\bm{r}}_{B/N})), Mul(m_{hub}, Add(Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{B_c/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{B_c/B})))), Limiting(sum; _{ i }^{ N _ { S } }; Add(Mul(m_{sp_i1}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i1/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i1/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B})))), Mul(m_{sp_i2}, Add(Call(\\ddot{\\bm{r}}_{B/N}), \\bm{r}_{S_c,i2/B}'', Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }); \\bm{r}_{S_c,i2/B}), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))))))), \\bm{F}_{ext}; =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -10355,7 +10355,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\boldsymbol{\\rho} &= \\frac{\\boldsymbol{r}}{r_{12}} = x^*\\boldsymbol{\\hat{\\imath}} + y^*\\boldsymbol{\\hat{\\jmath}} + z^*\\boldsymbol{\\hat{k}} \\\\ \\boldsymbol{\\sigma} &= \\frac{\\boldsymbol{r}_1}{r_{12}} = \\left(x^* + \\pi_2\\right)\\boldsymbol{\\hat{\\imath}} + y^*\\boldsymbol{\\hat{\\jmath}} + z^*\\boldsymbol{\\hat{k}} \\\\ \\boldsymbol{\\psi} &= \\frac{\\boldsymbol{r}_2}{r_{12}} = \\left(x^* - 1 + \\pi_2\\right)\\boldsymbol{\\hat{\\imath}} + y^*\\boldsymbol{\\hat{\\jmath}} + z^*uvec{k} \\end{aligned}",
-        "System(Chain(\\boldsymbol{\\rho}, Div(\\boldsymbol{r}; r_{12}), Add(Mul(x ^ { * }, \\boldsymbol{\\hat{\\imath}}), Mul(y ^ { * }, \\boldsymbol{\\hat{\\jmath}}), Mul(z ^ { * }, \\boldsymbol{\\hat{k}})); =, =), Chain(\\boldsymbol{\\sigma}, Div(\\boldsymbol{r}_1; r_{12}), Add(Mul(Add(x ^ { * }, \\pi_2), \\boldsymbol{\\hat{\\imath}}), Mul(y ^ { * }, \\boldsymbol{\\hat{\\jmath}}), Mul(z ^ { * }, \\boldsymbol{\\hat{k}})); =, =), Chain(\\boldsymbol{\\psi}, Div(\\boldsymbol{r}_2; r_{12}), Add(Mul(Add(x ^ { * }, Neg(1), \\pi_2), \\boldsymbol{\\hat{\\imath}}), Mul(y ^ { * }, \\boldsymbol{\\hat{\\jmath}}), Mul(z ^ { * }, u, v, e, c, k)); =, =))",
+        "System(Chain(\\boldsymbol{\\rho}, Div(\\boldsymbol{r}; r_{12}), Add(Mul(x ^ { * }, \\hat{\\boldsymbol{\\imath}}), Mul(y ^ { * }, \\hat{\\boldsymbol{\\jmath}}), Mul(z ^ { * }, \\hat{\\boldsymbol{k}})); =, =), Chain(\\boldsymbol{\\sigma}, Div(\\boldsymbol{r}_1; r_{12}), Add(Mul(Add(x ^ { * }, \\pi_2), \\hat{\\boldsymbol{\\imath}}), Mul(y ^ { * }, \\hat{\\boldsymbol{\\jmath}}), Mul(z ^ { * }, \\hat{\\boldsymbol{k}})); =, =), Chain(\\boldsymbol{\\psi}, Div(\\boldsymbol{r}_2; r_{12}), Add(Mul(Add(x ^ { * }, Neg(1), \\pi_2), \\hat{\\boldsymbol{\\imath}}), Mul(y ^ { * }, \\hat{\\boldsymbol{\\jmath}}), Mul(z ^ { * }, u, v, e, c, k)); =, =))",
         "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
     ),
     (
@@ -10485,7 +10485,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned}\\boldsymbol{v}(t) &= \\frac{dx(t)}{dt}\\boldsymbol{\\hat{\\imath}} + \\frac{dy(t)}{dt}\\boldsymbol{\\hat{\\jmath}} + \\frac{dz(t)}{dt}\\boldsymbol{\\hat{k}} \\\\ &= v_x\\boldsymbol{\\hat{\\imath}} + v_y\\boldsymbol{\\hat{\\jmath}} + v_z\\boldsymbol{\\hat{k}} \\\\ &= \\dot{\\boldsymbol{r}}\\end{aligned}",
-        "Chain(Call(\\boldsymbol{v}; t), Add(Mul(Derivative(Call(x; t); t, 1), \\boldsymbol{\\hat{\\imath}}), Mul(Derivative(Call(y; t); t, 1), \\boldsymbol{\\hat{\\jmath}}), Mul(Derivative(Call(z; t); t, 1), \\boldsymbol{\\hat{k}})), Add(Mul(v_x, \\boldsymbol{\\hat{\\imath}}), Mul(v_y, \\boldsymbol{\\hat{\\jmath}}), Mul(v_z, \\boldsymbol{\\hat{k}})), Call(\\dot{\\boldsymbol{r}}); =, =, =)",
+        "Chain(Call(\\boldsymbol{v}; t), Add(Mul(Derivative(Call(x; t); t, 1), \\hat{\\boldsymbol{\\imath}}), Mul(Derivative(Call(y; t); t, 1), \\hat{\\boldsymbol{\\jmath}}), Mul(Derivative(Call(z; t); t, 1), \\hat{\\boldsymbol{k}})), Add(Mul(v_x, \\hat{\\boldsymbol{\\imath}}), Mul(v_y, \\hat{\\boldsymbol{\\jmath}}), Mul(v_z, \\hat{\\boldsymbol{k}})), Call(\\dot{\\boldsymbol{r}}); =, =, =)",
         "bryanwweber/orbital-mechanics-notes/review/kinematics.md",
     ),
     (
@@ -10835,7 +10835,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}^{\\mathbf{N}}\\boldsymbol{\\omega}^{\\mathbf{B}} = w_x \\mathbf{\\hat{b}_x} + w_y \\mathbf{\\hat{b}_y} + w_z \\mathbf{\\hat{b}_z}",
-        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Add(Mul(w_x, \\mathbf{\\hat{b}}_x), Mul(w_y, \\mathbf{\\hat{b}}_y), Mul(w_z, \\mathbf{\\hat{b}}_z)); =)",
+        "Chain(\\prescript { \\mathbf { N } } { } { \\boldsymbol { \\omega } } ^ { \\mathbf { B } }, Add(Mul(w_x, \\hat{\\mathbf{b}}_x), Mul(w_y, \\hat{\\mathbf{b}}_y), Mul(w_z, \\hat{\\mathbf{b}}_z)); =)",
         "sympy/sympy/doc/src/explanation/modules/physics/vector/kinematics/kinematics.rst",
     ),
     (
@@ -11105,7 +11105,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\Big[m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3}^T + m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3}^T \\Big] \\ddot{\\bm{r}}_{B/N} + \\Big[I_{s_{i1,2}} \\hat{\\bm s}_{i1,2}^T - m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i1}/B}] - m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}] \\Big]\\dot{\\bm\\omega}_{\\cal B/N} \\\\ + I_{s_{i1,2}} \\ddot\\theta_{i1} + m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3}^T \\bm{r}''_{S_{c,i1}/B} + m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3}^T \\bm{r}''_{S_{c,i2}/B} = - (I_{s_{i1,1}} - I_{s_{i1,3}}) \\omega_{s_{i1,3}} \\omega_{s_{i1,1}} - k_{i1} \\theta_{i1} - c_{i1}\\dot{\\theta}_{i1} \\\\ + k_{i2} \\theta_{i2} + c_{i2} \\dot\\theta_{i2} + \\hat{\\bm s}_{i1,2} \\cdot \\bm \\tau_{\\text{ext}_{i1},H_{i1}} + l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\bm F_{\\text{ext}_{i2}} - m_{\\text{sp}_{i1}} d_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i1}/B} \\\\ + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i1}/B})\\Big] - m_{sp_{i2}} l_{i1} \\hat{\\bm s}_{i1,3} \\cdot \\Big[ 2 \\bm\\omega_{\\cal B/N} \\times \\bm{r}'_{S_{c,i2}/B} + \\bm\\omega_{\\cal B/N} \\times (\\bm\\omega_{\\cal B/N} \\times \\bm{r}_{S_{c,i2}/B})\\Big]",
-        "Chain(Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3})), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i1,2}, Transpose(\\hat{\\bm{s}}_{i1,2})), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 1 } / B } ])), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(I_{s_i1,2}, Call(\\ddot{\\theta}_{i1})), Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{r}_{S_c,i1/B}''), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{r}_{S_c,i2/B}'')), Add(Neg(Mul(Add(I_{s_i1,1}, Neg(I_{s_i1,3})), \\omega_{s_i1,3}, \\omega_{s_i1,1})), Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(\\hat{\\bm{s}}_{i1,2}, \\bm{\\tau}_{ext_i1,H_i1}; 1), Mul(l_{i1}, \\hat{\\bm{s}}_{i1,3}, \\bm{F}_{ext_i2}), Neg(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B}))); 3)), Neg(Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))); 3))); =)",
+        "Chain(Add(Mul(Add(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3})), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}))), Call(\\ddot{\\bm{r}}_{B/N})), Mul(Add(Mul(I_{s_i1,2}, Transpose(\\hat{\\bm{s}}_{i1,2})), Neg(Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 1 } / B } ])), Neg(Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ]))), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N })), Mul(I_{s_i1,2}, Call(\\ddot{\\theta}_{i1})), Mul(m_{sp_i1}, d_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{r}_{S_c,i1/B}''), Mul(m_{sp_i2}, l_{i1}, Transpose(\\hat{\\bm{s}}_{i1,3}), \\bm{r}_{S_c,i2/B}'')), Add(Neg(Mul(Add(I_{s_i1,1}, Neg(I_{s_i1,3})), \\omega_{s_i1,3}, \\omega_{s_i1,1})), Neg(Mul(k_{i1}, Call(\\theta_{i1}))), Neg(Mul(c_{i1}, Call(\\dot{\\theta}_{i1}))), Mul(k_{i2}, Call(\\theta_{i2})), Mul(c_{i2}, Call(\\dot{\\theta}_{i2})), Mul(\\hat{\\bm{s}}_{i1,2}, \\bm{\\tau}_{ext_i1,H_i1}; 1), Mul(l_{i1}, \\hat{\\bm{s}}_{i1,3}, \\bm{F}_{ext_i2}; 2), Neg(Mul(m_{sp_i1}, d_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i1/B}'), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i1/B}))); 3)), Neg(Mul(m_{sp_i2}, l_{i1}, \\hat{\\bm{s}}_{i1,3}, Add(Cross(Mul(2, Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N})); \\bm{r}_{S_c,i2/B}'), Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); Cross(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); \\bm{r}_{S_c,i2/B}))); 3))); =)",
         "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
     ),
     (
@@ -11155,7 +11155,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{v}(t) = v_x \\boldsymbol{\\hat{\\imath}} + v_y \\boldsymbol{\\hat{\\jmath}} + v_z \\boldsymbol{\\hat{k}}",
-        "Chain(Call(\\boldsymbol{v}; t), Add(Mul(v_x, \\boldsymbol{\\hat{\\imath}}), Mul(v_y, \\boldsymbol{\\hat{\\jmath}}), Mul(v_z, \\boldsymbol{\\hat{k}})); =)",
+        "Chain(Call(\\boldsymbol{v}; t), Add(Mul(v_x, \\hat{\\boldsymbol{\\imath}}), Mul(v_y, \\hat{\\boldsymbol{\\jmath}}), Mul(v_z, \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/review/time-derivatives-of-moving-vectors.md",
     ),
     (
@@ -11170,7 +11170,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\hat{\\lambda}} = \\cos\\phi \\boldsymbol{\\hat{\\imath}} + \\sin\\phi \\boldsymbol{\\hat{\\jmath}} + 0 \\boldsymbol{\\hat{k}}",
-        "Chain(\\boldsymbol{\\hat{\\lambda}}, Add(Mul(Call(cos; \\phi), \\boldsymbol{\\hat{\\imath}}), Mul(Call(sin; \\phi), \\boldsymbol{\\hat{\\jmath}}), Mul(0, \\boldsymbol{\\hat{k}})); =)",
+        "Chain(\\hat{\\boldsymbol{\\lambda}}, Add(Mul(Call(cos; \\phi), \\hat{\\boldsymbol{\\imath}}), Mul(Call(sin; \\phi), \\hat{\\boldsymbol{\\jmath}}), Mul(0, \\hat{\\boldsymbol{k}})); =)",
         "bryanwweber/orbital-mechanics-notes/chapter-4/5-coordinate-transformations.md",
     ),
     (
@@ -11187,6 +11187,2061 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "e_m = \\frac{|\\|\\,^L\\tilde{\\mathbf{a}}\\|-g|}{g}",
         "Chain(e_m, Div(Bars(Add(Norm(\\prescript { L } { } { \\tilde { \\mathbf { a } } }), Neg(g))); g); =)",
         "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "K_p = 82.8\\frac{h}{D}\\left(\\frac{c}{D}\\right)^{-0.38} \\left(\\frac{p}{D}\\right)^{-0.35} \\left(\\frac{w}{D}\\right)^{0.20} n_b^{0.78}",
+        "Chain(K_p, Mul(82.8, Div(h; D), Pow(Div(c; D); Neg(0.38)), Pow(Div(p; D); Neg(0.35)), Pow(Div(w; D); 0.20), Pow(n_b; 0.78)); =)",
+        "CalebBell/fluids/fluids/mixing.py",
+    ),
+    (
+        "\\frac{\\mathrm{d}^2 u}{\\mathrm{d} \\theta^2} + u = -\\frac{m}{l^2 u^2} F\\left(\\frac{1}{u}\\right) = -\\frac{m}{l^2}(-k+cu)",
+        "Chain(Add(Derivative(Call(u); \\theta, 2), Call(u)), Neg(Mul(Div(m; Mul(Pow(l; 2), Pow(Call(u); 2))), Call(F; Div(1; Call(u))))), Neg(Mul(Div(m; Pow(l; 2)), Add(Neg(k), Mul(c, Call(u))))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "C_\\mathrm{Sun} = 0 \\quad \\text{(during eclipse)}",
+        "System(Chain(C_{Sun}, 0; =), Words(\\text{(during~eclipse)}))",
+        "AVSLab/basilisk/src/simulation/communication/simpleAntenna/simpleAntenna.rst",
+    ),
+    (
+        "h(x,t) = A_0 e^{-\\sqrt{\\frac{\\omega}{2k}} \\, x} \\left(\\cos \\left(\\omega t - \\sqrt{\\frac{\\omega}{2k}}\\, x\\right) + i \\sin \\left(\\omega t - \\sqrt{\\frac{\\omega}{2k}}\\, x\\right) \\right) .",
+        "Chain(Call(h; x, t), Mul(A_0, Pow(e; Neg(Mul(Sqrt(Div(\\omega; Mul(2, k))), x))), Add(Call(cos; Add(Mul(\\omega, t), Neg(Mul(Sqrt(Div(\\omega; Mul(2, k))), x)))), Mul(i, Call(sin; Add(Mul(\\omega, t), Neg(Mul(Sqrt(Div(\\omega; Mul(2, k))), x))))))); =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "\\det(A)\\det(B) = \\det(AB) = \\det(I) = 1 .",
+        "Chain(Mul(Call(det; A), Call(det; B)), Call(det; Mul(A, B)), Call(det; I), 1; =, =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "m_1 \\ddot{\\boldsymbol{R}}_1 + m_2 \\ddot{\\boldsymbol{R}}_2 = \\boldsymbol{0}",
+        "Chain(Add(Mul(m_1, Call(\\ddot{\\boldsymbol{R}}_1)), Mul(m_2, Call(\\ddot{\\boldsymbol{R}}_2))), 0; =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/motion-of-the-barycenter.md",
+    ),
+    (
+        "X = \\left[\\frac{(dP/dL)_{l,s,f}}{(dP/dL)_{g,s,f}}\\right]^{0.5}",
+        "Chain(X, Pow(Div(Marked(Derivative(Call(P); L, 1); _{ l , s , f }); Marked(Derivative(Call(P); L, 1); _{ g , s , f })); 0.5); =)",
+        "CalebBell/fluids/fluids/two_phase.py",
+    ),
+    (
+        "3x + 2y - z = 1",
+        "Chain(Add(Mul(3, x), Mul(2, y), Neg(z)), 1; =)",
+        "sympy/sympy/sympy/solvers/solveset.py",
+    ),
+    (
+        "C_9: 0 < \\lvert{\\phi}\\rvert - 2 \\Re\\left(\\left(\\mu -1\\right) \\left(- u + v\\right) + \\left(- p + q\\right) \\left(\\rho -1\\right) + \\left(- p + q\\right) \\left(- u + v\\right)\\right)",
+        "Located(C_9; Chain(0, Add(Bars(\\phi), Neg(Mul(2, Call(Re; Add(Mul(Add(\\mu, Neg(1)), Add(Neg(u), v)), Mul(Add(Neg(p), q), Add(\\rho, Neg(1))), Mul(Add(Neg(p), q), Add(Neg(u), v))))))); <))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\frac{\\rho V_{1}^{2}}{2} \\cdot K_{1} = \\frac{\\rho V_{2}^{2} }{2} \\cdot K_{2}",
+        "Chain(Mul(Div(Mul(\\rho, Pow(V_1; 2)); 2), K_1), Mul(Div(Mul(\\rho, Pow(V_2; 2)); 2), K_2); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "{}_I \\mathbf e^z_I = \\mathbb{I}_{3 \\times 3} \\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\end{bmatrix} = \\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\end{bmatrix}",
+        "Chain(\\prescript { } { I } { \\mathbf { e } } _ { I } ^ { z }, Mul(\\mathbb{I}_{3\\times3}, MatrixOf(0, 0, 1)), MatrixOf(0, 0, 1); =, =)",
+        "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
+    ),
+    (
+        "\\begin{array}{ll} q &= \\frac{1}{2} \\Big[\\Big(1+\\frac{3u^2}{E^2}\\Big)\\arctan\\frac{E}{u}-\\frac{3u}{E}\\Big] \\\\ q_0 &= \\frac{1}{2} \\Big[\\Big(1+\\frac{3b^2}{E^2}\\Big)\\arctan\\frac{E}{b}-\\frac{3b}{E}\\Big] \\\\ q_0' &= 3\\Big[\\Big(1+\\frac{1}{e'^2}\\Big)\\Big(1-\\frac{1}{e'}\\arctan e'\\Big)\\Big] - 1 \\end{array}",
+        "System(Chain(q, Mul(Div(1; 2), Add(Mul(Add(1, Div(Mul(3, Pow(u; 2)); Pow(E; 2))), Call(arctan; Div(E; u))), Neg(Div(Mul(3, u); E)))); =), Chain(q_0, Mul(Div(1; 2), Add(Mul(Add(1, Div(Mul(3, Pow(b; 2)); Pow(E; 2))), Call(arctan; Div(E; b))), Neg(Div(Mul(3, b); E)))); =), Chain(q_0', Add(Mul(3, Mul(Add(1, Div(1; Pow(e'; 2))), Add(1, Neg(Mul(Div(1; e'), Call(arctan; e')))))), Neg(1)); =))",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "^B_A\\mathbf{q} = \\begin{bmatrix}q_w\\\\q_x\\\\q_y\\\\q_z\\end{bmatrix} = \\begin{bmatrix} \\cos\\frac{\\alpha}{2}\\\\e_x\\sin\\frac{\\alpha}{2}\\\\e_y\\sin\\frac{\\alpha}{2}\\\\e_z\\sin\\frac{\\alpha}{2} \\end{bmatrix}",
+        "Chain(\\prescript { B } { A } { \\mathbf { q } }, MatrixOf(q_w, q_x, q_y, q_z), MatrixOf(Call(cos; Div(\\alpha; 2)), Mul(e_x, Call(sin; Div(\\alpha; 2))), Mul(e_y, Call(sin; Div(\\alpha; 2))), Mul(e_z, Call(sin; Div(\\alpha; 2)))); =, =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\mathbf{R}^T\\mathbf{R} = \\mathbf{R}^{-1}\\mathbf{R} = \\mathbf{I}_3",
+        "Chain(Mul(Transpose(\\mathbf{R}), \\mathbf{R}), Mul(Pow(\\mathbf{R}; Neg(1)), \\mathbf{R}), \\mathbf{I}_3; =, =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "\\begin{cases} \\displaystyle v_1^+ = \\frac{(m_1-m_2)v_1^-+2m_2v_2^-}{m_1+m_2} \\\\[1.5ex] \\displaystyle v_2^+ = \\frac{2m_1v_1^-+(m_2-m_1)v_2^-}{m_1+m_2} \\end{cases}",
+        "System(Chain(v _ { 1 } ^ { + }, Div(Add(Mul(Add(m_1, Neg(m_2)), v _ { 1 } ^ { - }), Mul(2, m_2, v _ { 2 } ^ { - })); Add(m_1, m_2)); =), Chain(v _ { 2 } ^ { + }, Div(Add(Mul(2, m_1, v _ { 1 } ^ { - }), Mul(Add(m_2, Neg(m_1)), v _ { 2 } ^ { - })); Add(m_1, m_2)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\hat{\\mathbf{q}}_t = \\mathbf{q}_{t-1} + \\int_{t-1}^t\\boldsymbol\\omega\\, dt",
+        "Chain(\\hat{\\mathbf{q}}_t, Add(\\mathbf{q}_{t-1}, Integral(\\boldsymbol{\\omega}; t; Add(t, Neg(1)); t)); =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "L_1 = L_2' = \\frac{0.0254}{D}",
+        "Chain(L_1, L_2', Div(0.0254; D); =, =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\Omega_i = \\dot{\\theta}_i, \\quad i = 0, 1, \\ldots, N-1",
+        "System(Chain(\\Omega_i, Call(\\dot{\\theta}_i); =), Values(i; 0, 1, Dots(), Add(N, Neg(1))))",
+        "AVSLab/basilisk/src/simulation/deviceInterface/scalarJointStatesToRWSpeed/scalarJointStatesToRWSpeed.rst",
+    ),
+    (
+        "\\Delta\\boldsymbol{v} = \\frac{\\boldsymbol{I}}{m}",
+        "Chain(\\Delta \\boldsymbol { v }, Div(\\boldsymbol{I}; m); =)",
+        "bryanwweber/orbital-mechanics-notes/intro/force-acceleration-and-momentum.md",
+    ),
+    (
+        "q = w+x\\mathrm{i}+y\\mathrm{j}+z\\mathrm{k}",
+        "Chain(q, Add(w, Mul(x, \\text{i}), Mul(y, \\text{j}), Mul(z, \\text{k})); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\theta(t) = \\dot{\\theta}(t_{b1}) (t - t_{b1}) + \\theta(t_{b1})",
+        "Chain(Call(\\theta; t), Add(Mul(Call(\\dot{\\theta}; t_{b1}), Add(t, Neg(t_{b1}))), Call(\\theta; t_{b1})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "\\begin{aligned}\\left\\{r\\right\\}_{{x}_{\\omega}} &= \\frac{h^2}{\\mu}\\frac{1}{1 + e\\cos\\theta}\\left\\{\\begin{matrix}\\cos\\theta\\\\\\sin\\theta\\\\0\\end{matrix}\\right\\}\\\\\\left\\{v\\right\\}_{{x}_{\\omega}} &= \\frac{\\mu}{h}\\left\\{\\begin{matrix}-\\sin\\theta\\\\ e + \\cos\\theta\\\\0\\end{matrix}\\right\\}\\end{aligned}",
+        "System(Chain(Marked(Tuple(r; {}); _{ x _ { \\omega } }), Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Mul(e, Call(cos; \\theta)))), Tuple(MatrixOf(Call(cos; \\theta), Call(sin; \\theta), 0); {})); =), Chain(Marked(Tuple(v; {}); _{ x _ { \\omega } }), Mul(Div(\\mu; h), Tuple(MatrixOf(Neg(Call(sin; \\theta)), Add(e, Call(cos; \\theta)), 0); {})); =))",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/6-transformation-between-geocentric-equatorial-and-perifocal-frames.md",
+    ),
+    (
+        "\\mathbb{Z} \\subset \\mathbb{Q} \\subset \\mathbb{R} \\subset \\mathbb{C}",
+        "Chain(\\mathbb{Z}, \\mathbb{Q}, \\mathbb{R}, \\mathbb{C}; \\subset, \\subset, \\subset)",
+        "sympy/sympy/doc/src/guides/assumptions.rst",
+    ),
+    (
+        "{}^A \\bar{H}^{B/B_o} = \\breve{I}^{B/B_o} \\cdot {}^A\\bar{\\omega}^B",
+        "Chain(\\prescript { A } { } { \\bar { H } } ^ { B / B _ { o } }, Mul(\\breve { I } ^ { B / B _ { o } }, \\prescript { A } { } { \\bar { \\omega } } ^ { B }); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\text{SNR} = \\frac{\\left|-\\eta \\frac{\\partial g}{\\partial {\\bf \\alpha}}^T\\right|^2}{E\\left[ \\left|\\Delta {\\bf \\alpha} + \\eta \\frac{\\partial g}{\\partial {\\bf \\alpha}}^T \\right|^2 \\right]}.",
+        "Chain(\\text{SNR}, Div(Pow(Bars(Neg(Mul(\\eta, Transpose(Derivative(Call(g); \\mathbf{\\alpha}, 1; True))))); 2); Indexed(E; Pow(Bars(Add(\\Delta \\mathbf { \\alpha }, Mul(\\eta, Transpose(Derivative(Call(g); \\mathbf{\\alpha}, 1; True))))); 2))); =)",
+        "RussTedrake/underactuated/book/rl_policy_search.html",
+    ),
+    (
+        "\\boldsymbol{f} = -cf(v) \\frac{\\dot{\\boldsymbol{r}}}{v}",
+        "Chain(\\boldsymbol{f}, Neg(Mul(c, Call(f; v), Div(Call(\\dot{\\boldsymbol{r}}); v))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "x[k+1] &= A x[k] + B u[k] \\\\ y[k] &= C x[k] + D u[k]",
+        "System(Chain(Indexed(x; Add(k, 1)), Add(Mul(A, Indexed(x; k)), Mul(B, Indexed(u; k))); =), Chain(Indexed(y; k), Add(Mul(C, Indexed(x; k)), Mul(D, Indexed(u; k))); =))",
+        "python-control/python-control/control/modelsimp.py",
+    ),
+    (
+        "x = s + c_1, \\qquad t = s+ c_2 ,",
+        "System(Chain(x, Add(s, c_1); =), Chain(t, Add(s, c_2); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "K = H = \\frac{p^2}{2m} + \\frac12 m\\omega^2 q^2 = \\frac{[f(P)]^2}{2m}",
+        "Chain(K, H, Add(Div(Pow(p; 2); Mul(2, m)), Mul(Div(1; 2), m, Pow(\\omega; 2), Pow(q; 2))), Div(Pow(Call(f; P); 2); Mul(2, m)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "p_x(x; n+1) = \\frac{1}{4\\sqrt{1-x}} \\left[ p_x\\left(\\frac{1}{2}-\\frac{1}{2}\\sqrt{1-x}; n\\right) + p_x\\left(\\frac{1}{2} + \\frac{1}{2}\\sqrt{1-x}; n\\right) \\right].",
+        "Chain(Call(p_x; Given(x; Add(n, 1); ;)), Mul(Div(1; Mul(4, Sqrt(Add(1, Neg(x))))), Add(Call(p_x; Given(Add(Div(1; 2), Neg(Mul(Div(1; 2), Sqrt(Add(1, Neg(x)))))); n; ;)), Call(p_x; Given(Add(Div(1; 2), Mul(Div(1; 2), Sqrt(Add(1, Neg(x))))); n; ;)))); =)",
+        "RussTedrake/underactuated/book/stochastic.html",
+    ),
+    (
+        "\\frac{dx}{dt} = -\\sin t + \\cos t - e^{-t} .",
+        "Chain(Derivative(Call(x); t, 1), Add(Neg(Call(sin; t)), Call(cos; t), Neg(Pow(e; Neg(t)))); =)",
+        "jirilebl/diffyqs/ch-intro.tex",
+    ),
+    (
+        "y = -x\\cot \\alpha",
+        "Chain(y, Neg(Mul(x, Call(cot; \\alpha))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\boldsymbol{r}_{\\text{rel}} = \\left(R_E + z\\right)\\boldsymbol{\\hat{k}}",
+        "Chain(\\boldsymbol{r}_{rel}, Mul(Add(R_E, z), \\hat{\\boldsymbol{k}}); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "Q = \\frac{2}{3}\\sqrt{2}\\left(0.615 + \\frac{0.000615}{h_1+0.0016}\\right) b\\sqrt{g} h_1 +0.5\\left(\\frac{h_1}{h_1+h_2}\\right)^2b\\sqrt{g} h_1^{1.5}",
+        "Chain(Q, Add(Mul(Div(2; 3), Sqrt(2), Add(0.615, Div(0.000615; Add(h_1, 0.0016))), b, Sqrt(g), h_1), Mul(0.5, Pow(Div(h_1; Add(h_1, h_2)); 2), b, Sqrt(g), Pow(h_1; 1.5))); =)",
+        "CalebBell/fluids/fluids/open_flow.py",
+    ),
+    (
+        "F_f = \\begin{cases} \\mu_k F_n & v < 0 \\\\ 0 & v = 0 \\\\ -\\mu_k F_n & v > 0 \\end{cases}",
+        "Chain(F_f, Piecewise(Mul(\\mu_k, F_n), Chain(v, 0; <), 0, Chain(v, 0; =), Neg(Mul(\\mu_k, F_n)), Chain(v, 0; >)); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "\\mathbf{v}' = \\mathbf{Rv}",
+        "Chain(\\mathbf{v}', Mul(\\mathbf{R}, \\mathbf{v}); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "\\sum_{i=1}^n \\left(\\frac{\\partial T}{\\partial \\boldsymbol{r}_i}-\\frac{\\mathrm{d}}{\\mathrm{d} t} \\frac{\\partial T}{\\partial \\dot{\\boldsymbol{r}}_i} + \\boldsymbol{F}_i+\\sum_{j=1}^k \\lambda_j \\frac{\\partial f_j}{\\partial \\boldsymbol{r}_i}\\right) \\cdot \\delta \\boldsymbol{r}_i = 0",
+        "Chain(BigSum(i; 1; n; Mul(Add(Derivative(Call(T); \\boldsymbol{r}_i, 1; True), Neg(Derivative(Derivative(Call(T); \\dot{\\boldsymbol{r}}_i, 1; True); t, 1)), \\boldsymbol{F}_i, BigSum(j; 1; k; Mul(\\lambda_j, Derivative(Call(f_j); \\boldsymbol{r}_i, 1; True)))), \\delta \\boldsymbol { r } _ { i }; 1)), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "\\Delta \\bar \\omega = (1.09 - 0.813\\beta)\\Delta P",
+        "Chain(\\Delta \\bar { \\omega }, Mul(Add(1.09, Neg(Mul(0.813, \\beta))), \\Delta P); =)",
+        "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "\\psi = \\frac{\\lVert\\boldsymbol{r}*2\\rVert}{r*{12}} \\Rightarrow r_2 = r_{12}",
+        "Implies(Chain(\\psi, Div(Norm(Mul(\\boldsymbol{r}, 2)); Mul(r, 12)); =); Chain(r_2, r_{12}; =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "\\omega_E = 72.9218\\times 10^{-6}~\\mathrm{rad/s}",
+        "Chain(\\omega_E, Cross(72.9218; Mul(Pow(10; Neg(6)), \\text{rad/s})); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/circular-orbits.md",
+    ),
+    (
+        "m \\begin{bmatrix}\\ddot{x} \\\\ \\ddot{z} \\end{bmatrix} + b \\begin{bmatrix} \\dot{x} \\\\ \\dot{z} \\end{bmatrix} + k \\begin{bmatrix} x - x_d \\\\ z - z_d \\end{bmatrix} = f^{F_c},",
+        "Chain(Add(Mul(m, MatrixOf(Call(\\ddot{x}), Call(\\ddot{z}))), Mul(b, MatrixOf(Call(\\dot{x}), Call(\\dot{z}))), Mul(k, MatrixOf(Add(Call(x), Neg(x_d)), Add(Call(z), Neg(z_d))))), f ^ { F _ { c } }; =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "R = \\sum^{N}_{i=-N}w^{[i]}_{c}(\\pmb{\\xi}^{[i]} - \\hat{\\mathbf{y}})(\\pmb{\\xi}^{[i]} - \\hat{\\mathbf{y}})^T",
+        "Chain(R, BigSum(i; Neg(N); N; Mul(w _ { c } ^ { [ i ] }, Add(\\pmb { \\xi } ^ { [ i ] }, Neg(\\hat{\\mathbf{y}})), Transpose(Add(\\pmb { \\xi } ^ { [ i ] }, Neg(\\hat{\\mathbf{y}}))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavUKF/smallBodyNavUKF.rst",
+    ),
+    (
+        "\\operatorname{Bi}(z) = e^{-\\pi i/6} \\operatorname{Ai}(z_1) + e^{+\\pi i/6} \\operatorname{Ai}(z_2)",
+        "Chain(Call(\\text{Bi}; z), Add(Mul(Pow(e; Neg(Div(Mul(\\pi, i); 6))), Call(\\text{Ai}; z_1)), Mul(Pow(e; Div(Mul(\\pi, i); 6)), Call(\\text{Ai}; z_2))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "U(a,b,z) = \\frac{\\Gamma(1-b)}{\\Gamma(a-b+1)} M(a,b,z) + \\frac{\\Gamma(b-1)}{\\Gamma(a)} z^{1-b} M(a-b+1,2-b,z).",
+        "Chain(Call(U; a, b, z), Add(Mul(Div(Call(Gamma; Add(1, Neg(b))); Call(Gamma; Add(a, Neg(b), 1))), Call(M; a, b, z)), Mul(Div(Call(Gamma; Add(b, Neg(1))); Call(Gamma; a)), Pow(z; Add(1, Neg(b))), Call(M; Add(a, Neg(b), 1), Add(2, Neg(b)), z))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "50\\, x\\,(1-x) = \\frac{25}{3} + \\sum_{\\substack{n=2 \\\\ n \\text{ even}}}^\\infty \\left( \\frac{-200}{\\pi^2 n^2} \\right) \\cos (n \\pi x) .",
+        "Chain(Mul(50, x, Add(1, Neg(x))), Add(Div(25; 3), Limiting(sum; _{ \\substack { n = 2 \\\\ n \\text { e v e n } } }^{ \\infty }; Mul(Div(Neg(200); Mul(Pow(\\pi; 2), Pow(n; 2))), Call(cos; Mul(n, \\pi, x))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\chi(n) = \\sqrt{\\pi} \\Gamma(\\tfrac{1}{2}n+1) / \\Gamma(\\tfrac{1}{2} n + \\tfrac{1}{2})",
+        "Chain(Call(\\chi; n), Div(Mul(Sqrt(\\pi), Call(Gamma; Add(Mul(Div(1; 2), n), 1))); Call(Gamma; Add(Mul(Div(1; 2), n), Div(1; 2)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\begin{bmatrix} 2 & 2 & 2 \\\\ 1 & 1 & 3 \\\\ 1 & 4 & 1 \\end{bmatrix} \\begin{bmatrix} x_1 \\\\ x_2 \\\\ x_3 \\end{bmatrix} = \\begin{bmatrix} 2 \\\\ 5 \\\\ 10 \\end{bmatrix} .",
+        "Chain(Mul(MatrixOf(2, 2, 2, 1, 1, 3, 1, 4, 1), MatrixOf(x_1, x_2, x_3)), MatrixOf(2, 5, 10); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\bm{H}_{\\text{sc},B} = [I_{\\text{hub},B_c}] \\bm\\omega_{\\cal B/N} + m_{\\text{hub}} \\bm{r}_{B_c/B}\\times\\bm{\\dot{r}}_{B_c/B} + \\sum\\limits_{j=1}^{N_P}m_j \\bm r_{P_{c,j}/B}\\times \\dot{\\bm r}_{P_{c,j}/B}",
+        "Chain(\\bm{H}_{sc,B}, Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\mathcal B/\\mathcal N}), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\dot{\\bm{r}}_{B_c/B})), BigSum(j; 1; N_P; Cross(Mul(m_j, Call(\\bm{r}_{P_c,j/B})); Call(\\dot{\\bm{r}}_{P_c,j/B})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/sphericalPendulum/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "T = \\frac{2\\pi}{\\sqrt{\\mu}}a^{3/2}",
+        "Chain(T, Mul(Div(Mul(2, \\pi); Sqrt(\\mu)), Pow(a; Div(3; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\dot m^2 = \\frac{\\left(\\frac{\\pi D^2}{4}\\right)^2 \\left(P_1^2-P_2^2\\right)}{RT\\left(f_d\\frac{L}{D} + 2\\ln\\frac{P_1}{P_2} \\right)}",
+        "Chain(Pow(Call(\\dot{m}); 2), Div(Mul(Pow(Div(Mul(\\pi, Pow(D; 2)); 4); 2), Add(Pow(P_1; 2), Neg(Pow(P_2; 2)))); Mul(R, T, Add(Mul(f_d, Div(L; D)), Mul(2, Call(ln; Div(P_1; P_2)))))); =)",
+        "CalebBell/fluids/fluids/compressible.py",
+    ),
+    (
+        "\\sigma(\\theta) = \\frac{\\mathrm{d} \\sigma}{\\mathrm{d} \\omega} = \\frac{a^2}{4}",
+        "Chain(Call(\\sigma; \\theta), Derivative(Call(\\sigma); \\omega, 1), Div(Pow(a; 2); 4); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter4.tex",
+    ),
+    (
+        "S = S(\\boldsymbol{q},\\boldsymbol{D},t) = W(\\boldsymbol{q},\\boldsymbol{D}) + T(t)",
+        "Chain(Call(S), Call(S; \\boldsymbol{q}, \\boldsymbol{D}, t), Add(Call(W; \\boldsymbol{q}, \\boldsymbol{D}), Call(T; t)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "F = m \\left(\\frac{GM}{r^2}\\right)",
+        "Chain(F, Mul(m, Div(Mul(G, M); Pow(r; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/intro/mass-force-and-newtons-law-of-gravitation.md",
+    ),
+    (
+        "u_t = \\delta_t",
+        "Chain(u_t, \\delta_t; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/lqr_steering_control/lqr_steering_control_main.rst",
+    ),
+    (
+        "F = \\sinh^{-1}\\left(\\frac{\\sin\\nu\\sqrt{e^2 - 1}}{1 + e\\cos\\nu}\\right) = \\ln\\left(\\frac{\\sin\\nu\\sqrt{e^2 - 1} + \\cos\\nu + e}{1 + e\\cos\\nu}\\right)",
+        "Chain(F, Call(arsinh; Div(Mul(Call(sin; \\nu), Sqrt(Add(Pow(e; 2), Neg(1)))); Add(1, Mul(e, Call(cos; \\nu))))), Call(ln; Div(Add(Mul(Call(sin; \\nu), Sqrt(Add(Pow(e; 2), Neg(1)))), Call(cos; \\nu), e); Add(1, Mul(e, Call(cos; \\nu))))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "r_a = \\frac{h^2}{\\mu}\\frac{1}{1 - e}",
+        "Chain(r_a, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Neg(e)))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/single-impulse-example.md",
+    ),
+    (
+        "\\mathbf{a} &= \\mathbf{\\hat{a}_x} + \\mathbf{\\hat{a}_y} + \\mathbf{\\hat{a}_z}\\\\ \\mathbf{a} &= \\begin{bmatrix}\\mathbf{\\hat{b}_x}\\cdot (\\mathbf{\\hat{a}_x} + \\mathbf{\\hat{a}_y} + \\mathbf{\\hat{a}_z})\\end{bmatrix} \\mathbf{\\hat{b}_x} + \\begin{bmatrix}\\mathbf{\\hat{b}_y}\\cdot (\\mathbf{\\hat{a}_x} + \\mathbf{\\hat{a}_y} + \\mathbf{\\hat{a}_z})\\end{bmatrix} \\mathbf{\\hat{b}_y} + \\begin{bmatrix}\\mathbf{\\hat{b}_z}\\cdot (\\mathbf{\\hat{a}_x} + \\mathbf{\\hat{a}_y} + \\mathbf{\\hat{a}_z})\\end{bmatrix} \\mathbf{\\hat{b}_z}\\\\ \\mathbf{a} &= (\\cos(\\theta) + \\sin(\\theta))\\mathbf{\\hat{b}_x} + (-\\sin(\\theta)+\\cos(\\theta))\\mathbf{\\hat{b}_y} + \\mathbf{\\hat{b}_z}",
+        "System(Chain(\\mathbf{a}, Add(\\hat{\\mathbf{a}}_x, \\hat{\\mathbf{a}}_y, \\hat{\\mathbf{a}}_z); =), Chain(\\mathbf{a}, Add(Mul(MatrixOf(Mul(\\hat{\\mathbf{b}}_x, Add(\\hat{\\mathbf{a}}_x, \\hat{\\mathbf{a}}_y, \\hat{\\mathbf{a}}_z); 1)), \\hat{\\mathbf{b}}_x), Mul(MatrixOf(Mul(\\hat{\\mathbf{b}}_y, Add(\\hat{\\mathbf{a}}_x, \\hat{\\mathbf{a}}_y, \\hat{\\mathbf{a}}_z); 1)), \\hat{\\mathbf{b}}_y), Mul(MatrixOf(Mul(\\hat{\\mathbf{b}}_z, Add(\\hat{\\mathbf{a}}_x, \\hat{\\mathbf{a}}_y, \\hat{\\mathbf{a}}_z); 1)), \\hat{\\mathbf{b}}_z)); =), Chain(\\mathbf{a}, Add(Mul(Add(Call(cos; \\theta), Call(sin; \\theta)), \\hat{\\mathbf{b}}_x), Mul(Add(Neg(Call(sin; \\theta)), Call(cos; \\theta)), \\hat{\\mathbf{b}}_y), \\hat{\\mathbf{b}}_z); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\ell({\\bf x},{\\bf u}) = q^2 + \\dot{q}^2 + u^2.",
+        "Chain(Call(\\ell; \\mathbf{x}, \\mathbf{u}), Add(Pow(Call(q); 2), Pow(Call(\\dot{q}); 2), Pow(u; 2)); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "V = -\\frac{G m_1 m_2}{r} = -\\frac{G m_1 m_2}{\\sqrt{x^2 + y^2 + z^2}}",
+        "Chain(V, Neg(Div(Mul(G, m_1, m_2); r)), Neg(Div(Mul(G, m_1, m_2); Sqrt(Add(Pow(x; 2), Pow(y; 2), Pow(z; 2))))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "\\bar{w} = & a \\hat{n}_x + b \\hat{n}_y + c \\hat{n}_z \\\\ \\bar{x} = & d \\hat{n}_x + e \\hat{n}_y + f \\hat{n}_z \\\\ \\bar{w} + \\bar{x} = & (a + d) \\hat{n}_x + (b + e) \\hat{n}_y + (c + f) \\hat{n}_z",
+        "System(Chain(\\bar{w}, Add(Mul(a, \\hat{n}_x), Mul(b, \\hat{n}_y), Mul(c, \\hat{n}_z)); =), Chain(\\bar{x}, Add(Mul(d, \\hat{n}_x), Mul(e, \\hat{n}_y), Mul(f, \\hat{n}_z)); =), Chain(Add(\\bar{w}, \\bar{x}), Add(Mul(Add(a, d), \\hat{n}_x), Mul(Add(b, e), \\hat{n}_y), Mul(Add(c, f), \\hat{n}_z)); =))",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "ml^2 q_2'' - mlq_1'' \\sin(q_2) + mlg \\sin(q_2) + \\frac{2r^2q_2''}{5} = 0",
+        "Chain(Add(Mul(m, Pow(l; 2), q_2''), Neg(Mul(m, l, q_1'', Call(sin; q_2))), Mul(m, l, g, Call(sin; q_2)), Div(Mul(2, Pow(r; 2), q_2''); 5)), 0; =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/duffing-example.rst",
+    ),
+    (
+        "\\gamma = \\nu_f - \\nu_i = \\gamma_0 + \\left(n_f - n_i\\right) t",
+        "Chain(\\gamma, Add(\\nu_f, Neg(\\nu_i)), Add(\\gamma_0, Mul(Add(n_f, Neg(n_i)), t)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "\\mathbf{M} = \\left[\\begin{array}{c|c|c}\\bar{M}_i & \\ldots & \\bar{M}_{6\\nu} \\end{array}\\right], \\quad \\mathbf{T} = \\left[\\begin{array}{c|c|c}\\bar{T}_j & \\ldots & \\bar{T}_n \\end{array}\\right]",
+        "System(Chain(\\mathbf{M}, MatrixOf(\\bar{M}_i, Dots(), \\bar{M}_{6\\nu}); =), Chain(\\mathbf{T}, MatrixOf(\\bar{T}_j, Dots(), \\bar{T}_n); =))",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "C'(\\omega) = \\frac{- 2\\omega( 2p^2+\\omega^2-\\omega_0^2)F_0} {m {\\bigl({(2\\omega p)}^2+{(\\omega_0^2-\\omega^2)}^2\\bigr)}^{3/2}} .",
+        "Chain(Call(C'; \\omega), Div(Neg(Mul(2, \\omega, Add(Mul(2, Pow(p; 2)), Pow(\\omega; 2), Neg(Pow(\\omega_0; 2))), F_0)); Mul(m, Pow(Add(Pow(Mul(2, \\omega, p); 2), Pow(Add(Pow(\\omega_0; 2), Neg(Pow(\\omega; 2))); 2)); Div(3; 2)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "\\Delta s = \\sqrt{\\Delta x^2 + \\Delta y^2} = \\omega_0v_0t^2\\sin\\lambda = \\omega_0v_0\\left(\\frac{l}{v_0}\\right)^2\\sin\\lambda = \\frac{\\omega_0l^2}{v_0}\\sin\\lambda",
+        "Chain(\\Delta s, Sqrt(Add(Pow(\\Delta x; 2), Pow(\\Delta y; 2))), Mul(\\omega_0, v_0, Pow(t; 2), Call(sin; \\lambda)), Mul(\\omega_0, v_0, Pow(Div(l; v_0); 2), Call(sin; \\lambda)), Mul(Div(Mul(\\omega_0, Pow(l; 2)); v_0), Call(sin; \\lambda)); =, =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "x_{i+1} = x_i + h , \\qquad y_{i+1} = y_i + h\\, f(x_i,y_i) .",
+        "System(Chain(x_{i+1}, Add(x_i, h); =), Chain(y_{i+1}, Add(y_i, Mul(h, Call(f; x_i, y_i))); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "{}^Bp^\\text{ZMP}_{W_x} = \\frac{\\sum_i {}^Bp^{B_i}_{W_x} f^{B_i}_{W_z}}{\\sum_i f^{B_i}_{W_z} }.",
+        "Chain(\\prescript { B } { } { p } _ { W _ { x } } ^ { \\text { Z M P } }, Div(BigSum(i; Mul(\\prescript { B } { } { p } _ { W _ { x } } ^ { B _ { i } }, f _ { W _ { z } } ^ { B _ { i } })); BigSum(i; f _ { W _ { z } } ^ { B _ { i } })); =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\rho(t) = \\pm \\ddot{\\rho}_{\\text{max}} \\left( \\frac{(t - t_{b1})^2}{2} - \\frac{(t - t_{b1})^4}{8 t_{\\text{smooth}}^2} + \\frac{(t - t_{b1})^5}{40 t_{\\text{smooth}}^3} \\right) + \\dot{\\rho}(t_{b1})(t - t_{b1}) + \\rho(t_{b1})",
+        "Chain(Call(\\rho; t), Add(PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Div(Pow(Add(t, Neg(t_{b1})); 2); 2), Neg(Div(Pow(Add(t, Neg(t_{b1})); 4); Mul(8, Pow(t_{smooth}; 2)))), Div(Pow(Add(t, Neg(t_{b1})); 5); Mul(40, Pow(t_{smooth}; 3)))))), Mul(Call(\\dot{\\rho}; t_{b1}), Add(t, Neg(t_{b1}))), Call(\\rho; t_{b1})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\tan\\gamma = \\frac{\\Delta v_r}{\\Delta v_{\\perp}}",
+        "Chain(Call(tan; \\gamma), Div(\\Delta v _ { r }; \\Delta v _ { \\perp }); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "\\vec{0} = (A - 2 I) \\vec{v} = \\begin{bmatrix} 0 & -5 & 0 \\\\ 0 & 0 & 0 \\\\ -1 & 4 & -1 \\end{bmatrix} \\begin{bmatrix} v_1 \\\\ v_2 \\\\ v_3 \\end{bmatrix} .",
+        "Chain(0, Mul(Add(A, Neg(Mul(2, I))), \\vec{v}), Mul(MatrixOf(0, Neg(5), 0, 0, 0, 0, Neg(1), 4, Neg(1)), MatrixOf(v_1, v_2, v_3)); =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "x'(t) = a_1+2a_2t+3a_3t^2+4a_4t^3+5a_5t^4",
+        "Chain(Call(x'; t), Add(a_1, Mul(2, a_2, t), Mul(3, a_3, Pow(t; 2)), Mul(4, a_4, Pow(t; 3)), Mul(5, a_5, Pow(t; 4))); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "R_J(x,y,z,p) = \\frac{3}{2} \\int_0^{\\infty} \\frac{dt}{(t+p)\\sqrt{(t+x)(t+y)(t+z)}}",
+        "Chain(Call(R_J; x, y, z, p), Mul(Div(3; 2), Integral(Div(1; Mul(Add(t, p), Sqrt(Mul(Add(t, x), Add(t, y), Add(t, z))))); t; 0; Infinity())); =)",
+        "fredrik-johansson/arb/doc/source/acb_elliptic.rst",
+    ),
+    (
+        "\\alpha = −1 \\quad, \\quad\\quad \\ell = 0.1 \\quad, \\quad\\quad \\sigma^2 = 0.4 \\quad.",
+        "System(Chain(\\alpha, Neg(1); =), Chain(\\ell, 0.1; =), Chain(Pow(\\sigma; 2), 0.4; =))",
+        "dfm/celerite/docs/tutorials/modeling.rst",
+    ),
+    (
+        "\\delta w = \\sum_i {\\bf \\tau}_i^T \\delta {\\bf q} = 0.",
+        "Chain(\\delta w, BigSum(i; Mul(Transpose(\\mathbf{\\tau}_i), \\delta \\mathbf { q })), 0; =, =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\begin{aligned} {\\dot{x}}_{\\omega} &= \\dot{r}\\cos\\nu - r\\dot{\\nu}\\sin\\nu \\\\ {\\dot{y}}_{\\omega} &= \\dot{r}\\sin\\nu + r\\dot{\\nu}\\cos\\nu \\end{aligned}",
+        "System(Chain(Call(\\dot{x}_\\omega), Add(Mul(Call(\\dot{r}), Call(cos; Call(\\nu))), Neg(Mul(Call(r), Call(\\dot{\\nu}), Call(sin; Call(\\nu))))); =), Chain(Call(\\dot{y}_\\omega), Add(Mul(Call(\\dot{r}), Call(sin; Call(\\nu))), Mul(Call(r), Call(\\dot{\\nu}), Call(cos; Call(\\nu)))); =))",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/perifocal-frame.md",
+    ),
+    (
+        "\\Delta v = \\sqrt{v_1^2 + v_2^2 - 2v_1v_2\\cos\\delta}",
+        "Chain(\\Delta v, Sqrt(Add(Pow(v_1; 2), Pow(v_2; 2), Neg(Mul(2, v_1, v_2, Call(cos; \\delta))))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/plane-change-maneuvers.md",
+    ),
+    (
+        "b = \\frac{ \\frac{1}{2} \\Phi_{\\text{ref}}}{(t_s - t_f)^2}",
+        "Chain(b, Div(Mul(Div(1; 2), \\Phi_{ref}); Pow(Add(t_s, Neg(t_f)); 2)); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/prescribedRot2DOF/prescribedRot2DOF.rst",
+    ),
+    (
+        "F_1(\\boldsymbol{q},\\boldsymbol{Q},t) = \\sum_{\\beta=1}^s q_\\beta Q_\\beta",
+        "Chain(Call(F_1; \\boldsymbol{q}, \\boldsymbol{Q}, t), BigSum(\\beta; 1; s; Mul(q_{\\beta}, Q_{\\beta})); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "v_{min} < v_t < v_{max}",
+        "Chain(v_{min}, v_t, v_{max}; <, <)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\operatorname{atan}(x) = 2 \\operatorname{atan}\\left(\\frac{x}{1+\\sqrt{1+x^2}}\\right)",
+        "Chain(Call(atan; x), Mul(2, Call(atan; Div(x; Add(1, Sqrt(Add(1, Pow(x; 2))))))); =)",
+        "fredrik-johansson/arb/doc/source/arb.rst",
+    ),
+    (
+        "\\rho = \\left|\\frac{\\left[(x'(\\theta))^2+(y'(\\theta))^2\\right]^{\\frac32}}{x'(\\theta)y''(\\theta)-x''(\\theta)y'(\\theta)}\\right| = R\\theta",
+        "Chain(\\rho, Bars(Div(Pow(Add(Pow(Call(x'; \\theta); 2), Pow(Call(y'; \\theta); 2)); Div(3; 2)); Add(Mul(Call(x'; \\theta), Call(y''; \\theta)), Neg(Mul(Call(x''; \\theta), Call(y'; \\theta)))))), Mul(R, \\theta); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "(M + m)q_1'' - mlq_2'' \\sin(q_2) - ml(q_2')^2 \\cos(q_2) + k_1 q_1 + k_2 q_1^3 + c_1 q_1' - (M + m)g = 0",
+        "Chain(Add(Mul(Add(M, m), q_1''), Neg(Mul(m, l, q_2'', Call(sin; q_2))), Neg(Mul(m, l, Pow(q_2'; 2), Call(cos; q_2))), Mul(k_1, q_1), Mul(k_2, Pow(q_1; 3)), Mul(c_1, q_1'), Neg(Mul(Add(M, m), g))), 0; =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/duffing-example.rst",
+    ),
+    (
+        "a_1 = \\frac{\\langle (3,4), (1,1) \\rangle}{ \\langle (1,1), (1,1) \\rangle } = \\frac{7}{2}, \\qquad a_2 = \\frac{\\langle (3,4), (1,-1) \\rangle}{ \\langle (1,-1), (1,-1) \\rangle } = \\frac{-1}{2} .",
+        "System(Chain(a_1, Div(Pair(Pair(3; 4); Pair(1; 1)); Pair(Pair(1; 1); Pair(1; 1))), Div(7; 2); =, =), Chain(a_2, Div(Pair(Pair(3; 4); Pair(1; Neg(1))); Pair(Pair(1; Neg(1)); Pair(1; Neg(1)))), Div(Neg(1); 2); =, =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "\\hat{h}_v = \\hat{h}_h \\times \\hat{h}_r",
+        "Chain(\\hat{h}_v, Cross(\\hat{h}_h; \\hat{h}_r); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/hillStateConverter/hillStateConverter.rst",
+    ),
+    (
+        "K_2 = K_1\\frac{D_2^4}{D_1^4} = K_1 \\frac{A_2^2}{A_1^2}",
+        "Chain(K_2, Mul(K_1, Div(Pow(D_2; 4); Pow(D_1; 4))), Mul(K_1, Div(Pow(A_2; 2); Pow(A_1; 2))); =, =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\boldsymbol{r} = \\boldsymbol{r}_O + \\boldsymbol{E}\\boldsymbol{U}\\boldsymbol{x} = \\boldsymbol{r}_{O'} - \\boldsymbol{E}\\boldsymbol{U} \\boldsymbol{x}_{O'} + \\boldsymbol{E}\\boldsymbol{U} \\boldsymbol{x} = \\boldsymbol{r}_{O'} + \\boldsymbol{E} \\boldsymbol{U} (\\boldsymbol{x}-\\boldsymbol{x}_{O'})",
+        "Chain(\\boldsymbol{r}, Add(\\boldsymbol{r}_O, Mul(\\boldsymbol{E}, \\boldsymbol{U}, \\boldsymbol{x})), Add(\\boldsymbol{r}_{O'}, Neg(Mul(\\boldsymbol{E}, \\boldsymbol{U}, \\boldsymbol{x}_{O'})), Mul(\\boldsymbol{E}, \\boldsymbol{U}, \\boldsymbol{x})), Add(\\boldsymbol{r}_{O'}, Mul(\\boldsymbol{E}, \\boldsymbol{U}, Add(\\boldsymbol{x}, Neg(\\boldsymbol{x}_{O'})))); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "{}^Ap^{G_d}_A = {}^Ap^G_A + h {}^Av^{G}_A \\quad \\Rightarrow \\quad {}^A\\text{v}^{G}_A = \\frac{1}{h} \\left({}^Ap^{G_d}_A - {}^Ap^G_A\\right) = \\frac{1}{h}{}^Gp^{G_d}_A.",
+        "Implies(Chain(\\prescript { A } { } { p } _ { A } ^ { G _ { d } }, Add(\\prescript { A } { } { p } _ { A } ^ { G }, Mul(h, \\prescript { A } { } { v } _ { A } ^ { G })); =); Chain(\\prescript { A } { } { \\text { v } } _ { A } ^ { G }, Mul(Div(1; h), Add(\\prescript { A } { } { p } _ { A } ^ { G _ { d } }, Neg(\\prescript { A } { } { p } _ { A } ^ { G }))), Mul(Div(1; h), \\prescript { G } { } { p } _ { A } ^ { G _ { d } }); =, =))",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "{}^A\\omega^{G}_A = \\frac{1}{h} {}^GR^{G_d},",
+        "Chain(\\prescript { A } { } { \\omega } _ { A } ^ { G }, Mul(Div(1; h), \\prescript { G } { } { R } ^ { G _ { d } }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\log \\Gamma(z) = \\left(z-\\frac{1}{2}\\right)\\log z - z + \\frac{\\ln {2 \\pi}}{2} + \\sum_{k=1}^{n-1} \\frac{B_{2k}}{2k(2k-1)z^{2k-1}} + R(n,z)",
+        "Chain(Call(log; Call(Gamma; z)), Add(Mul(Add(z, Neg(Div(1; 2))), Call(log; z)), Neg(z), Div(Call(ln; Mul(2, \\pi)); 2), BigSum(k; 1; Add(n, Neg(1)); Div(B_{2k}; Mul(2, k, Add(Mul(2, k), Neg(1)), Pow(z; Add(Mul(2, k), Neg(1)))))), Call(R; n, z)); =)",
+        "fredrik-johansson/arb/doc/source/gamma.rst",
+    ),
+    (
+        "y = \\sum_{k=0}^\\infty a_k x^k .",
+        "Chain(y, BigSum(k; 0; Infinity(); Mul(a_k, Pow(x; k))); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\mathrm{KE} = \\frac{1}{2} m_2 v^2 = \\frac{1}{2} m_2 \\left(v_x^2 + v_y^2 + v_z^2\\right)",
+        "Chain(\\text{KE}, Mul(Div(1; 2), m_2, Pow(v; 2)), Mul(Div(1; 2), m_2, Add(Pow(v_x; 2), Pow(v_y; 2), Pow(v_z; 2))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/energy-is-conserved-in-orbital-motion.md",
+    ),
+    (
+        "\\frac{\\mathrm{d} \\theta}{\\mathrm{d} \\phi} = \\sin^2 \\theta \\sqrt{\\tan^2 \\theta_0 - \\cot^2 \\theta}",
+        "Chain(Derivative(Call(\\theta); \\phi, 1), Mul(Pow(Call(sin; Call(\\theta)); 2), Sqrt(Add(Pow(Call(tan; \\theta_0); 2), Neg(Pow(Call(cot; Call(\\theta)); 2))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "T = \\frac12 \\boldsymbol{\\omega}^{\\mathrm{T}} \\boldsymbol{I} \\boldsymbol{\\omega}",
+        "Chain(T, Mul(Div(1; 2), Transpose(\\boldsymbol{\\omega}), \\boldsymbol{I}, \\boldsymbol{\\omega}); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "F_f = \\begin{cases} \\mu_k F_n & v < 0 \\\\ \\left[-\\mu_s F_n, \\mu_s F_n\\right] & v = 0 \\\\ -\\mu_k F_n & v > 0 \\end{cases}",
+        "Chain(F_f, Piecewise(Mul(\\mu_k, F_n), Chain(v, 0; <), Tuple(Neg(Mul(\\mu_s, F_n)), Mul(\\mu_s, F_n); []), Chain(v, 0; =), Neg(Mul(\\mu_k, F_n)), Chain(v, 0; >)); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "v_2 = \\frac{\\pi h^2}{4}\\left(2a_1 + \\frac{D_1^2}{2a_1} - \\frac{4h}{3}\\right)",
+        "Chain(v_2, Mul(Div(Mul(\\pi, Pow(h; 2)); 4), Add(Mul(2, a_1), Div(Pow(D_1; 2); Mul(2, a_1)), Neg(Div(Mul(4, h); 3)))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "X[k+1] = f(X[k], u[k], V[k]), \\qquad Y[k] = h(X[k]) + W[k],",
+        "System(Chain(Indexed(X; Add(k, 1)), Call(f; Indexed(X; k), Indexed(u; k), Indexed(V; k)); =), Chain(Indexed(Y; k), Add(Call(h; Indexed(X; k)), Indexed(W; k)); =))",
+        "python-control/python-control/doc/stochastic.rst",
+    ),
+    (
+        "f(k) := e^{-(\\mu_1+\\mu_2)}\\left(\\frac{\\mu_1}{\\mu_2}\\right)^{k/2}I_k(2\\sqrt{\\mu_1\\mu_2})",
+        "Chain(Call(f; k), Mul(Pow(e; Neg(Add(\\mu_1, \\mu_2))), Pow(Div(\\mu_1; \\mu_2); Div(k; 2)), Call(I_k; Mul(2, Sqrt(Mul(\\mu_1, \\mu_2))))); =)",
+        "sympy/sympy/sympy/stats/drv_types.py",
+    ),
+    (
+        "\\int\\frac{d\\nu}{\\left(1 + e\\cos \\nu\\right)^2} = \\left(\\frac{1}{2}\\tan \\frac{\\nu}{2}+\\frac{1}{6}\\tan^{3}\\frac{\\nu}{2}\\right)",
+        "Chain(Antiderivative(Div(1; Pow(Add(1, Mul(e, Call(cos; \\nu))); 2)); \\nu), Add(Mul(Div(1; 2), Call(tan; Div(\\nu; 2))), Mul(Div(1; 6), Pow(Call(tan; Div(\\nu; 2)); 3))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/parabolic-trajectories.md",
+    ),
+    (
+        "G4 &= \\frac{1 + s}{6 + s}",
+        "Chain(\\text{G4}, Div(Add(1, s); Add(6, s)); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/control_problems.rst",
+    ),
+    (
+        "\\mathbf{\\hat{a}_x} \\otimes \\mathbf{\\hat{b}_y} = \\mathbf{\\hat{a}_x} \\mathbf{\\hat{b}_y}",
+        "Chain(Operated(\\otimes; \\hat{\\mathbf{a}}_x; \\hat{\\mathbf{b}}_y), Mul(\\hat{\\mathbf{a}}_x, \\hat{\\mathbf{b}}_y); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/advanced.rst",
+    ),
+    (
+        "(\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2})\\hat{\\bm s}_{i2,2} \\times [I_{\\text{sp}_{i2},S_{c,i2}}] \\bm \\omega_{\\cal{B/N}} = (\\dot{\\theta}_{i1} + \\dot{\\theta}_{i2}) (I_{s_{i2,3}} \\hat{\\bm s}_{i2,1} \\hat{\\bm s}_{i2,3}^T - I_{s_{i2,1}} \\hat{\\bm s}_{i2,3} \\hat{\\bm s}_{i2,1}^T) \\bm \\omega_{\\cal{B/N}}",
+        "Chain(Cross(Mul(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})), \\hat{\\bm{s}}_{i2,2}); Mul([ I _ { \\text { s p } _ { i 2 } , S _ { c , i 2 } } ], \\bm{\\omega}_{\\cal B/N})), Mul(Add(Call(\\dot{\\theta}_{i1}), Call(\\dot{\\theta}_{i2})), Add(Mul(I_{s_i2,3}, \\hat{\\bm{s}}_{i2,1}, Transpose(\\hat{\\bm{s}}_{i2,3})), Neg(Mul(I_{s_i2,1}, \\hat{\\bm{s}}_{i2,3}, Transpose(\\hat{\\bm{s}}_{i2,1})))), \\bm{\\omega}_{\\cal B/N}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\tau^{B_A}_{total,W} = \\tau^{B_A}_{gravity, W} + \\tau^{B_A}_{ground, W} + \\tau^{B_A}_{finger, W},",
+        "Chain(\\tau _ { t o t a l , W } ^ { B _ { A } }, Add(\\tau _ { g r a v i t y , W } ^ { B _ { A } }, \\tau _ { g r o u n d , W } ^ { B _ { A } }, \\tau _ { f i n g e r , W } ^ { B _ { A } }); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "n := 3v - M",
+        "Chain(n, Add(Mul(3, v), Neg(M)); =)",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "[I_{\\text{sc},B}] &= [I_{\\text{hub},B}] + m_{\\text{hub}} [\\tilde{\\bm{r}}_{B_{c}/B}] [\\tilde{\\bm{r}}_{B_{c}/B}]^T + \\sum\\limits_{j=1}^{N_P} m_j [\\tilde{\\bm{r}}_{P_{c,j}/B}] [\\tilde{\\bm{r}}_{P_{c,j}/B}]^T",
+        "Chain([ I _ { \\text { s c } , B } ], Add([ I _ { \\text { h u b } , B } ], Mul(m_{hub}, [ \\tilde { \\bm { r } } _ { B _ { c } / B } ], Transpose([ \\tilde { \\bm { r } } _ { B _ { c } / B } ])), BigSum(j; 1; N_P; Mul(m_j, [ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ], Transpose([ \\tilde { \\bm { r } } _ { P _ { c , j } / B } ])))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/LinearSpringMassDamper/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\mu^*_m &=& K(t^*_m,{ {\\boldsymbol{t}}}) { {\\boldsymbol{z}}} \\\\ &=& \\sum_{n=1}^N \\sum_{j=1}^J e^{-c_j \\vert t^*_m-t_n\\vert}\\,\\left[ a_j\\,\\cos{(d_j\\,\\vert t^*_m-t_n\\vert)} + b_j\\,\\sin{(d_j\\,\\vert t^*_m-t_n\\vert)} \\right] \\,z_{n} \\quad.",
+        "Chain(\\mu _ { m } ^ { * }, Mul(Call(K; t _ { m } ^ { * }, \\boldsymbol{t}), \\boldsymbol{z}), BigSum(n; 1; N; BigSum(j; 1; J; Mul(Pow(e; Neg(Mul(c_j, Bars(Add(t _ { m } ^ { * }, Neg(t_n)))))), Add(Mul(a_j, Call(cos; Mul(d_j, Bars(Add(t _ { m } ^ { * }, Neg(t_n)))))), Mul(b_j, Call(sin; Mul(d_j, Bars(Add(t _ { m } ^ { * }, Neg(t_n))))))), z_n))); =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "y_1(x) = 1 + \\frac{2(-4)}{2!} x^2 + \\frac{2^2(-4)(2-4)}{4!} x^4 = 1 - 4x^2 + \\frac{4}{3} x^4 .",
+        "Chain(Call(y_1; x), Add(1, Mul(Div(Mul(2, Neg(4)); Factorial(2)), Pow(x; 2)), Mul(Div(Mul(Pow(2; 2), Neg(4), Add(2, Neg(4))); Factorial(4)), Pow(x; 4))), Add(1, Neg(Mul(4, Pow(x; 2))), Mul(Div(4; 3), Pow(x; 4))); =, =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "\\bar{M}^{S/P} = \\bar{M}^{S/Q} + \\bar{r}^{P/Q} \\times \\bar{R}^{S/Q}",
+        "Chain(\\bar { M } ^ { S / P }, Add(\\bar { M } ^ { S / Q }, Cross(\\bar { r } ^ { P / Q }; \\bar { R } ^ { S / Q })); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "u = \\frac{y}{\\sqrt{x^2 + y^2} + x} = \\frac{\\sqrt{x^2 + y^2} - x}{y}.",
+        "Chain(u, Div(y; Add(Sqrt(Add(Pow(x; 2), Pow(y; 2))), x)), Div(Add(Sqrt(Add(Pow(x; 2), Pow(y; 2))), Neg(x)); y); =, =)",
+        "fredrik-johansson/arb/doc/source/gamma.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{q}_1 &=& \\frac{1}{2} \\begin{bmatrix} \\sqrt{1+r_{11}+r_{22}+r_{33}} \\\\ \\frac{r_{32}-r_{23}}{\\sqrt{1+r_{11}+r_{22}+r_{33}}} \\\\ \\frac{r_{13}-r_{31}}{\\sqrt{1+r_{11}+r_{22}+r_{33}}} \\\\ \\frac{r_{21}-r_{12}}{\\sqrt{1+r_{11}+r_{22}+r_{33}}} \\end{bmatrix} \\\\ \\\\ \\mathbf{q}_2 &=& \\frac{1}{2} \\begin{bmatrix} \\frac{r_{32}-r_{23}}{\\sqrt{1+r_{11}-r_{22}-r_{33}}} \\\\ \\sqrt{1+r_{11}-r_{22}-r_{33}} \\\\ \\frac{r_{12}+r_{21}}{\\sqrt{1+r_{11}-r_{22}-r_{33}}} \\\\ \\frac{r_{31}+r_{13}}{\\sqrt{1+r_{11}-r_{22}-r_{33}}} \\end{bmatrix} \\\\ \\\\ \\mathbf{q}_3 &=& \\frac{1}{2} \\begin{bmatrix} \\frac{r_{13}-r_{31}}{\\sqrt{1-r_{11}+r_{22}-r_{33}}} \\\\ \\frac{r_{12}+r_{21}}{\\sqrt{1-r_{11}+r_{22}-r_{33}}} \\\\ \\sqrt{1-r_{11}+r_{22}-r_{33}} \\\\ \\frac{r_{23}+r_{32}}{\\sqrt{1-r_{11}+r_{22}-r_{33}}} \\end{bmatrix} \\\\ \\\\ \\mathbf{q}_4 &=& \\frac{1}{2} \\begin{bmatrix} \\frac{r_{21}-r_{12}}{\\sqrt{1-r_{11}-r_{22}+r_{33}}} \\\\ \\frac{r_{31}+r_{13}}{\\sqrt{1-r_{11}-r_{22}+r_{33}}} \\\\ \\frac{r_{32}+r_{23}}{\\sqrt{1-r_{11}-r_{22}+r_{33}}} \\\\ \\sqrt{1-r_{11}-r_{22}+r_{33}} \\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{q}_1, Mul(Div(1; 2), MatrixOf(Sqrt(Add(1, r_{11}, r_{22}, r_{33})), Div(Add(r_{32}, Neg(r_{23})); Sqrt(Add(1, r_{11}, r_{22}, r_{33}))), Div(Add(r_{13}, Neg(r_{31})); Sqrt(Add(1, r_{11}, r_{22}, r_{33}))), Div(Add(r_{21}, Neg(r_{12})); Sqrt(Add(1, r_{11}, r_{22}, r_{33}))))); =), Chain(\\mathbf{q}_2, Mul(Div(1; 2), MatrixOf(Div(Add(r_{32}, Neg(r_{23})); Sqrt(Add(1, r_{11}, Neg(r_{22}), Neg(r_{33})))), Sqrt(Add(1, r_{11}, Neg(r_{22}), Neg(r_{33}))), Div(Add(r_{12}, r_{21}); Sqrt(Add(1, r_{11}, Neg(r_{22}), Neg(r_{33})))), Div(Add(r_{31}, r_{13}); Sqrt(Add(1, r_{11}, Neg(r_{22}), Neg(r_{33})))))); =), Chain(\\mathbf{q}_3, Mul(Div(1; 2), MatrixOf(Div(Add(r_{13}, Neg(r_{31})); Sqrt(Add(1, Neg(r_{11}), r_{22}, Neg(r_{33})))), Div(Add(r_{12}, r_{21}); Sqrt(Add(1, Neg(r_{11}), r_{22}, Neg(r_{33})))), Sqrt(Add(1, Neg(r_{11}), r_{22}, Neg(r_{33}))), Div(Add(r_{23}, r_{32}); Sqrt(Add(1, Neg(r_{11}), r_{22}, Neg(r_{33})))))); =), Chain(\\mathbf{q}_4, Mul(Div(1; 2), MatrixOf(Div(Add(r_{21}, Neg(r_{12})); Sqrt(Add(1, Neg(r_{11}), Neg(r_{22}), r_{33}))), Div(Add(r_{31}, r_{13}); Sqrt(Add(1, Neg(r_{11}), Neg(r_{22}), r_{33}))), Div(Add(r_{32}, r_{23}); Sqrt(Add(1, Neg(r_{11}), Neg(r_{22}), r_{33}))), Sqrt(Add(1, Neg(r_{11}), Neg(r_{22}), r_{33})))); =))",
+        "Mayitzin/ahrs/ahrs/common/orientation.py",
+    ),
+    (
+        "\\tan \\alpha = \\frac{nN_A+mf_B}{mN_B-nf_A}",
+        "Chain(Call(tan; \\alpha), Div(Add(Mul(n, N_A), Mul(m, f_B)); Add(Mul(m, N_B), Neg(Mul(n, f_A)))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "X_n(x) = \\sin \\left( \\frac{n \\pi}{w} x \\right) .",
+        "Chain(Call(X_n; x), Call(sin; Mul(Div(Mul(n, \\pi); w), x)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\Omega_y = \\Omega + b + \\mu \\in\\mathbb{R}^3",
+        "Chain(\\Omega_y, Add(\\Omega, b, \\mu), Pow(\\mathbb{R}; 3); =, \\in)",
+        "Mayitzin/ahrs/ahrs/filters/mahony.py",
+    ),
+    (
+        "\\dot{\\bar{q}} = \\mathbf{Y}_k^{-1}\\left(\\bar{u} - \\bar{z}_k\\right)",
+        "Chain(Call(\\dot{\\bar{q}}), Mul(Pow(\\mathbf{Y}_k; Neg(1)), Add(\\bar{u}, Neg(\\bar{z}_k))); =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "B=\\left[\\begin{array}{c} 0 \\\\ \\frac{3}{h_{1}}\\left(a_{2}-a_{1}\\right)-\\frac{3}{h_{0}}\\left(a_{1}-a_{0}\\right) \\\\ \\vdots \\\\ \\frac{3}{h_{n-1}}\\left(a_{n}-a_{n-1}\\right)-\\frac{3}{h_{n-2}}\\left(a_{n-1}-a_{n-2}\\right) \\\\ 0 \\end{array}\\right]",
+        "Chain(B, MatrixOf(0, Add(Mul(Div(3; h_1), Add(a_2, Neg(a_1))), Neg(Mul(Div(3; h_0), Add(a_1, Neg(a_0))))), Dots(), Add(Mul(Div(3; h_{n-1}), Add(a_n, Neg(a_{n-1}))), Neg(Mul(Div(3; h_{n-2}), Add(a_{n-1}, Neg(a_{n-2}))))), 0); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/cubic_spline/cubic_spline_main.rst",
+    ),
+    (
+        "\\breve{I}^{B_o/O} = m \\left( \\left|\\bar{r}^{B_o/O}\\right|^2 \\breve{U} - \\bar{r}^{B_o/O} \\otimes \\bar{r}^{B_o/O} \\right)",
+        "Chain(\\breve { I } ^ { B _ { o } / O }, Mul(m, Add(Mul(Pow(Bars(\\bar { r } ^ { B _ { o } / O }); 2), \\breve{U}), Neg(Operated(\\otimes; \\bar { r } ^ { B _ { o } / O }; \\bar { r } ^ { B _ { o } / O })))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "z_0 = z_{0,ob}",
+        "Chain(z_0, z_{0,ob}; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/model_predictive_speed_and_steering_control/model_predictive_speed_and_steering_control_main.rst",
+    ),
+    (
+        "\\dot{{\\bf x}} = f_\\alpha({\\bf x}), \\quad \\alpha_{min} \\le \\alpha \\le \\alpha_{max},",
+        "System(Chain(Call(\\dot{\\mathbf{x}}), Call(f_\\alpha; Call(\\mathbf{x})); =), Chain(\\alpha_{min}, \\alpha, \\alpha_{max}; \\le, \\le))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "x'(0) = a_1 = v_s",
+        "Chain(Call(x'; 0), a_1, v_s; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "\\mathbf{\\theta}_{t+1} = \\mathbf{\\theta}_t + \\mathbf{\\omega}_t \\Delta t",
+        "Chain(\\mathbf{\\theta}_{t+1}, Add(\\mathbf{\\theta}_t, Mul(\\mathbf{\\omega}_t, \\Delta t)); =)",
+        "Mayitzin/ahrs/ahrs/filters/angular.py",
+    ),
+    (
+        "\\boldsymbol{a} = \\boldsymbol{a}_O + \\dot{\\boldsymbol{\\Omega}}\\times\\boldsymbol{r}_{\\text{rel}} + \\boldsymbol{\\Omega}\\times\\left(\\boldsymbol{\\Omega}\\times\\boldsymbol{r}_{\\text{rel}}\\right) + 2\\boldsymbol{\\Omega}\\times\\boldsymbol{v}_{\\text{rel}}",
+        "Chain(\\boldsymbol{a}, Add(\\boldsymbol{a}_O, Cross(Call(\\dot{\\boldsymbol{\\Omega}}); \\boldsymbol{r}_{rel}), Cross(Call(\\boldsymbol{\\Omega}); Cross(Call(\\boldsymbol{\\Omega}); \\boldsymbol{r}_{rel})), Cross(Mul(2, Call(\\boldsymbol{\\Omega})); \\boldsymbol{v}_{rel})); =)",
+        "bryanwweber/orbital-mechanics-notes/reference/relative-motion.md",
+    ),
+    (
+        "\\mathbf{qp} = \\mathbf{R}(\\mathbf{p})\\mathbf{q} = \\begin{bmatrix} p_w & -p_x & -p_y & -p_z \\\\ p_x & p_w & p_z & -p_y \\\\ p_y & -p_z & p_w & p_x \\\\ p_z & p_y & -p_x & p_w \\end{bmatrix} \\begin{bmatrix}q_w \\\\ q_x \\\\ q_y \\\\ q_z\\end{bmatrix}",
+        "Chain(Mul(\\mathbf{q}, \\mathbf{p}), Mul(Call(\\mathbf{R}; \\mathbf{p}), \\mathbf{q}), Mul(MatrixOf(p_w, Neg(p_x), Neg(p_y), Neg(p_z), p_x, p_w, p_z, Neg(p_y), p_y, Neg(p_z), p_w, p_x, p_z, p_y, Neg(p_x), p_w), MatrixOf(q_w, q_x, q_y, q_z)); =, =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "\\frac{d}{dt} \\left(e^{tP} \\right) = P e^{tP} .",
+        "Chain(Derivative(Pow(e; Mul(t, P)); t, 1), Mul(P, Pow(e; Mul(t, P))); =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\mathbf{z}_t = [d_t, \\theta_t, x_{lm}, y_{lm}]",
+        "Chain(\\mathbf{z}_t, Tuple(d_t, \\theta_t, x_{lm}, y_{lm}; []); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/ensamble_kalman_filter_localization_files/ensamble_kalman_filter_localization_main.rst",
+    ),
+    (
+        "X(s) = \\frac{\\frac{1}{s+1}}{1- \\frac{1}{s^2-1}} = \\frac{s-1}{s^2 - 2} = \\frac{s}{s^2 - 2} - \\frac{1}{s^2 - 2} .",
+        "Chain(Call(X; s), Div(Div(1; Add(s, 1)); Add(1, Neg(Div(1; Add(Pow(s; 2), Neg(1)))))), Div(Add(s, Neg(1)); Add(Pow(s; 2), Neg(2))), Add(Div(s; Add(Pow(s; 2), Neg(2))), Neg(Div(1; Add(Pow(s; 2), Neg(2))))); =, =, =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "k = \\frac{b\\mathrm{g}_p}{a\\mathrm{g}_e}-1",
+        "Chain(k, Add(Div(Mul(b, \\text{g}_p); Mul(a, \\text{g}_e)), Neg(1)); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "x(0) = a_0 = x_s",
+        "Chain(Call(x; 0), a_0, x_s; =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/quintic_polynomials_planner/quintic_polynomials_planner_main.rst",
+    ),
+    (
+        "C_4: (p - q)\\Re(c_i) - \\Re(\\mu) > -\\frac{3}{2} \\text{ for } i=1, \\ldots, t",
+        "System(Located(C_4; Chain(Add(Mul(Add(p, Neg(q)), Call(Re; c_i)), Neg(Call(Re; \\mu))), Neg(Div(3; 2)); >)), Values(i; 1, Dots(), t))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\begin{bmatrix} 1 & 1 \\\\ -1 & 1 \\end{bmatrix} \\begin{bmatrix} 1 \\\\ 0 \\end{bmatrix} = \\begin{bmatrix} 1 \\\\ -1 \\end{bmatrix} , \\qquad \\begin{bmatrix} 1 & 1 \\\\ -1 & 1 \\end{bmatrix} \\begin{bmatrix} 1 \\\\ 1 \\end{bmatrix} = \\begin{bmatrix} 2 \\\\ 0 \\end{bmatrix} , \\qquad \\begin{bmatrix} 1 & 1 \\\\ -1 & 1 \\end{bmatrix} \\begin{bmatrix} 0 \\\\ 1 \\end{bmatrix} = \\begin{bmatrix} 1 \\\\ 1 \\end{bmatrix} .",
+        "System(Chain(Mul(MatrixOf(1, 1, Neg(1), 1), MatrixOf(1, 0)), MatrixOf(1, Neg(1)); =), Chain(Mul(MatrixOf(1, 1, Neg(1), 1), MatrixOf(1, 1)), MatrixOf(2, 0); =), Chain(Mul(MatrixOf(1, 1, Neg(1), 1), MatrixOf(0, 1)), MatrixOf(1, 1); =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "C_{geo} = \\frac{2}{3}Ma^2\\Big(1-\\frac{2}{5}\\sqrt{\\frac{5m}{2f}-1}\\Big)",
+        "Chain(C_{geo}, Mul(Div(2; 3), M, Pow(a; 2), Add(1, Neg(Mul(Div(2; 5), Sqrt(Add(Div(Mul(5, m); Mul(2, f)), Neg(1))))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "\\mathbf{x} = \\begin{bmatrix} {}^A\\mathbf{r}_{S/A} \\\\ {}^A\\mathbf{v}_{S/A} \\\\ {}^A\\mathbf{a} \\\\ \\end{bmatrix}",
+        "Chain(\\mathbf{x}, MatrixOf(\\prescript { A } { } { \\mathbf { r } } _ { S / A }, \\prescript { A } { } { \\mathbf { v } } _ { S / A }, \\prescript { A } { } { \\mathbf { a } }); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/smallBodyNavigation/smallBodyNavUKF/smallBodyNavUKF.rst",
+    ),
+    (
+        "C \\dot{x_1}(t) = -\\frac{2x_1(t)}{R} + \\frac{x_2(t)}{R} + \\frac{u(t)}{R}",
+        "Chain(Mul(C, Call(\\dot{x}_1; t)), Add(Neg(Div(Mul(2, Call(x_1; t)); R)), Div(Call(x_2; t); R), Div(Call(u; t); R)); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/electrical_problems.rst",
+    ),
+    (
+        "||P_0 + t \\cdot \\vec{d} - C|| = r",
+        "Chain(Norm(Add(P_0, Mul(t, \\vec{d}), Neg(C))), r; =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/particleSwarmOptimization/particleSwarmOptimization_main.rst",
+    ),
+    (
+        "\\operatorname{Li}_s(z) = \\sum_{n=1}^\\infty \\frac{z^n}{n^s},",
+        "Chain(Call(\\text{Li}_s; z), BigSum(n; 1; Infinity(); Div(Pow(z; n); Pow(n; s))); =)",
+        "sympy/sympy/sympy/functions/special/zeta_functions.py",
+    ),
+    (
+        "\\left[\\mathbf{Q}\\right] = \\begin{bmatrix}-\\sin\\Omega\\cos i\\sin\\omega + \\cos\\Omega\\cos\\omega & \\cos\\Omega\\cos i\\sin\\omega + \\sin\\Omega\\cos\\omega & \\sin i\\sin\\omega\\\\-\\sin\\Omega\\cos i\\sin\\omega - \\cos\\Omega\\cos\\omega & \\cos\\Omega\\cos i\\sin\\omega - \\sin\\Omega\\cos\\omega & \\sin i\\cos\\omega \\\\\\sin\\Omega\\sin i & -\\cos\\Omega\\sin i & \\cos i\\end{bmatrix}",
+        "Chain([ \\mathbf { Q } ], MatrixOf(Add(Neg(Mul(Call(sin; \\Omega), Call(cos; i), Call(sin; \\omega))), Mul(Call(cos; \\Omega), Call(cos; \\omega))), Add(Mul(Call(cos; \\Omega), Call(cos; i), Call(sin; \\omega)), Mul(Call(sin; \\Omega), Call(cos; \\omega))), Mul(Call(sin; i), Call(sin; \\omega)), Add(Neg(Mul(Call(sin; \\Omega), Call(cos; i), Call(sin; \\omega))), Neg(Mul(Call(cos; \\Omega), Call(cos; \\omega)))), Add(Mul(Call(cos; \\Omega), Call(cos; i), Call(sin; \\omega)), Neg(Mul(Call(sin; \\Omega), Call(cos; \\omega)))), Mul(Call(sin; i), Call(cos; \\omega)), Mul(Call(sin; \\Omega), Call(sin; i)), Neg(Mul(Call(cos; \\Omega), Call(sin; i))), Call(cos; i)); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/6-transformation-between-geocentric-equatorial-and-perifocal-frames.md",
+    ),
+    (
+        "C = \\frac{1}{n}R_h^{1/6}",
+        "Chain(C, Mul(Div(1; n), Pow(R_h; Div(1; 6))); =)",
+        "CalebBell/fluids/fluids/open_flow.py",
+    ),
+    (
+        "\\left| \\frac{x}{y} - \\frac{x+\\xi_1 a}{y+\\xi_2 b} \\right| = \\left|\\frac{x \\xi_2 b - y \\xi_1 a}{y (y+\\xi_2 b)}\\right| \\le \\frac{|xb|+|ya|}{|y| (|y|-b)}",
+        "Chain(Bars(Add(Div(x; y), Neg(Div(Add(x, Mul(\\xi_1, a)); Add(y, Mul(\\xi_2, b)))))), Bars(Div(Add(Mul(x, \\xi_2, b), Neg(Mul(y, \\xi_1, a))); Mul(y, Add(y, Mul(\\xi_2, b))))), Div(Add(Bars(Mul(x, b)), Bars(Mul(y, a))); Mul(Bars(y), Add(Bars(y), Neg(b)))); =, \\le)",
+        "fredrik-johansson/arb/doc/source/arb.rst",
+    ),
+    (
+        "T(k) = R(k) T(k-1) = \\left( \\frac{P(k)}{Q(k)} \\right) T(k-1)",
+        "Chain(Call(T; k), Mul(Call(R; k), Call(T; Add(k, Neg(1)))), Mul(Div(Call(P; k); Call(Q; k)), Call(T; Add(k, Neg(1)))); =, =)",
+        "fredrik-johansson/arb/doc/source/hypgeom.rst",
+    ),
+    (
+        "t_{b1} = t_0 + \\frac{\\Delta t_{\\text{tot}}}{2}",
+        "Chain(t_{b1}, Add(t_0, Div(\\Delta t _ { \\text { t o t } }; 2)); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "p(x_{t} | x_{0:t-1},z_{1:t-1},u_{1:t})=p(x_{t} | x_{t-1},u_{t})",
+        "Chain(Call(p; Given(x_t; x_{0:t-1}, z_{1:t-1}, u_{1:t}; |)), Call(p; Given(x_t; x_{t-1}, u_t; |)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
+    (
+        "F_F = 0.96 - 0.28\\sqrt{\\frac{P_{sat}}{P_c}}",
+        "Chain(F_F, Add(0.96, Neg(Mul(0.28, Sqrt(Div(P_{sat}; P_c))))); =)",
+        "CalebBell/fluids/fluids/control_valve.py",
+    ),
+    (
+        "V ( \\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}} ) = 2 \\ln \\left ( 1 + \\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}} ^{T} \\pmb\\sigma_{\\mathcal{B}/\\mathcal{R}} \\right)",
+        "Chain(Call(V; \\pmb{\\sigma}_{\\mathcal B/\\mathcal R}), Mul(2, Call(ln; Add(1, Mul(Transpose(\\pmb{\\sigma}_{\\mathcal B/\\mathcal R}), \\pmb{\\sigma}_{\\mathcal B/\\mathcal R})))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/attControl/mrpSteering/mrpSteering.rst",
+    ),
+    (
+        "x = t x' + F(x',y')",
+        "Chain(x, Add(Mul(t, x'), Call(F; x', y')); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "-\\frac{\\mu}{r^3}\\boldsymbol{r}\\times\\boldsymbol{h} = \\mu\\frac{d}{dt}\\left(\\frac{\\boldsymbol{r}}{r}\\right)",
+        "Chain(Neg(Cross(Mul(Div(\\mu; Pow(Call(r); 3)), Call(\\boldsymbol{r})); \\boldsymbol{h})), Mul(\\mu, Derivative(Div(Call(\\boldsymbol{r}); Call(r)); t, 1)); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/the-orbit-equation.md",
+    ),
+    (
+        "\\begin{array}{rcl} \\begin{bmatrix}N_x \\\\ N_y\\end{bmatrix} &=& \\frac{1}{\\sqrt{n_x^2+n_y^2}} \\begin{bmatrix}n_x \\\\ n_y\\end{bmatrix} \\\\ \\begin{bmatrix}M_x \\\\ M_y\\end{bmatrix} &=& \\frac{1}{\\sqrt{^em_x^2+^em_y^2}} \\begin{bmatrix}^em_x \\\\ ^em_y\\end{bmatrix} \\end{array}",
+        "System(Chain(MatrixOf(N_x, N_y), Mul(Div(1; Sqrt(Add(Pow(n_x; 2), Pow(n_y; 2)))), MatrixOf(n_x, n_y)); =), Chain(MatrixOf(M_x, M_y), Mul(Div(1; Sqrt(Add(Pow(\\prescript { e } { } { m } _ { x }; 2), Pow(\\prescript { e } { } { m } _ { y }; 2)))), MatrixOf(\\prescript { e } { } { m } _ { x }, \\prescript { e } { } { m } _ { y })); =))",
+        "Mayitzin/ahrs/ahrs/filters/fqa.py",
+    ),
+    (
+        "\\zeta(s,a) = \\frac{1}{s-1} + \\sum_{n=0}^\\infty \\frac{(-1)^n}{n!} \\gamma_n(a) (s-1)^n.",
+        "Chain(Call(\\zeta; s, a), Add(Div(1; Add(s, Neg(1))), BigSum(n; 0; Infinity(); Mul(Div(Pow(Neg(1); n); Factorial(n)), Call(\\gamma_n; a), Pow(Add(s, Neg(1)); n)))); =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "J_2 = \\frac{e^2}{3} \\Big(1-\\frac{2me'}{15q_0}\\Big)",
+        "Chain(J_2, Mul(Div(Pow(e; 2); 3), Add(1, Neg(Div(Mul(2, m, e'); Mul(15, q_0))))); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "\\dot x_1 &= x_2 - x_1^3, \\\\ \\dot x_2 &= - x_1 - x_2^3.",
+        "System(Chain(Call(\\dot{x}_1), Add(Call(x_2), Neg(Pow(Call(x_1); 3))); =), Chain(Call(\\dot{x}_2), Add(Neg(Call(x_1)), Neg(Pow(Call(x_2); 3))); =))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\begin{array}{cl} \\mathbf{b} &= R_y(-\\theta)R_x(-\\phi)\\mathbf{m} = R_y(\\theta)^TR_x(\\phi)^T\\mathbf{m} \\\\ &= \\begin{bmatrix} \\cos\\theta & \\sin\\theta\\sin\\phi & \\sin\\theta\\cos\\phi \\\\ 0 & \\cos\\phi & -\\sin\\phi \\\\ -\\sin\\theta & \\cos\\theta\\sin\\phi & \\cos\\theta\\cos\\phi \\end{bmatrix} \\begin{bmatrix}m_x \\\\ m_y \\\\ m_z\\end{bmatrix} \\\\ \\begin{bmatrix}b_x \\\\ b_y \\\\ b_z\\end{bmatrix} &= \\begin{bmatrix} m_x\\cos\\theta + m_y\\sin\\theta\\sin\\phi + m_z\\sin\\theta\\cos\\phi \\\\ m_y\\cos\\phi - m_z\\sin\\phi \\\\ -m_x\\sin\\theta + m_y\\cos\\theta\\sin\\phi + m_z\\cos\\theta\\cos\\phi \\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{b}, Mul(R_y, Neg(\\theta), R_x, Neg(\\phi), \\mathbf{m}), Mul(R_y, Transpose(\\theta), R_x, Transpose(\\phi), \\mathbf{m}), Mul(MatrixOf(Call(cos; \\theta), Mul(Call(sin; \\theta), Call(sin; \\phi)), Mul(Call(sin; \\theta), Call(cos; \\phi)), 0, Call(cos; \\phi), Neg(Call(sin; \\phi)), Neg(Call(sin; \\theta)), Mul(Call(cos; \\theta), Call(sin; \\phi)), Mul(Call(cos; \\theta), Call(cos; \\phi))), MatrixOf(m_x, m_y, m_z)); =, =, =), Chain(MatrixOf(b_x, b_y, b_z), MatrixOf(Add(Mul(m_x, Call(cos; \\theta)), Mul(m_y, Call(sin; \\theta), Call(sin; \\phi)), Mul(m_z, Call(sin; \\theta), Call(cos; \\phi))), Add(Mul(m_y, Call(cos; \\phi)), Neg(Mul(m_z, Call(sin; \\phi)))), Add(Neg(Mul(m_x, Call(sin; \\theta))), Mul(m_y, Call(cos; \\theta), Call(sin; \\phi)), Mul(m_z, Call(cos; \\theta), Call(cos; \\phi)))); =))",
+        "Mayitzin/ahrs/ahrs/filters/tilt.py",
+    ),
+    (
+        "\\tan\\left( \\frac{f}{2} \\right) = \\sqrt{ \\frac{1+e}{1-e} } \\tan\\left( \\frac{E}{2} \\right)",
+        "Chain(Call(tan; Div(f; 2)), Mul(Sqrt(Div(Add(1, e); Add(1, Neg(e)))), Call(tan; Div(E; 2))); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\chi_{i = 0} = \\frac{\\chi^{+} + \\chi^{-}}{2}",
+        "Chain(\\chi_{i=0}, Div(Add(\\chi ^ { + }, \\chi ^ { - }); 2); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "H_n(z) = 2^n \\sqrt{\\pi} \\left( \\frac{1}{\\Gamma((1-n)/2)} {}_1F_1\\left(-\\frac{n}{2},\\frac{1}{2},z^2\\right) - \\frac{2z}{\\Gamma(-n/2)} {}_1F_1\\left(\\frac{1-n}{2},\\frac{3}{2},z^2\\right)\\right).",
+        "Chain(Call(H_n; z), Mul(Pow(2; n), Sqrt(\\pi), Add(Mul(Div(1; Call(Gamma; Div(Add(1, Neg(n)); 2))), Call(\\prescript { } { 1 } { F } _ { 1 }; Neg(Div(n; 2)), Div(1; 2), Pow(z; 2))), Neg(Mul(Div(Mul(2, z); Call(Gamma; Neg(Div(n; 2)))), Call(\\prescript { } { 1 } { F } _ { 1 }; Div(Add(1, Neg(n)); 2), Div(3; 2), Pow(z; 2)))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "k(\\tau) = \\frac{B}{2+C}\\,e^{-\\tau/L}\\,\\left[ \\cos\\left(\\frac{2\\,\\pi\\,\\tau}{P_\\mathrm{rot}}\\right) + (1 + C) \\right]",
+        "Chain(Call(k; \\tau), Mul(Div(B; Add(2, C)), Pow(e; Neg(Div(\\tau; L))), Add(Call(cos; Div(Mul(2, \\pi, \\tau); P_{rot})), Add(1, C))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\bar{f}_k(\\dot{\\bar{q}}, \\dot{\\bar{q}}_r, \\bar{u}, \\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^N \\\\ \\bar{f}_d(\\dot{\\bar{u}}, \\bar{u}, \\bar{q}, \\bar{q}_r, t) = 0 \\in \\mathbb{R}^n",
+        "System(Chain(Call(\\bar{f}_k; Call(\\dot{\\bar{q}}), Call(\\dot{\\bar{q}}_r), Call(\\bar{u}), Call(\\bar{q}), Call(\\bar{q}_r), t), 0, Pow(\\mathbb{R}; N); =, \\in), Chain(Call(\\bar{f}_d; Call(\\dot{\\bar{u}}), Call(\\bar{u}), Call(\\bar{q}), Call(\\bar{q}_r), t), 0, Pow(\\mathbb{R}; n); =, \\in))",
+        "moorepants/learn-multibody-dynamics/holonomic-eom.rst",
+    ),
+    (
+        "B_n(x) = x \\sum_{k=1}^{n-1} \\binom{n-1}{k-1} B_{k-1}(x).",
+        "Chain(Call(B_n; x), Mul(x, BigSum(k; 1; Add(n, Neg(1)); Mul(Binomial(Add(n, Neg(1)); Add(k, Neg(1))), Call(B_{k-1}; x)))); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "-(k+2)^2 c_{k+2} = (3k(k+3)+7) c_{k+1} + (k+1)^2 c_{k}",
+        "Chain(Neg(Mul(Pow(Add(k, 2); 2), c_{k+2})), Add(Mul(Add(Mul(3, k, Add(k, 3)), 7), c_{k+1}), Mul(Pow(Add(k, 1); 2), c_k)); =)",
+        "fredrik-johansson/arb/doc/source/agm.rst",
+    ),
+    (
+        "{\\bf J}({\\bf q}) = \\begin{bmatrix} {\\bf n}\\\\ {\\bf t}_1\\\\ {\\bf t}_2 \\end{bmatrix}.",
+        "Chain(Call(\\mathbf{J}; \\mathbf{q}), MatrixOf(\\mathbf{n}, \\mathbf{t}_1, \\mathbf{t}_2); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "A_1 = \\begin{bmatrix} 2\\mu/R^3 + \\dot{\\theta}^2 & \\ddot{\\theta} & 0 \\\\ -\\ddot{\\theta} & \\dot{\\theta}^2 - \\mu/R^3 & 0 \\\\ 0 & 0 & -\\mu/R^3 \\end{bmatrix}, \\qquad A_2 = \\begin{bmatrix} 0 & 2\\dot{\\theta} & 0 \\\\ -2\\dot{\\theta} & 0 & 0 \\\\ 0 & 0 & 0 \\end{bmatrix}.",
+        "System(Chain(A_1, MatrixOf(Add(Div(Mul(2, \\mu); Pow(R; 3)), Pow(Call(\\dot{\\theta}); 2)), Call(\\ddot{\\theta}), 0, Neg(Call(\\ddot{\\theta})), Add(Pow(Call(\\dot{\\theta}); 2), Neg(Div(\\mu; Pow(R; 3)))), 0, 0, 0, Neg(Div(\\mu; Pow(R; 3)))); =), Chain(A_2, MatrixOf(0, Mul(2, Call(\\dot{\\theta})), 0, Neg(Mul(2, Call(\\dot{\\theta}))), 0, 0, 0, 0, 0); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/hillFrameRelativeControl/hillFrameRelativeControl.rst",
+    ),
+    (
+        "\\dot{\\bf x} = {\\bf A}{\\bf x} + {\\bf B}{\\bf u},\\quad {\\bf y} = {\\bf C} {\\bf x},",
+        "System(Chain(Call(\\dot{\\mathbf{x}}), Add(Mul(\\mathbf{A}, Call(\\mathbf{x})), Mul(\\mathbf{B}, \\mathbf{u})); =), Chain(\\mathbf{y}, Mul(\\mathbf{C}, Call(\\mathbf{x})); =))",
+        "RussTedrake/underactuated/book/output_feedback.html",
+    ),
+    (
+        "I_1 = I_2 = I_3 = \\frac16 Ma^2",
+        "Chain(I_1, I_2, I_3, Mul(Div(1; 6), M, Pow(a; 2)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "K = A + \\mathrm{tril}(U\\,V^\\mathrm{T}) + \\mathrm{triu}(V\\,U^\\mathrm{T})",
+        "Chain(K, Add(A, Call(\\text{tril}; Mul(U, Transpose(V))), Call(\\text{triu}; Mul(V, Transpose(U)))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\begin{array}{ll} X & = X'\\cos(\\phi ' - \\phi) - Z' \\sin(\\phi ' - \\phi) \\\\ Y & = Y' \\\\ Z & = X'\\sin(\\phi ' - \\phi) + Z' \\cos(\\phi ' - \\phi) \\end{array}",
+        "System(Chain(X, Add(Mul(X', Call(cos; Add(\\phi', Neg(\\phi)))), Neg(Mul(Z', Call(sin; Add(\\phi', Neg(\\phi)))))); =), Chain(Y, Y'; =), Chain(Z, Add(Mul(X', Call(sin; Add(\\phi', Neg(\\phi)))), Mul(Z', Call(cos; Add(\\phi', Neg(\\phi))))); =))",
+        "Mayitzin/ahrs/ahrs/utils/wmm.py",
+    ),
+    (
+        "\\rho(t) = \\pm \\ddot{\\rho}_{\\text{max}} \\left( \\frac{(t - t_0)^4}{4 t_{\\text{smooth}}^2} - \\frac{(t - t_0)^5}{10 t_{\\text{smooth}}^3} \\right)",
+        "Chain(Call(\\rho; t), PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Div(Pow(Add(t, Neg(t_0)); 4); Mul(4, Pow(t_{smooth}; 2))), Neg(Div(Pow(Add(t, Neg(t_0)); 5); Mul(10, Pow(t_{smooth}; 3))))))); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\mathbf{\\Xi}_t = \\begin{bmatrix} q_x & q_y & q_z \\\\ -q_w & -q_z & q_y \\\\ q_z & -q_w & -q_x \\\\ -q_y & q_x & -q_w \\end{bmatrix}",
+        "Chain(\\mathbf{\\Xi}_t, MatrixOf(q_x, q_y, q_z, Neg(q_w), Neg(q_z), q_y, q_z, Neg(q_w), Neg(q_x), Neg(q_y), q_x, Neg(q_w)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "\\operatorname{Ai}(z) = e^{+\\pi i/3} \\operatorname{Ai}(z_1) + e^{-\\pi i/3} \\operatorname{Ai}(z_2)",
+        "Chain(Call(\\text{Ai}; z), Add(Mul(Pow(e; Div(Mul(\\pi, i); 3)), Call(\\text{Ai}; z_1)), Mul(Pow(e; Neg(Div(Mul(\\pi, i); 3))), Call(\\text{Ai}; z_2))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\mathbf{z}_{t} = h(\\mathbf{x}_t) = \\mathbf{H} \\mathbf{x}_t",
+        "Chain(\\mathbf{z}_t, Call(h; \\mathbf{x}_t), Mul(\\mathbf{H}, \\mathbf{x}_t); =, =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/2_localization/unscented_kalman_filter_localization/unscented_kalman_filter_localization_main.rst",
+    ),
+    (
+        "\\boldsymbol{v}_{\\infty,2} = v_{\\infty}\\cos\\phi_2 \\boldsymbol{\\hat{u}}_V + v_{\\infty} \\sin\\phi_2 \\boldsymbol{\\hat{u}}_S",
+        "Chain(\\boldsymbol{v}_{\\infty,2}, Add(Mul(v_\\infty, Call(cos; \\phi_2), \\hat{\\boldsymbol{u}}_V), Mul(v_\\infty, Call(sin; \\phi_2), \\hat{\\boldsymbol{u}}_S)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/planetary-arrival-flyby.md",
+    ),
+    (
+        "\\frac{d\\omega}{dt} = \\dot{\\omega} = -\\left[\\frac{3}{2}\\frac{\\sqrt{\\mu}J_2 R^2}{\\left(1 - e^2\\right)^2 a^{7/2}}\\right]\\left(\\frac{5}{2}\\sin^2 i - 2\\right)",
+        "Chain(Derivative(Call(\\omega); t, 1), Call(\\dot{\\omega}), Neg(Mul(Mul(Div(3; 2), Div(Mul(Sqrt(\\mu), J_2, Pow(R; 2)); Mul(Pow(Add(1, Neg(Pow(e; 2))); 2), Pow(a; Div(7; 2))))), Add(Mul(Div(5; 2), Pow(Call(sin; i); 2)), Neg(2)))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/7-effects-of-the-earths-oblateness.md",
+    ),
+    (
+        "\\dot{\\bar{f}}_h(\\bar{u}, \\bar{u}_r, \\bar{q}, \\bar{q}_r, t) = \\mathbf{M}_{hd}\\bar{u}_r + \\bar{g}_{hd} = 0 \\in \\mathbb{R}^M",
+        "Chain(Call(\\dot{\\bar{f}}_h; \\bar{u}, \\bar{u}_r, \\bar{q}, \\bar{q}_r, t), Add(Mul(\\mathbf{M}_{hd}, \\bar{u}_r), \\bar{g}_{hd}), 0, Pow(\\mathbb{R}; M); =, =, \\in)",
+        "moorepants/learn-multibody-dynamics/holonomic-eom.rst",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}}_1 = - \\frac{\\mu''}{r_1^3}\\boldsymbol{r}_1",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}_1), Neg(Mul(Div(\\mu''; Pow(Call(r_1); 3)), Call(\\boldsymbol{r}_1))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "Q = \\frac{2}{3}\\sqrt{2}\\left(0.602 + 0.0832\\frac{h_1}{h_2}\\right) b\\sqrt{g} (h_1 +0.00125)^{1.5}",
+        "Chain(Q, Mul(Div(2; 3), Sqrt(2), Add(0.602, Mul(0.0832, Div(h_1; h_2))), b, Sqrt(g), Pow(Add(h_1, 0.00125); 1.5)); =)",
+        "CalebBell/fluids/fluids/open_flow.py",
+    ),
+    (
+        "^C_A\\mathbf{q} = \\,^C_B\\mathbf{q} \\, ^B_A\\mathbf{q}",
+        "Chain(\\prescript { C } { A } { \\mathbf { q } }, Mul(\\prescript { C } { B } { \\mathbf { q } }, \\prescript { B } { A } { \\mathbf { q } }); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "y(x) = \\int_{x_0}^x f(t) \\,dt + y_0 .",
+        "Chain(Call(y; x), Add(Integral(Call(f; t); t; x_0; x), y_0); =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "\\frac{\\Delta m}{m} = 1 - e^{\\frac{-\\Delta v}{I_{sp}g_0}}",
+        "Chain(Div(\\Delta m; m), Add(1, Neg(Pow(e; Div(Neg(\\Delta v); Mul(I_{sp}, g_0))))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/impulsive-maneuvers.md",
+    ),
+    (
+        "\\eta = \\nu_i - \\nu_f",
+        "Chain(\\eta, Add(\\nu_i, Neg(\\nu_f)); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/apse-line-rotation-example.md",
+    ),
+    (
+        "y = C_1 e^{3x} \\cos (2x) + C_2 e^{3x} \\sin (2x) .",
+        "Chain(y, Add(Mul(C_1, Pow(e; Mul(3, x)), Call(cos; Mul(2, x))), Mul(C_2, Pow(e; Mul(3, x)), Call(sin; Mul(2, x)))); =)",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "{\\bf f}_\\theta({\\bf u}, \\sigma, {\\bf x}) = \\frac{1}{\\sigma}\\left[{\\bf u} + {\\bf K}{\\bf x}\\right].",
+        "Chain(Call(\\mathbf{f}_\\theta; \\mathbf{u}, \\sigma, \\mathbf{x}), Mul(Div(1; \\sigma), Add(\\mathbf{u}, Mul(\\mathbf{K}, \\mathbf{x}))); =)",
+        "RussTedrake/underactuated/book/imitation.html",
+    ),
+    (
+        "\\zeta(3) = \\frac{1}{64} \\sum_{k=0}^\\infty (-1)^k (205k^2 + 250k + 77) \\frac{(k!)^{10}}{[(2k+1)!]^5}.",
+        "Chain(Call(\\zeta; 3), Mul(Div(1; 64), BigSum(k; 0; Infinity(); Mul(Pow(Neg(1); k), Add(Mul(205, Pow(k; 2)), Mul(250, k), 77), Div(Pow(Factorial(k); 10); Pow(Factorial(Add(Mul(2, k), 1)); 5))))); =)",
+        "fredrik-johansson/arb/doc/source/constants.rst",
+    ),
+    (
+        "E = \\frac{1}{2} \\begin{bmatrix} 2\\sin(\\frac{\\theta}{2}) \\\\ \\dot\\theta \\end{bmatrix}^T \\begin{bmatrix} mgl & 0 \\\\ 0 & ml^2 \\end{bmatrix} \\begin{bmatrix} 2\\sin(\\frac{\\theta}{2}) \\\\ \\dot\\theta \\end{bmatrix}.",
+        "Chain(E, Mul(Div(1; 2), Transpose(MatrixOf(Mul(2, Call(sin; Div(Call(\\theta); 2))), Call(\\dot{\\theta}))), MatrixOf(Mul(m, g, l), 0, 0, Mul(m, Pow(l; 2))), MatrixOf(Mul(2, Call(sin; Div(Call(\\theta); 2))), Call(\\dot{\\theta}))); =)",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "C_{13}: |\\arg(\\omega)| = c^*\\pi",
+        "Located(C_{13}; Chain(Bars(Call(arg; \\omega)), Mul(c ^ { * }, \\pi); =))",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "y' = h(t) x + p(t) y",
+        "Chain(y', Add(Mul(Call(h; t), x), Mul(Call(p; t), y)); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\boldsymbol{F}' = \\boldsymbol{F} - m\\boldsymbol{a}_0 - m\\dot{\\boldsymbol{\\omega}}_0 \\times \\boldsymbol{r}' - m\\boldsymbol{\\omega}_0 \\times (\\boldsymbol{\\omega}_0 \\times \\boldsymbol{r}') - 2m\\boldsymbol{\\omega}_0 \\times \\boldsymbol{v}'",
+        "Chain(\\boldsymbol{F}', Add(\\boldsymbol{F}, Neg(Mul(m, \\boldsymbol{a}_0)), Neg(Cross(Mul(m, Call(\\dot{\\boldsymbol{\\omega}}_0)); \\boldsymbol{r}')), Neg(Cross(Mul(m, Call(\\boldsymbol{\\omega}_0)); Cross(Call(\\boldsymbol{\\omega}_0); \\boldsymbol{r}'))), Neg(Cross(Mul(2, m, Call(\\boldsymbol{\\omega}_0)); \\boldsymbol{v}'))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "J_1 \\ddot{\\theta}_1 + B_{r1} \\dot{\\theta}_1 + K_r\\theta_1 - B_{r1} \\dot{\\theta}_2 = - \\tau_a",
+        "Chain(Add(Mul(J_1, Call(\\ddot{\\theta}_1)), Mul(B_{r1}, Call(\\dot{\\theta}_1)), Mul(K_r, Call(\\theta_1)), Neg(Mul(B_{r1}, Call(\\dot{\\theta}_2)))), Neg(\\tau_a); =)",
+        "sympy/sympy/doc/src/tutorials/physics/control/mechanics_problems.rst",
+    ),
+    (
+        "\\int_{t_c^-}^{t_c^+} \\lambda dt = - (1+e)\\left[ {\\bf n} {\\bf M}^{-1} {\\bf n}^T \\right]^\\# {\\bf n} {\\bf v}^-.",
+        "Chain(Integral(\\lambda; t; t _ { c } ^ { - }; t _ { c } ^ { + }), Neg(Mul(Add(1, e), Marked(Mul(\\mathbf{n}, Pow(\\mathbf{M}; Neg(1)), Transpose(\\mathbf{n})); ^\\#), \\mathbf{n}, \\mathbf { v } ^ { - })); =)",
+        "RussTedrake/underactuated/book/multibody.html",
+    ),
+    (
+        "\\Big[I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d_{i2}^2 + m_{\\text{sp}_{i2}} l_{i1} d_{i2} \\hat{\\bm s}_{i2,3}^T \\bm{\\hat{s}}_{i1,3} \\Big] \\ddot\\theta_{i1} + \\Big[I_{s_{i2,2}} + m_{\\text{sp}_{i2}} d_{i2}^2 \\Big] \\ddot\\theta_{i2} = \\\\ -\\Big[m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T\\Big] \\ddot{\\bm{r}}_{B/N} - \\Big[I_{s_{i2,2}} \\hat{\\bm s}_{i2,2}^T + m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T [\\tilde{\\bm{r}}_{S_{c,i2}/B}]\\Big] \\dot{\\bm\\omega}_{\\cal B/N} - (I_{s_{i2,1}} - I_{s_{i2,3}}) \\omega_{s_{i2,3}} \\omega_{s_{i2,1}} \\\\ - k_{i2} \\theta_{i2} - c_{i2} \\dot{\\theta}_{i2} + \\hat{\\bm s}_{i2,2}^T \\bm \\tau_{\\text{ext}_{i2},H_{i2}} - m_{\\text{sp}_{i2}} d_{i2} \\hat{\\bm s}_{i2,3}^T \\Big[ 2 [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}'_{S_{c,i2}/B} \\\\ + [\\tilde{\\bm\\omega}_{\\cal B/N}] [\\tilde{\\bm\\omega}_{\\cal B/N}] \\bm{r}_{S_{c,i2}/B} + l_{i1} \\dot{\\theta}_{i1}^2 \\bm{\\hat{s}}_{i1,1} \\Big]",
+        "Chain(Add(Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2)), Mul(m_{sp_i2}, l_{i1}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), \\hat{\\bm{s}}_{i1,3})), Call(\\ddot{\\theta}_{i1})), Mul(Add(I_{s_i2,2}, Mul(m_{sp_i2}, Pow(d_{i2}; 2))), Call(\\ddot{\\theta}_{i2}))), Add(Neg(Mul(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3})), Call(\\ddot{\\bm{r}}_{B/N}))), Neg(Mul(Add(Mul(I_{s_i2,2}, Transpose(\\hat{\\bm{s}}_{i2,2})), Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), [ \\tilde { \\bm { r } } _ { S _ { c , i 2 } / B } ])), Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }))), Neg(Mul(Add(I_{s_i2,1}, Neg(I_{s_i2,3})), \\omega_{s_i2,3}, \\omega_{s_i2,1})), Neg(Mul(k_{i2}, Call(\\theta_{i2}))), Neg(Mul(c_{i2}, Call(\\dot{\\theta}_{i2}))), Mul(Transpose(\\hat{\\bm{s}}_{i2,2}), \\bm{\\tau}_{ext_i2,H_i2}), Neg(Mul(m_{sp_i2}, d_{i2}, Transpose(\\hat{\\bm{s}}_{i2,3}), Add(Mul(2, [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}'), Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], [ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], \\bm{r}_{S_c,i2/B}), Mul(l_{i1}, Pow(Call(\\dot{\\theta}_{i1}); 2), \\hat{\\bm{s}}_{i1,1}))))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\bar{f}_n(\\bar{u}_s, \\bar{u}_r, \\bar{q}, t) = \\mathbf{A}_r(\\bar{q}, t) \\bar{u}_r + \\mathbf{A}_s(\\bar{q}, t) \\bar{u}_s + \\bar{b}_{rs}(\\bar{q}, t) = 0",
+        "Chain(Call(\\bar{f}_n; \\bar{u}_s, \\bar{u}_r, \\bar{q}, t), Add(Mul(Call(\\mathbf{A}_r; \\bar{q}, t), \\bar{u}_r), Mul(Call(\\mathbf{A}_s; \\bar{q}, t), \\bar{u}_s), Call(\\bar{b}_{rs}; \\bar{q}, t)), 0; =, =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "{}^A \\bar{H}^{B/O} := \\breve{I}^{B/O} \\cdot {}^A\\bar{\\omega}^B",
+        "Chain(\\prescript { A } { } { \\bar { H } } ^ { B / O }, Mul(\\breve { I } ^ { B / O }, \\prescript { A } { } { \\bar { \\omega } } ^ { B }); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\dot{\\theta}_{i1} \\hat{\\bm s}_{i1,2} \\times [I_{\\text{sp}_{i1},S_{c,i1}}]\\bm \\omega_{\\cal{B/N}} = \\dot{\\theta}_{i1} {\\vphantom{\\begin{bmatrix} 0 & 0 & 1 \\\\ 0 & 0 & 0 \\\\ -1 & 0 & 0 \\end{bmatrix}}}^{\\mathcal{S}_{i1}\\!}{\\begin{bmatrix} 0 & 0 & 1 \\\\ 0 & 0 & 0 \\\\ -1 & 0 & 0 \\end{bmatrix}} {\\vphantom{\\begin{bmatrix} I_{s_{i1,1}} & 0 & 0 \\\\ 0 & I_{s_{i1,2}} & 0 \\\\ 0 & 0 & I_{s_{i1,3}} \\end{bmatrix}}}^{\\mathcal{S}_{i1}\\!}{\\begin{bmatrix} I_{s_{i1,1}} & 0 & 0 \\\\ 0 & I_{s_{i1,2}} & 0 \\\\ 0 & 0 & I_{s_{i1,3}} \\end{bmatrix}} {\\vphantom{\\bm \\omega_{\\cal{B/N}}}}^{\\mathcal{S}_{i1}\\!}{\\bm \\omega_{\\cal{B/N}}}",
+        "Chain(Cross(Mul(Call(\\dot{\\theta}_{i1}), \\hat{\\bm{s}}_{i1,2}); Mul([ I _ { \\text { s p } _ { i 1 } , S _ { c , i 1 } } ], \\bm{\\omega}_{\\cal B/N})), Mul(Call(\\dot{\\theta}_{i1}), Marked(MatrixOf(0, 0, 1, 0, 0, 0, Neg(1), 0, 0); _{ \\mathcal { S } _ { i 1 } }), Marked(MatrixOf(I_{s_i1,1}, 0, 0, 0, I_{s_i1,2}, 0, 0, 0, I_{s_i1,3}); _{ \\mathcal { S } _ { i 1 } }), \\prescript { \\mathcal { S } _ { i 1 } \\! } { } { \\bm { \\omega } } _ { \\cal B / N }); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\cos i = \\hat{\\bm \\imath}_{h} \\cdot \\hat{\\bm n}_{3}",
+        "Chain(Call(cos; i), Mul(\\hat{\\bm{\\imath}}_h, \\hat{\\bm{n}}_3; 1); =)",
+        "AVSLab/basilisk/src/architecture/utilitiesSelfCheck/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\Omega = \\begin{cases} \\cos^{-1}\\left(\\frac{N_X}{N}\\right) & N_Y \\geq 0 \\\\ 2\\pi - \\cos^{-1}\\left(\\frac{N_X}{N}\\right) & N_Y < 0 \\end{cases}",
+        "Chain(\\Omega, Piecewise(Call(arccos; Div(N_X; N)), Chain(N_Y, 0; \\ge), Add(Mul(2, \\pi), Neg(Call(arccos; Div(N_X; N)))), Chain(N_Y, 0; <)); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\begin{cases} \\displaystyle q_\\alpha = -\\frac{\\partial F_3}{\\partial p_\\alpha} \\\\[1.5ex] \\displaystyle P_\\alpha = -\\frac{\\partial F_3}{\\partial Q_\\alpha} \\\\[1.5ex] \\displaystyle K = H + \\frac{\\partial F_3}{\\partial t} \\end{cases}",
+        "System(Chain(q_\\alpha, Neg(Derivative(Call(F_3); p_\\alpha, 1; True)); =), Chain(P_\\alpha, Neg(Derivative(Call(F_3); Q_\\alpha, 1; True)); =), Chain(K, Add(H, Derivative(Call(F_3); t, 1; True)); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "{}^A\\text{v}^B_G = {}^GR^F {}^A\\text{v}^B_F, \\qquad {}^A\\omega^B_G = {}^GR^F {}^A\\omega^B_F.",
+        "System(Chain(\\prescript { A } { } { \\text { v } } _ { G } ^ { B }, Mul(\\prescript { G } { } { R } ^ { F }, \\prescript { A } { } { \\text { v } } _ { F } ^ { B }); =), Chain(\\prescript { A } { } { \\omega } _ { G } ^ { B }, Mul(\\prescript { G } { } { R } ^ { F }, \\prescript { A } { } { \\omega } _ { F } ^ { B }); =))",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "^B\\mathbf{v}_q = \\, ^B_A\\mathbf{q} \\, ^A\\mathbf{v}_q \\, ^B_A\\mathbf{q}^*",
+        "Chain(\\prescript { B } { } { \\mathbf { v } } _ { q }, Mul(\\prescript { B } { A } { \\mathbf { q } }, \\prescript { A } { } { \\mathbf { v } } _ { q }, \\prescript { B } { A } { \\mathbf { q } } ^ { * }); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "S(\\omega) = \\sum_{j=1}^J \\sqrt{\\frac{2}{\\pi}} \\frac{(a_j\\,c_j+b_j\\,d_j)\\,({c_j}^2+{d_j}^2)+(a_j\\,c_j-b_j\\,d_j)\\,\\omega^2} {\\omega^4+2\\,({c_j}^2-{d_j}^2)\\,\\omega^2+{({c_j}^2+{d_j}^2)}^2}\\quad.",
+        "Chain(Call(S; \\omega), BigSum(j; 1; J; Mul(Sqrt(Div(2; \\pi)), Div(Add(Mul(Add(Mul(a_j, c_j), Mul(b_j, d_j)), Add(Pow(c_j; 2), Pow(d_j; 2))), Mul(Add(Mul(a_j, c_j), Neg(Mul(b_j, d_j))), Pow(\\omega; 2))); Add(Pow(\\omega; 4), Mul(2, Add(Pow(c_j; 2), Neg(Pow(d_j; 2))), Pow(\\omega; 2)), Pow(Add(Pow(c_j; 2), Pow(d_j; 2)); 2))))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "P(s[n+1] = s | {\\bf b}[n] = {\\bf b}_n, {\\bf h}[n] = {\\bf h}_n, a[n] = a_n) = P(s[n+1] = s | {\\bf b}[n] = {\\bf b}_n, a[n] = a_n).",
+        "Chain(Call(P; Given(Chain(Indexed(s; Add(n, 1)), s; =); Chain(Indexed(\\mathbf{b}; n), \\mathbf{b}_n; =), Chain(Indexed(\\mathbf{h}; n), \\mathbf{h}_n; =), Chain(Indexed(a; n), a_n; =); |)), Call(P; Given(Chain(Indexed(s; Add(n, 1)), s; =); Chain(Indexed(\\mathbf{b}; n), \\mathbf{b}_n; =), Chain(Indexed(a; n), a_n; =); |)); =)",
+        "RussTedrake/underactuated/book/output_feedback.html",
+    ),
+    (
+        "{}^Op^{m_1}=\\begin{pmatrix} 1 \\\\ 0 \\end{pmatrix} \\qquad {}^Op^{m_2}=\\begin{pmatrix} -1 \\\\ 0 \\end{pmatrix} \\qquad {}^Wp^{s_1}=\\begin{pmatrix} 1 \\\\ 0 \\end{pmatrix} \\qquad {}^Wp^{s_2}=\\begin{pmatrix} -1 \\\\ 0 \\end{pmatrix}.",
+        "System(Chain(\\prescript { O } { } { p } ^ { m _ { 1 } }, MatrixOf(1, 0); =), Chain(\\prescript { O } { } { p } ^ { m _ { 2 } }, MatrixOf(Neg(1), 0); =), Chain(\\prescript { W } { } { p } ^ { s _ { 1 } }, MatrixOf(1, 0); =), Chain(\\prescript { W } { } { p } ^ { s _ { 2 } }, MatrixOf(Neg(1), 0); =))",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "e^{\\int P(x) \\, dx} = e^{\\ln (x+1)} = x+1 .",
+        "Chain(Pow(e; Antiderivative(Call(P; x); x)), Pow(e; Call(ln; Add(x, 1))), Add(x, 1); =, =)",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "[colback=white,colframe=black,boxrule=0.5pt,top=1.5pt,bottom=1.5pt]{ ~~ \\omega = \\sqrt{\\omega_0^2 - 2p^2} \\quad \\text{or} \\quad \\omega = 0 . ~~ }",
+        "System(Chain(\\omega, Sqrt(Add(Pow(\\omega_0; 2), Neg(Mul(2, Pow(p; 2))))); =), Words(\\text{~or~}), Chain(\\omega, 0; =))",
+        "jirilebl/diffyqs/ch-higher-order-ode.tex",
+    ),
+    (
+        "(x^2 - x) y'' + ((a + b + 1) x - c) y' + b a y = 0\\text{,}",
+        "Chain(Add(Mul(Add(Pow(x; 2), Neg(x)), y''), Mul(Add(Mul(Add(a, b, 1), x), Neg(c)), y'), Mul(b, a, y)), 0; =)",
+        "sympy/sympy/sympy/solvers/ode/single.py",
+    ),
+    (
+        "\\cosh F = \\frac{x}{a}",
+        "Chain(Call(cosh; F), Div(x; a); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\frac{dx}{dt} &= A x + B u \\\\ y &= C x + D u",
+        "System(Chain(Derivative(Call(x); t, 1), Add(Mul(A, Call(x)), Mul(B, u)); =), Chain(y, Add(Mul(C, Call(x)), Mul(D, u)); =))",
+        "python-control/python-control/doc/linear.rst",
+    ),
+    (
+        "K = K_{L/T}f\\frac{L}{D}",
+        "Chain(K, Mul(K_{L/T}, f, Div(L; D)); =)",
+        "CalebBell/fluids/fluids/mixing.py",
+    ),
+    (
+        "m\\frac{\\mathrm{d} \\boldsymbol{v}}{\\mathrm{d} t} = m\\boldsymbol{g} - k\\boldsymbol{v}",
+        "Chain(Mul(m, Derivative(Call(\\boldsymbol{v}); t, 1)), Add(Mul(m, \\boldsymbol{g}), Neg(Mul(k, Call(\\boldsymbol{v})))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/vectorial-mechanics/Dynamics.tex",
+    ),
+    (
+        "m \\ddot{\\boldsymbol{R}} = \\boldsymbol{F}_s + \\boldsymbol{F}_p",
+        "Chain(Mul(m, Call(\\ddot{\\boldsymbol{R}})), Add(\\boldsymbol{F}_s, \\boldsymbol{F}_p); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/sphere-of-influence.md",
+    ),
+    (
+        "\\log\\mathbf{q} = \\begin{bmatrix} 0 & 0 & 0 & 0 \\end{bmatrix}",
+        "Chain(Call(log; \\mathbf{q}), MatrixOf(0, 0, 0, 0); =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "{}^PX^C(q) = {}^PX^{J_P} {}^{J_P}X^{J_C}(q) {}^{J_C}X^C.",
+        "Chain(Call(\\prescript { P } { } { X } ^ { C }; q), Mul(\\prescript { P } { } { X } ^ { J _ { P } }, Call(\\prescript { J _ { P } } { } { X } ^ { J _ { C } }; q), \\prescript { J _ { C } } { } { X } ^ { C }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "I_m[s,t] = s I_{m-1}[s,t] + t R_{m-1}[s,t]",
+        "Chain(Indexed(I_m; s, t), Add(Mul(s, Indexed(I_{m-1}; s, t)), Mul(t, Indexed(R_{m-1}; s, t))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "A = \\begin{bmatrix} a_{11} & a_{12} & a_{13} \\\\ a_{21} & a_{22} & a_{23} \\end{bmatrix} \\qquad \\text{and} \\qquad \\vec{x} = \\begin{bmatrix} x_1 \\\\ x_2 \\\\ x_3 \\end{bmatrix} .",
+        "System(Chain(A, MatrixOf(a_{11}, a_{12}, a_{13}, a_{21}, a_{22}, a_{23}); =), Chain(\\vec{x}, MatrixOf(x_1, x_2, x_3); =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "J_q(a,b) = \\sum_{x \\bmod q} \\chi_q(a, x)\\chi_q(b, 1-x)",
+        "Chain(Call(J_q; a, b), Limiting(sum; _{ x \\bmod q }; Mul(Call(\\chi_q; a, x), Call(\\chi_q; b, Add(1, Neg(x))))); =)",
+        "fredrik-johansson/arb/doc/source/acb_dirichlet.rst",
+    ),
+    (
+        "\\psi = \\frac{\\pi(q - m - n) + |\\arg(\\omega)|}{q - p}",
+        "Chain(\\psi, Div(Add(Mul(\\pi, Add(q, Neg(m), Neg(n))), Bars(Call(arg; \\omega))); Add(q, Neg(p))); =)",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "\\Delta v = \\sqrt{v_A^2 + v_{A_t}^2 - 2 v_A v_{A_t} \\cos\\Delta\\phi}",
+        "Chain(\\Delta v, Sqrt(Add(Pow(v_A; 2), Pow(v_{A_t}; 2), Neg(Mul(2, v_A, v_{A_t}, Call(cos; \\Delta \\phi))))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "^L_G\\mathbf{q}_{\\omega, t_k} = \\, ^L_G\\mathbf{q}_{t_{k-1}} + \\,^L_G\\dot{\\mathbf{q}}_{\\omega, t_k}\\Delta t",
+        "Chain(Call(\\prescript { L } { G } { \\mathbf { q } } _ { \\omega , t _ { k } }), Add(\\prescript { L } { G } { \\mathbf { q } } _ { t _ { k - 1 } }, Mul(Call(\\prescript { L } { G } { \\dot { \\mathbf { q } } } _ { \\omega , t _ { k } }), \\Delta t)); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\text{Oh} = \\frac{\\mu}{\\sqrt{\\rho \\sigma L }}",
+        "Chain(\\text{Oh}, Div(\\mu; Sqrt(Mul(\\rho, \\sigma, L))); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "\\widehat{\\mathbf{r}} = \\frac{\\sin([1-\\alpha]\\Omega)}{\\sin\\Omega}\\mathbf{p} + \\frac{\\sin(\\alpha\\Omega)}{\\sin\\Omega}\\mathbf{q}",
+        "Chain(\\widehat{\\mathbf{r}}, Add(Mul(Div(Call(sin; Mul(Add(1, Neg(\\alpha)), \\Omega)); Call(sin; \\Omega)), \\mathbf{p}), Mul(Div(Call(sin; Mul(\\alpha, \\Omega)); Call(sin; \\Omega)), \\mathbf{q})); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "A_m = C t",
+        "Chain(A_m, Mul(C, t); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\frac{\\mathrm{d}}{\\mathrm{d} x} \\left(\\frac{\\partial F}{\\partial y'} y' - F\\right) & = \\frac{\\mathrm{d}}{\\mathrm{d} x} \\left(\\frac{\\partial F}{\\partial y'}y'\\right) - \\left(\\frac{\\partial F}{\\partial y'} y'' + \\frac{\\partial F}{\\partial y} y' + \\frac{\\partial F}{\\partial x}\\right) \\\\ & = \\left(\\frac{\\mathrm{d}}{\\mathrm{d} x} \\frac{\\partial F}{\\partial y'} - \\frac{\\partial F}{\\partial y}\\right) y' - \\frac{\\partial F}{\\partial x} = -\\frac{\\partial F}{\\partial x}",
+        "Chain(Derivative(Add(Mul(Derivative(Call(F); y', 1; True), y'), Neg(Call(F))); x, 1), Add(Derivative(Mul(Derivative(Call(F); y', 1; True), y'); x, 1), Neg(Add(Mul(Derivative(Call(F); y', 1; True), y''), Mul(Derivative(Call(F); y, 1; True), y'), Derivative(Call(F); x, 1; True)))), Add(Mul(Add(Derivative(Derivative(Call(F); y', 1; True); x, 1), Neg(Derivative(Call(F); y, 1; True))), y'), Neg(Derivative(Call(F); x, 1; True))), Neg(Derivative(Call(F); x, 1; True)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\bm H_{\\text{rot},C} = [I_{\\text{hub},B_c}] \\bm \\omega_{\\cal{B/N}} + m_{\\text{hub}} \\bm r_{B_c/B} \\times \\dot{\\bm r}_{B_c/B}\\\\ + \\sum\\limits_{i}^{N}\\bigg[[I_{\\text{eff},E_{c,i}}] \\bm \\omega_{\\cal{E}_{\\textit{i}}/\\cal{N}} + m_{\\text{eff}} \\bm r_{E_{c,i}/B} \\times \\dot{\\bm r}_{E_{c,i}/B} \\bigg] - m_{sc} \\bm c \\times \\dot{\\bm c}",
+        "Chain(\\bm{H}_{rot,C}, Add(Mul([ I _ { \\text { h u b } , B _ { c } } ], \\bm{\\omega}_{\\cal B/N}), Cross(Mul(m_{hub}, Call(\\bm{r}_{B_c/B})); Call(\\dot{\\bm{r}}_{B_c/B})), Limiting(sum; _{ i }^{ N }; Add(Mul([ I _ { \\text { e f f } , E _ { c , i } } ], \\bm{\\omega}_{\\cal E_i/\\cal N}), Cross(Mul(m_{eff}, Call(\\bm{r}_{E_c,i/B})); Call(\\dot{\\bm{r}}_{E_c,i/B})))), Neg(Cross(Mul(m_{sc}, Call(\\bm{c})); Call(\\dot{\\bm{c}})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/spacecraft/_Documentation/Spacecraft/secModelDescription.tex",
+    ),
+    (
+        "\\mathbf{q} = \\frac{1}{\\sqrt{a^2+b^2+c^2+1}}\\begin{pmatrix}-1 & a & b & c\\end{pmatrix}",
+        "Chain(\\mathbf{q}, Mul(Div(1; Sqrt(Add(Pow(a; 2), Pow(b; 2), Pow(c; 2), 1))), MatrixOf(Neg(1), a, b, c)); =)",
+        "Mayitzin/ahrs/ahrs/filters/famc.py",
+    ),
+    (
+        "k(\\tau) &= \\sum_{j=1}^J \\frac{1}{2}\\left[ (a_j + i\\,b_j)\\,e^{-(c_j+i\\,d_j)\\,\\tau} + (a_j - i\\,b_j)\\,e^{-(c_j-i\\,d_j)\\,\\tau} \\right] \\\\ &= \\sum_{j=1}^J \\frac{1}{2}\\left[ \\alpha_j\\,e^{-\\beta_j\\,\\tau} + {\\alpha_j}^*\\,e^{-{\\beta_j}^*\\,\\tau} \\right]",
+        "Chain(Call(k; \\tau), BigSum(j; 1; J; Mul(Div(1; 2), Add(Mul(Add(a_j, Mul(i, b_j)), Pow(e; Neg(Mul(Add(c_j, Mul(i, d_j)), \\tau)))), Mul(Add(a_j, Neg(Mul(i, b_j))), Pow(e; Neg(Mul(Add(c_j, Neg(Mul(i, d_j))), \\tau))))))), BigSum(j; 1; J; Mul(Div(1; 2), Add(Mul(\\alpha_j, Pow(e; Neg(Mul(\\beta_j, \\tau)))), Mul(\\alpha _ { j } ^ { * }, Pow(e; Neg(Mul(\\beta _ { j } ^ { * }, \\tau))))))); =, =)",
+        "dfm/celerite/docs/python/kernel.rst",
+    ),
+    (
+        "m_{\\text{sc}} \\ddot{\\bm r}_{B/N}+\\sum_{i}^{N}m_{\\text{sp}_i} d_i \\bm{\\hat{h}}_{i,3}\\ddot{\\theta}_i = \\bm F_{\\text{ext}}",
+        "Chain(Add(Mul(m_{sc}, Call(\\ddot{\\bm{r}}_{B/N})), Limiting(sum; _{ i }^{ N }; Mul(m_{sp_i}, d_i, \\hat{\\bm{h}}_{i3}, Call(\\ddot{\\theta}_i)))), \\bm{F}_{ext}; =)",
+        "AVSLab/basilisk/src/simulation/dynamics/HingedRigidBodies/_Documentation/secTest.tex",
+    ),
+    (
+        "v_M = \\dot{s} = -p \\frac{\\sqrt{1-2e\\cos\\theta+e^2}}{(1-e\\cos\\theta)^2} (-\\dot{\\theta}) = p \\frac{\\sqrt{1-2e\\cos\\theta+e^2}}{(1-e\\cos\\theta)^2} \\omega_2",
+        "Chain(v_M, Call(\\dot{s}), Neg(Mul(p, Div(Sqrt(Add(1, Neg(Mul(2, e, Call(cos; Call(\\theta)))), Pow(e; 2))); Pow(Add(1, Neg(Mul(e, Call(cos; Call(\\theta))))); 2)), Neg(Call(\\dot{\\theta})))), Mul(p, Div(Sqrt(Add(1, Neg(Mul(2, e, Call(cos; Call(\\theta)))), Pow(e; 2))); Pow(Add(1, Neg(Mul(e, Call(cos; Call(\\theta))))); 2)), \\omega_2); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise2.tex",
+    ),
+    (
+        "\\phi_{1,2\\,j-1} = \\phi_{1,2\\,j} = 0 \\quad.",
+        "Chain(\\phi_{1,2\\,j-1}, \\phi_{1,2\\,j}, 0; =, =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "L = \\begin{pmatrix} 1 \\\\ 0 \\\\ 0 \\end{pmatrix}, \\qquad M = \\begin{pmatrix} 0 \\\\ 1 \\\\ 0 \\end{pmatrix}, \\qquad T = \\begin{pmatrix} 0 \\\\ 0 \\\\ 1 \\end{pmatrix}.",
+        "System(Chain(L, MatrixOf(1, 0, 0); =), Chain(M, MatrixOf(0, 1, 0); =), Chain(T, MatrixOf(0, 0, 1); =))",
+        "sympy/sympy/doc/src/modules/physics/units/philosophy.rst",
+    ),
+    (
+        "K_{sharp} = 2 \\left[1 - \\left( \\frac{D_1}{D_2} \\right)^4 \\right]",
+        "Chain(K_{sharp}, Mul(2, Add(1, Neg(Pow(Div(D_1; D_2); 4)))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "B(t) = \\int A(t) dt",
+        "Chain(Call(B; t), Antiderivative(Call(A; t); t); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\mathrm{BER} = Q\\left(\\sqrt{2E_b/N_0}\\right) = \\frac{1}{2}\\,\\mathrm{erfc}\\left(\\sqrt{E_b/N_0}\\right)",
+        "Chain(\\text{BER}, Call(Q; Sqrt(Div(Mul(2, E_b); N_0))), Mul(Div(1; 2), Call(erfc; Sqrt(Div(E_b; N_0)))); =, =)",
+        "AVSLab/basilisk/src/simulation/communication/downlinkHandling/downlinkHandling.rst",
+    ),
+    (
+        "y_2 = \\sum_{k=0}^\\infty b_k x^{k+1/2} + (\\ln x) x^{1/2} e^x .",
+        "Chain(y_2, Add(BigSum(k; 0; Infinity(); Mul(b_k, Pow(x; Add(k, Div(1; 2))))), Mul(Call(ln; x), Pow(x; Div(1; 2)), Pow(e; x))); =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "^L_G\\dot{\\mathbf{q}}_{\\omega, t_k} = \\frac{1}{2}\\boldsymbol\\Omega(\\,^L\\mathbf{\\omega}_{q, t_k})\\;^L_G\\mathbf{q}_{t_{k-1}}",
+        "Chain(Call(\\prescript { L } { G } { \\dot { \\mathbf { q } } } _ { \\omega , t _ { k } }), Mul(Div(1; 2), Call(\\boldsymbol{\\Omega}; \\prescript { L } { } { \\mathbf { \\omega } } _ { q , t _ { k } }), \\prescript { L } { G } { \\mathbf { q } } _ { t _ { k - 1 } }); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\hat{b}_x & = c_{xx} \\hat{a}_x + c_{xy} \\hat{a}_y + c_{xz} \\hat{a}_z \\\\ \\hat{b}_y & = c_{yx} \\hat{a}_x + c_{yy} \\hat{a}_y + c_{yz} \\hat{a}_z \\\\ \\hat{b}_z & = c_{zx} \\hat{a}_x + c_{zy} \\hat{a}_y + c_{zz} \\hat{a}_z",
+        "System(Chain(\\hat{b}_x, Add(Mul(c_{xx}, \\hat{a}_x), Mul(c_{xy}, \\hat{a}_y), Mul(c_{xz}, \\hat{a}_z)); =), Chain(\\hat{b}_y, Add(Mul(c_{yx}, \\hat{a}_x), Mul(c_{yy}, \\hat{a}_y), Mul(c_{yz}, \\hat{a}_z)); =), Chain(\\hat{b}_z, Add(Mul(c_{zx}, \\hat{a}_x), Mul(c_{zy}, \\hat{a}_y), Mul(c_{zz}, \\hat{a}_z)); =))",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\boldsymbol{L} = \\boldsymbol{I} \\boldsymbol{\\omega} = 2mr^2 \\boldsymbol{\\omega},\\quad T = \\frac12 \\boldsymbol{\\omega}\\cdot \\boldsymbol{L} = mr^2 \\omega^2",
+        "System(Chain(\\boldsymbol{L}, Mul(\\boldsymbol{I}, \\boldsymbol{\\omega}), Mul(2, m, Pow(r; 2), \\boldsymbol{\\omega}); =, =), Chain(T, Mul(Div(1; 2), \\boldsymbol{\\omega}, \\boldsymbol{L}; 2), Mul(m, Pow(r; 2), Pow(\\omega; 2)); =, =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6_gyro_theory.tex",
+    ),
+    (
+        "x_*=\\frac{I_{33}}{mx_C}",
+        "Chain(x_*, Div(I_{33}; Mul(m, x_C)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "f''(z) = -\\frac{((z_0+z)(a+b+1)-c)}{(z_0+z)(z_0-1+z)} f'(z) - \\frac{a b}{(z_0+z)(z_0-1+z)} f(z).",
+        "Chain(Call(f''; z), Add(Neg(Mul(Div(Add(Mul(Add(z_0, z), Add(a, b, 1)), Neg(c)); Mul(Add(z_0, z), Add(z_0, Neg(1), z))), Call(f'; z))), Neg(Mul(Div(Mul(a, b); Mul(Add(z_0, z), Add(z_0, Neg(1), z))), Call(f; z)))); =)",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "J = \\frac{m(l\\dot{\\phi}^-\\cos\\alpha-2\\dot{y}^-)}{2(1+3\\cos^2\\alpha)}",
+        "Chain(J, Div(Mul(m, Add(Mul(l, Call(\\dot { \\phi } ^ { - }), Call(cos; \\alpha)), Neg(Mul(2, Call(\\dot { y } ^ { - }))))); Mul(2, Add(1, Mul(3, Pow(Call(cos; \\alpha); 2))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "smoment(X, n) = E(((X - \\mu)/\\sigma_X)^{n})",
+        "Chain(Call(\\text{smoment}; X, n), Call(E; Pow(Div(Add(X, Neg(\\mu)); \\sigma_X); n)); =)",
+        "sympy/sympy/sympy/stats/rv_interface.py",
+    ),
+    (
+        "a = \\left(\\frac{2}{r_0} - \\frac{v_0^2}{\\mu}\\right)^{-1}",
+        "Chain(a, Pow(Add(Div(2; r_0), Neg(Div(Pow(v_0; 2); \\mu))); Neg(1)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables-example.md",
+    ),
+    (
+        "\\begin{aligned} e_t &= \\frac{r_B - r_A}{r_A \\cos\\nu_A - r_B\\cos\\nu_B} \\\\ p_t &= r_A r_B\\frac{\\cos\\nu_A - \\cos\\nu_B}{r_A\\cos\\nu_A - r_B\\cos\\nu_B} \\end{aligned}",
+        "System(Chain(e_t, Div(Add(r_B, Neg(r_A)); Add(Mul(r_A, Call(cos; \\nu_A)), Neg(Mul(r_B, Call(cos; \\nu_B))))); =), Chain(p_t, Mul(r_A, r_B, Div(Add(Call(cos; \\nu_A), Neg(Call(cos; \\nu_B))); Add(Mul(r_A, Call(cos; \\nu_A)), Neg(Mul(r_B, Call(cos; \\nu_B)))))); =))",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/non-hohmann-transfers.md",
+    ),
+    (
+        "\\mathbf{R}^T(\\mathbf{q}_\\mathrm{acc})\\,^L\\mathbf{m} = \\mathbf{l}",
+        "Chain(Mul(Transpose(Call(\\mathbf{R}; \\mathbf{q}_{acc})), \\prescript { L } { } { \\mathbf { m } }), \\mathbf{l}; =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\dot{\\rho}(t) = \\pm \\ddot{\\rho}_{\\text{max}} \\left (\\frac{(t_f - t)^3}{t_{\\text{smooth}}^2} - \\frac{(t_f - t)^4}{2 t_{\\text{smooth}}^3} \\right )",
+        "Chain(Call(\\dot{\\rho}; t), PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Div(Pow(Add(t_f, Neg(t)); 3); Pow(t_{smooth}; 2)), Neg(Div(Pow(Add(t_f, Neg(t)); 4); Mul(2, Pow(t_{smooth}; 3))))))); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "{}^AV^B_C = \\begin{bmatrix} {}^A\\omega^B_C \\\\ {}^A\\text{v}^B_C \\end{bmatrix}.",
+        "Chain(\\prescript { A } { } { V } _ { C } ^ { B }, MatrixOf(\\prescript { A } { } { \\omega } _ { C } ^ { B }, \\prescript { A } { } { \\text { v } } _ { C } ^ { B }); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "J = \\sum_0^\\infty (x[n]' Q x[n] + u[n]' R u[n] + 2 x[n]' N u[n])",
+        "Chain(J, Limiting(sum; _{ 0 }^{ \\infty }; Add(Mul(Marked(Indexed(x; n); '), Q, Indexed(x; n)), Mul(Marked(Indexed(u; n); '), R, Indexed(u; n)), Mul(2, Marked(Indexed(x; n); '), N, Indexed(u; n)))); =)",
+        "python-control/python-control/control/statefbk.py",
+    ),
+    (
+        "L=\\frac{R}{X\\left(2 A, \\delta-A, \\phi_{s}\\right)}",
+        "Chain(L, Div(R; Call(X; Mul(2, A), Add(\\delta, Neg(A)), \\phi_s)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/clothoid_path/clothoid_path_main.rst",
+    ),
+    (
+        "W = p_\\phi\\phi + \\int \\sqrt{2\\mu E+\\frac{2\\mu\\alpha}{r}-\\frac{\\beta^2}{r^2}} \\mathrm{d} r + \\int \\sqrt{\\beta^2-\\frac{p_\\phi^2}{\\sin^2\\theta}}\\mathrm{d} \\theta",
+        "Chain(W, Add(Mul(p_\\phi, \\phi), Antiderivative(Sqrt(Add(Mul(2, \\mu, E), Div(Mul(2, \\mu, \\alpha); r), Neg(Div(Pow(\\beta; 2); Pow(r; 2))))); r), Antiderivative(Sqrt(Add(Pow(\\beta; 2), Neg(Div(Pow(p_\\phi; 2); Pow(Call(sin; \\theta); 2))))); \\theta)); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\mathbf{e}_{\\mathrm{d},\\mathrm{a}} = \\mathbf{a}_{\\mathrm{measured}} - \\mathbf{a}_{\\mathrm{discretized}}",
+        "Chain(\\mathbf{e}_{d,a}, Add(\\mathbf{a}_{measured}, Neg(\\mathbf{a}_{discretized})); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/discretize/secModelDescription.tex",
+    ),
+    (
+        "\\alpha = 2\\tan^{-1}\\left(\\frac{d_1-d_2}{1.20l}\\right)",
+        "Chain(\\alpha, Mul(2, Call(arctan; Div(Add(d_1, Neg(d_2)); Mul(1.20, l)))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "N1_{l,m} &= \\sqrt{\\frac{(2 l + 1) (2 l - 1)}{(l - m) (l + m)}}\\\\ N2_{l,m} &= \\sqrt{\\frac{(l + m - 1) (2 l + 1) (l - m -1)}{(l - m) (l + m) (2 l - 3)}}",
+        "System(Chain(\\text{N1}_{l,m}, Sqrt(Div(Mul(Add(Mul(2, l), 1), Add(Mul(2, l), Neg(1))); Mul(Add(l, Neg(m)), Add(l, m)))); =), Chain(\\text{N2}_{l,m}, Sqrt(Div(Mul(Add(l, m, Neg(1)), Add(Mul(2, l), 1), Add(l, Neg(m), Neg(1))); Mul(Add(l, Neg(m)), Add(l, m), Add(Mul(2, l), Neg(3))))); =))",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "\\frac{d\\boldsymbol{h}}{dt} = \\boldsymbol{0} - \\frac{\\mu}{r^3}\\left(\\boldsymbol{r}\\times\\boldsymbol{r}\\right) = \\boldsymbol{0}",
+        "Chain(Derivative(Call(\\boldsymbol{h}); t, 1), Add(0, Neg(Mul(Div(\\mu; Pow(r; 3)), Cross(\\boldsymbol{r}; \\boldsymbol{r})))), 0; =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/angular-momentum-is-conserved.md",
+    ),
+    (
+        "K_p = \\frac{P_1 - P_n}{0.5\\rho_p V_n^2} - 1",
+        "Chain(K_p, Add(Div(Add(P_1, Neg(P_n)); Mul(0.5, \\rho_p, Pow(V_n; 2))), Neg(1)); =)",
+        "CalebBell/fluids/fluids/jet_pump.py",
+    ),
+    (
+        "\\ddot{\\rho}(t) = \\mp \\ddot{\\rho}_{\\text{max}} \\left ( -1 + \\frac{3(t - t_{b2})^2}{t_{\\text{smooth}}^2} - \\frac{2 (t - t_{b2})^3}{t_{\\text{smooth}}^3} \\right )",
+        "Chain(Call(\\ddot{\\rho}; t), PlusMinus(Mul(\\ddot { \\rho } _ { \\text { m a x } }, Add(Neg(1), Div(Mul(3, Pow(Add(t, Neg(t_{b2})); 2)); Pow(t_{smooth}; 2)), Neg(Div(Mul(2, Pow(Add(t, Neg(t_{b2})); 3)); Pow(t_{smooth}; 3))))); True); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedLinearTranslation/prescribedLinearTranslation.rst",
+    ),
+    (
+        "\\boldsymbol{U} = \\begin{pmatrix} \\cos(\\phi\\pm \\psi) & -\\sin(\\phi\\pm \\psi) & 0 \\\\ \\sin(\\phi\\pm \\psi) & \\cos(\\phi\\pm \\psi) & 0 \\\\ 0 & 0 & 1 \\end{pmatrix}",
+        "Chain(\\boldsymbol{U}, MatrixOf(Call(cos; Add(\\phi, PlusMinus(\\psi))), Neg(Call(sin; Add(\\phi, PlusMinus(\\psi)))), 0, Call(sin; Add(\\phi, PlusMinus(\\psi))), Call(cos; Add(\\phi, PlusMinus(\\psi))), 0, 0, 0, 1); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "E_{2n+1} = 0",
+        "Chain(E_{2n+1}, 0; =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "R(\\theta) = \\begin{bmatrix} \\cos(\\theta) & -\\sin(\\theta) \\\\ \\sin(\\theta) & \\cos(\\theta) \\end{bmatrix},",
+        "Chain(Call(R; \\theta), MatrixOf(Call(cos; \\theta), Neg(Call(sin; \\theta)), Call(sin; \\theta), Call(cos; \\theta)); =)",
+        "RussTedrake/manipulation/book/pose.html",
+    ),
+    (
+        "\\frac{\\mathrm{d} q_\\alpha}{\\mathrm{d} q_1} = \\frac{\\partial K}{\\partial p_\\alpha}",
+        "Chain(Derivative(Call(q_\\alpha); q_1, 1), Derivative(Call(K); p_\\alpha, 1; True); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter3.tex",
+    ),
+    (
+        "x_0 = l + \\frac{mg}{k},\\quad \\theta_0 = 0",
+        "System(Chain(x_0, Add(l, Div(Mul(m, g); k)); =), Chain(\\theta_0, 0; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/exercise.tex",
+    ),
+    (
+        "K = \\left\\{\\frac{0.25}{\\theta^3}\\left[1 + \\frac{0.6}{r^{1.67}} \\left(\\frac{\\pi-\\theta}{\\theta} \\right) \\right]^{0.533r - 2.6} \\right\\}^{-0.5}",
+        "Chain(K, Pow(Tuple(Mul(Div(0.25; Pow(\\theta; 3)), Pow(Add(1, Mul(Div(0.6; Pow(r; 1.67)), Div(Add(\\pi, Neg(\\theta)); \\theta))); Add(Mul(0.533, r), Neg(2.6)))); {}); Neg(0.5)); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\frac{\\partial H}{\\partial p_\\alpha} = \\dot{q}_\\alpha + \\sum_{\\beta=1}^s p_\\beta \\frac{\\partial \\dot{q}_\\beta}{\\partial p_\\alpha} - \\sum_{\\beta=1}^s \\frac{\\partial L}{\\partial \\dot{q}_\\beta} \\frac{\\partial \\dot{q}_\\beta}{\\partial p_\\alpha} = \\dot{q}_\\alpha + \\sum_{\\beta=1}^s \\left(p_\\beta - \\frac{\\partial L}{\\partial \\dot{q}_\\beta} \\right) \\frac{\\partial \\dot{q}_\\beta}{\\partial p_\\alpha}",
+        "Chain(Derivative(Call(H); p_\\alpha, 1; True), Add(Call(\\dot{q}_\\alpha), BigSum(\\beta; 1; s; Mul(p_{\\beta}, Derivative(Call(\\dot{q}_{\\beta}); p_\\alpha, 1; True))), Neg(BigSum(\\beta; 1; s; Mul(Derivative(Call(L); \\dot{q}_{\\beta}, 1; True), Derivative(Call(\\dot{q}_{\\beta}); p_\\alpha, 1; True))))), Add(Call(\\dot{q}_\\alpha), BigSum(\\beta; 1; s; Mul(Add(p_{\\beta}, Neg(Derivative(Call(L); \\dot{q}_{\\beta}, 1; True))), Derivative(Call(\\dot{q}_{\\beta}); p_\\alpha, 1; True)))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\begin{bmatrix} \\sqrt{a_1}\\mathbf{I}_4 \\\\ \\vdots \\\\ \\sqrt{a_n}\\mathbf{I}_4 \\end{bmatrix} \\mathbf{q} = \\begin{bmatrix} \\frac{1}{2}\\sqrt{a_1}(\\mathbf{W}_1+\\mathbf{I}_4) \\\\ \\vdots \\\\ \\frac{1}{2}\\sqrt{a_n}(\\mathbf{W}_n+\\mathbf{I}_4) \\end{bmatrix} \\mathbf{q}",
+        "Chain(Mul(MatrixOf(Mul(Sqrt(a_1), \\mathbf{I}_4), Dots(), Mul(Sqrt(a_n), \\mathbf{I}_4)), \\mathbf{q}), Mul(MatrixOf(Mul(Div(1; 2), Sqrt(a_1), Add(\\mathbf{W}_1, \\mathbf{I}_4)), Dots(), Mul(Div(1; 2), Sqrt(a_n), Add(\\mathbf{W}_n, \\mathbf{I}_4))), \\mathbf{q}); =)",
+        "Mayitzin/ahrs/ahrs/filters/oleq.py",
+    ),
+    (
+        "\\begin{array}{rcl} x_{\\mathrm{ENU}} & = & -\\sin\\lambda_0 \\, (x_0 - x) + \\cos\\lambda_0 \\, (y_0 - y) \\\\ y_{\\mathrm{ENU}} & = & -\\sin\\phi_0 \\, \\cos\\lambda_0 \\, (x_0 - x) - \\sin\\phi_0 \\, \\sin\\lambda_0 \\, (y_0 - y) + \\cos\\phi_0 \\, (z_0 - z) \\\\ z_{\\mathrm{ENU}} & = & \\cos\\phi_0 \\, \\cos\\lambda_0 \\, (x_0 - x) + \\cos\\phi_0 \\, \\sin\\lambda_0 \\, (y_0 - y) + \\sin\\phi_0 \\, (z_0 - z) \\end{array}",
+        "System(Chain(x_{ENU}, Add(Neg(Mul(Call(sin; \\lambda_0), Add(x_0, Neg(x)))), Mul(Call(cos; \\lambda_0), Add(y_0, Neg(y)))); =), Chain(y_{ENU}, Add(Neg(Mul(Call(sin; \\phi_0), Call(cos; \\lambda_0), Add(x_0, Neg(x)))), Neg(Mul(Call(sin; \\phi_0), Call(sin; \\lambda_0), Add(y_0, Neg(y)))), Mul(Call(cos; \\phi_0), Add(z_0, Neg(z)))); =), Chain(z_{ENU}, Add(Mul(Call(cos; \\phi_0), Call(cos; \\lambda_0), Add(x_0, Neg(x))), Mul(Call(cos; \\phi_0), Call(sin; \\lambda_0), Add(y_0, Neg(y))), Mul(Call(sin; \\phi_0), Add(z_0, Neg(z)))); =))",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "\\frac{h_1}{b}\\tan\\left(\\frac{\\theta}{2}\\right) < 2",
+        "Chain(Mul(Div(h_1; b), Call(tan; Div(\\theta; 2))), 2; <)",
+        "CalebBell/fluids/fluids/open_flow.py",
+    ),
+    (
+        "\\ell(x,u) = \\begin{cases} 0 & \\text{if } x=0, \\\\ 1 & \\text{otherwise.} \\end{cases}",
+        "Chain(Call(\\ell; x, u), Piecewise(0, Chain(x, 0; =), 1, None); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\beta = (\\theta_{goal} - \\theta - \\alpha + \\pi) mod (2\\pi) - \\pi",
+        "Chain(\\beta, Add(Operated(\\bmod; Add(\\theta_{goal}, Neg(\\theta), Neg(\\alpha), \\pi); Mul(2, \\pi)), Neg(\\pi)); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/6_path_tracking/move_to_a_pose/move_to_a_pose_main.rst",
+    ),
+    (
+        "\\frac{^{\\mathbf{A}} d \\mathbf{c}}{dt} &= \\frac{d (\\mathbf{c} \\cdot \\mathbf{\\hat{a}_x})}{dt} \\mathbf{\\hat{a}_x} + \\frac{d (\\mathbf{c} \\cdot \\mathbf{\\hat{a}_y})}{dt} \\mathbf{\\hat{a}_y} + \\frac{d (\\mathbf{c} \\cdot \\mathbf{\\hat{a}_z})}{dt} \\mathbf{\\hat{a}_z}\\\\ &= \\frac{d (\\cos(\\theta) x)}{dt} \\mathbf{\\hat{a}_x} + \\frac{d (l)}{dt} \\mathbf{\\hat{a}_y} + \\frac{d (-\\sin(\\theta) x)}{dt} \\mathbf{\\hat{a}_z}\\\\ &= (-\\dot{\\theta}\\sin(\\theta)x + \\cos(\\theta)\\dot{x}) \\mathbf{\\hat{a}_x} + (\\dot{\\theta}\\cos(\\theta)x + \\sin(\\theta)\\dot{x}) \\mathbf{\\hat{a}_z}",
+        "Chain(Marked(Derivative(Call(\\mathbf{c}); t, 1); _{ \\mathbf { A } }), Add(Mul(Derivative(Mul(Call(\\mathbf{c}), \\hat{\\mathbf{a}}_x; 1); t, 1), \\hat{\\mathbf{a}}_x), Mul(Derivative(Mul(Call(\\mathbf{c}), \\hat{\\mathbf{a}}_y; 1); t, 1), \\hat{\\mathbf{a}}_y), Mul(Derivative(Mul(Call(\\mathbf{c}), \\hat{\\mathbf{a}}_z; 1); t, 1), \\hat{\\mathbf{a}}_z)), Add(Mul(Derivative(Mul(Call(cos; Call(\\theta)), Call(x)); t, 1), \\hat{\\mathbf{a}}_x), Mul(Derivative(Call(l); t, 1), \\hat{\\mathbf{a}}_y), Mul(Derivative(Neg(Mul(Call(sin; Call(\\theta)), Call(x))); t, 1), \\hat{\\mathbf{a}}_z)), Add(Mul(Add(Neg(Mul(Call(\\dot{\\theta}), Call(sin; Call(\\theta)), Call(x))), Mul(Call(cos; Call(\\theta)), Call(\\dot{x}))), \\hat{\\mathbf{a}}_x), Mul(Add(Mul(Call(\\dot{\\theta}), Call(cos; Call(\\theta)), Call(x)), Mul(Call(sin; Call(\\theta)), Call(\\dot{x}))), \\hat{\\mathbf{a}}_z)); =, =, =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "x_1 = -4, \\qquad x_2 = 3, \\qquad x_3 = 2 .",
+        "System(Chain(x_1, Neg(4); =), Chain(x_2, 3; =), Chain(x_3, 2; =))",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "S(z) = \\log(\\sin(\\pi(z-n))) \\mp n \\pi i, \\quad n = \\lfloor \\operatorname{re}(z) \\rfloor",
+        "System(Chain(Call(S; z), Add(Call(log; Call(sin; Mul(\\pi, Add(z, Neg(n))))), PlusMinus(Mul(n, \\pi, i); True)); =), Chain(n, Call(floor; Call(\\text{re}; z)); =))",
+        "fredrik-johansson/arb/doc/source/acb.rst",
+    ),
+    (
+        "\\dot{{\\bf x}} = {\\bf f}({\\bf x},{\\bf u})",
+        "Chain(Call(\\dot{\\mathbf{x}}), Call(\\mathbf{f}; Call(\\mathbf{x}), \\mathbf{u}); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\mathbf{q}_t = \\begin{bmatrix} q_w & q_x & q_y & q_z \\end{bmatrix}^T",
+        "Chain(\\mathbf{q}_t, Transpose(MatrixOf(q_w, q_x, q_y, q_z)); =)",
+        "Mayitzin/ahrs/ahrs/filters/fkf.py",
+    ),
+    (
+        "C(x,r) = \\frac{1}{2 \\pi r} \\oint_{|z-x| = r} |f(z)| dz = \\int_0^1 |f(x+re^{2\\pi i t})| dt",
+        "Chain(Call(C; x, r), Mul(Div(1; Mul(2, \\pi, r)), Over(\\oint; _ { | z - x | = r }; Bars(Call(f; z)); z)), Integral(Bars(Call(f; Add(x, Mul(r, Pow(e; Mul(2, \\pi, i, t)))))); t; 0; 1); =, =)",
+        "fredrik-johansson/arb/doc/source/acb_calc.rst",
+    ),
+    (
+        "\\mathbf{a} \\cdot \\mathbf{b} = \\Vert \\mathbf{a} \\Vert \\Vert \\mathbf{b} \\Vert \\cos(\\theta)",
+        "Chain(Mul(\\mathbf{a}, \\mathbf{b}; 1), Mul(Norm(\\mathbf{a}), Norm(\\mathbf{b}), Call(cos; \\theta)); =)",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\min_{{\\bf u}[\\cdot]} \\sum_{n=0}^N \\ell({\\bf x}[n],{\\bf u}[n]), \\\\ \\text{ s.t. } {\\bf x}[n+1] = f({\\bf x}[n], {\\bf u}[n]), {\\bf x}[0] = {\\bf x}_0",
+        "System(Words(Limiting(min; _{ \\mathbf { u } [ \\cdot ] }; BigSum(n; 0; N; Call(\\ell; Indexed(\\mathbf{x}; n), Indexed(\\mathbf{u}; n))))), Words(\\text{subject~to}), Chain(Indexed(\\mathbf{x}; Add(n, 1)), Call(f; Indexed(\\mathbf{x}; n), Indexed(\\mathbf{u}; n)); =), Chain(Indexed(\\mathbf{x}; 0), \\mathbf{x}_0; =))",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{x}_{\\mathrm{ENU}} & = & R_{LLF} \\, \\mathbf{x}_{\\mathrm{ECEF}} \\\\ \\begin{bmatrix}x \\\\ y \\\\ z\\end{bmatrix}_{\\mathrm{ENU}} & = & \\begin{bmatrix} -\\sin\\lambda_r & \\cos\\lambda_r & 0 \\\\ -\\sin\\phi_r\\cos\\lambda_r & -\\sin\\phi_r\\sin\\lambda_r & \\cos\\phi_r \\\\ \\cos\\phi_r\\cos\\lambda_r & \\cos\\phi_r\\sin\\lambda_r & \\sin\\phi_r \\end{bmatrix} \\begin{bmatrix}x_p - x_r \\\\ y_p - y_r \\\\ z_p - z_r\\end{bmatrix} \\end{array}",
+        "System(Chain(\\mathbf{x}_{ENU}, Mul(R_{LLF}, \\mathbf{x}_{ECEF}); =), Chain(Marked(MatrixOf(x, y, z); _{ \\mathrm { E N U } }), Mul(MatrixOf(Neg(Call(sin; \\lambda_r)), Call(cos; \\lambda_r), 0, Neg(Mul(Call(sin; \\phi_r), Call(cos; \\lambda_r))), Neg(Mul(Call(sin; \\phi_r), Call(sin; \\lambda_r))), Call(cos; \\phi_r), Mul(Call(cos; \\phi_r), Call(cos; \\lambda_r)), Mul(Call(cos; \\phi_r), Call(sin; \\lambda_r)), Call(sin; \\phi_r)), MatrixOf(Add(x_p, Neg(x_r)), Add(y_p, Neg(y_r)), Add(z_p, Neg(z_r)))); =))",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "\\bar{R}^{S} := \\sum_{i=1}^{\\nu} \\bar{v}_i",
+        "Chain(\\bar { R } ^ { S }, BigSum(i; 1; \\nu; \\bar{v}_i); =)",
+        "moorepants/learn-multibody-dynamics/loads.rst",
+    ),
+    (
+        "\\Omega = \\cos^{-1}\\left(\\frac{N_X}{N}\\right)",
+        "Chain(\\Omega, Call(arccos; Div(N_X; N)); =)",
+        "bryanwweber/orbital-mechanics-notes/classical-orbital-elements/orbital-elements-and-the-state-vector.md",
+    ),
+    (
+        "\\gamma(t) = \\gamma_{0} + \\omega_{P/N} (t - t_{\\text{epoch}})",
+        "Chain(Call(\\gamma; t), Add(\\gamma_0, Mul(\\omega_{P/N}, Add(t, Neg(t_{epoch})))); =)",
+        "AVSLab/basilisk/src/simulation/environment/planetEphemeris/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "S(x,y,t) = -Et \\pm \\sqrt{mk} \\int \\sqrt{\\frac{2E}{k}-\\beta^2-x^2} \\mathrm{d}x \\pm \\int \\sqrt{\\beta^2-y^2} \\mathrm{d}y",
+        "Chain(Call(S; x, y, t), Add(Neg(Mul(E, t)), PlusMinus(Mul(Sqrt(Mul(m, k)), Antiderivative(Sqrt(Add(Div(Mul(2, E); k), Neg(Pow(\\beta; 2)), Neg(Pow(x; 2)))); x))), PlusMinus(Antiderivative(Sqrt(Add(Pow(\\beta; 2), Neg(Pow(y; 2)))); y))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "J_r = \\alpha\\sqrt{-\\frac{\\mu}{2E}} - (J_\\theta+J_\\phi)",
+        "Chain(J_r, Add(Mul(\\alpha, Sqrt(Neg(Div(\\mu; Mul(2, E))))), Neg(Add(J_\\theta, J_\\phi))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\mathbf{a} + \\mathbf{b} &= \\mathbf{b} + \\mathbf{a} \\\\ (\\mathbf{a} + \\mathbf{b}) + \\mathbf{c} &= \\mathbf{a} + (\\mathbf{b} + \\mathbf{c})",
+        "System(Chain(Add(\\mathbf{a}, \\mathbf{b}), Add(\\mathbf{b}, \\mathbf{a}); =), Chain(Add(Add(\\mathbf{a}, \\mathbf{b}), \\mathbf{c}), Add(\\mathbf{a}, Add(\\mathbf{b}, \\mathbf{c})); =))",
+        "sympy/sympy/doc/src/explanation/modules/physics/vector/vectors/vectors.rst",
+    ),
+    (
+        "\\mathbf{q} = \\begin{bmatrix}q_w \\\\ q_x \\\\ q_y \\\\ q_z\\end{bmatrix} = \\begin{bmatrix} \\cos\\frac{\\theta}{2} \\\\ v_x \\sin\\frac{\\theta}{2} \\\\ v_y \\sin\\frac{\\theta}{2} \\\\ v_z \\sin\\frac{\\theta}{2} \\end{bmatrix} = \\begin{bmatrix} \\cos\\frac{\\theta}{2} \\\\ \\mathbf{v} \\sin\\frac{\\theta}{2} \\end{bmatrix}",
+        "Chain(\\mathbf{q}, MatrixOf(q_w, q_x, q_y, q_z), MatrixOf(Call(cos; Div(\\theta; 2)), Mul(v_x, Call(sin; Div(\\theta; 2))), Mul(v_y, Call(sin; Div(\\theta; 2))), Mul(v_z, Call(sin; Div(\\theta; 2)))), MatrixOf(Call(cos; Div(\\theta; 2)), Mul(\\mathbf{v}, Call(sin; Div(\\theta; 2)))); =, =, =)",
+        "Mayitzin/ahrs/ahrs/common/quaternion.py",
+    ),
+    (
+        "{}^W\\dot{L}^{B/B_{cm}}(\\ddot{\\bf q}) = \\sum_i F^{B_{cm}}_i,",
+        "Chain(Call(\\prescript { W } { } { \\dot { L } } ^ { B / B _ { c m } }; Call(\\ddot{\\mathbf{q}})), BigSum(i; F _ { i } ^ { B _ { c m } }); =)",
+        "RussTedrake/underactuated/book/humanoids.html",
+    ),
+    (
+        "\\begin{aligned} \\sigma^2 &= \\lVert\\boldsymbol{\\sigma}\\rVert^2 = \\left(x^{*} + \\pi_2\\right)^2 + \\left(y^*\\right)^2 \\\\ \\psi^2 &= \\lVert\\boldsymbol{\\psi}\\rVert^2 = \\left(x^{*} - 1 + \\pi_2\\right)^2 + \\left(y^*\\right)^2 \\end{aligned}",
+        "System(Chain(Pow(\\sigma; 2), Pow(Norm(\\boldsymbol{\\sigma}); 2), Add(Pow(Add(x ^ { * }, \\pi_2); 2), Pow(y ^ { * }; 2)); =, =), Chain(Pow(\\psi; 2), Pow(Norm(\\boldsymbol{\\psi}); 2), Add(Pow(Add(x ^ { * }, Neg(1), \\pi_2); 2), Pow(y ^ { * }; 2)); =, =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/lagrange-points.md",
+    ),
+    (
+        "[colback=white,colframe=black,boxrule=0.5pt,top=1.5pt,bottom=1.5pt]{~~ F_{\\text{even}}(t) = \\frac{a_0}{2} + \\sum_{n=1}^\\infty a_n \\cos \\left( \\frac{n \\pi}{L} t \\right) , ~~}",
+        "Chain(Call(F_{even}; t), Add(Div(a_0; 2), BigSum(n; 1; Infinity(); Mul(a_n, Call(cos; Mul(Div(Mul(n, \\pi); L), t))))); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\mathbf{R}(^B_A\\mathbf{q}) = \\begin{bmatrix} q_w^2+q_x^2-q_y^2-q_z^2 & 2(q_xq_y - q_wq_z) & 2(q_xq_z + q_wq_y) \\\\ 2(q_xq_y + q_wq_z) & q_w^2-q_x^2+q_y^2-q_z^2 & 2(q_yq_z - q_wq_x) \\\\ 2(q_xq_z - q_wq_y) & 2(q_wq_x + q_yq_z) & q_w^2-q_x^2-q_y^2+q_z^2 \\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}; \\prescript { B } { A } { \\mathbf { q } }), MatrixOf(Add(Pow(q_w; 2), Pow(q_x; 2), Neg(Pow(q_y; 2)), Neg(Pow(q_z; 2))), Mul(2, Add(Mul(q_x, q_y), Neg(Mul(q_w, q_z)))), Mul(2, Add(Mul(q_x, q_z), Mul(q_w, q_y))), Mul(2, Add(Mul(q_x, q_y), Mul(q_w, q_z))), Add(Pow(q_w; 2), Neg(Pow(q_x; 2)), Pow(q_y; 2), Neg(Pow(q_z; 2))), Mul(2, Add(Mul(q_y, q_z), Neg(Mul(q_w, q_x)))), Mul(2, Add(Mul(q_x, q_z), Neg(Mul(q_w, q_y)))), Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z))), Add(Pow(q_w; 2), Neg(Pow(q_x; 2)), Neg(Pow(q_y; 2)), Pow(q_z; 2))); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "\\omega_{0,\\,j} = 2\\,\\pi\\,(\\nu_\\mathrm{max} + j\\,\\Delta\\nu + \\epsilon)",
+        "Chain(\\omega_{0,\\,j}, Mul(2, \\pi, Add(\\nu_{max}, Mul(j, \\Delta \\nu), \\epsilon)); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "A_2 - A_1 = \\int_{t_1}^{t_2} \\frac{h}{2} dt = \\frac{h}{2}\\left(t_2 - t_1\\right)",
+        "Chain(Add(A_2, Neg(A_1)), Integral(Div(h; 2); t; t_1; t_2), Mul(Div(h; 2), Add(t_2, Neg(t_1))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/constants-of-orbital-motion/orbital-plane-and-keplers-second-law.md",
+    ),
+    (
+        "x(t) = \\int_0^t f(\\tau) \\frac{\\sin \\bigl( \\omega_0 (t-\\tau) \\bigr)}{\\omega_0} \\, d\\tau .",
+        "Chain(Call(x; t), Integral(Mul(Call(f; \\tau), Div(Call(sin; Mul(\\omega_0, Add(t, Neg(\\tau)))); \\omega_0)); \\tau; 0; t); =)",
+        "jirilebl/diffyqs/ch-laplace.tex",
+    ),
+    (
+        "[G_{s}] = \\begin{bmatrix} \\hat{\\bm g}_{s_{1}} & \\cdots & \\hat{\\bm g}_{s_{m}} \\end{bmatrix}",
+        "Chain([ G _ { s } ], MatrixOf(\\hat{\\bm{g}}_{s_1}, Dots(), \\hat{\\bm{g}}_{s_m}); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/rwMotorTorque/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "f = \\frac{a-b}{a}",
+        "Chain(f, Div(Add(a, Neg(b)); a); =)",
+        "Mayitzin/ahrs/ahrs/utils/geodesy.py",
+    ),
+    (
+        "X = \\exp(+\\zeta) [S_n(-\\zeta) + R_n(z w^{\\mp 2})], \\quad Y = \\exp(-\\zeta) [S_n(\\zeta) + R_n(z)]",
+        "System(Chain(X, Mul(Call(exp; \\zeta), Add(Call(S_n; Neg(\\zeta)), Call(R_n; Mul(z, Pow(w; PlusMinus(2; True)))))); =), Chain(Y, Mul(Call(exp; Neg(\\zeta)), Add(Call(S_n; \\zeta), Call(R_n; z))); =))",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "A_2 X'' = A_1 X' + A_0 X + b",
+        "Chain(Mul(A_2, X''), Add(Mul(A_1, X'), Mul(A_0, X), b); =)",
+        "sympy/sympy/sympy/solvers/ode/systems.py",
+    ),
+    (
+        "\\dot{\\bf x}(t) = {\\bf A} \\left( e^{{\\bf A} t}({\\bf x}_0 - {\\bf \\beta}_0) + \\sum_{i=0}^k {\\bf \\beta}_i t^i\\right) + {\\bf B} \\sum_{i=0}^k {\\bf c}_i t^i = {\\bf A} e^{{\\bf A} t} ({\\bf x}_0 - {\\bf \\beta}_0) + \\sum_{i=1}^k i {\\bf \\beta}_i t^{i-1}.",
+        "Chain(Call(\\dot{\\mathbf{x}}; t), Add(Mul(\\mathbf{A}, Add(Mul(Pow(e; Mul(\\mathbf{A}, t)), Add(\\mathbf{x}_0, Neg(\\mathbf{\\beta}_0))), BigSum(i; 0; k; Mul(\\mathbf{\\beta}_i, Pow(t; i))))), Mul(\\mathbf{B}, BigSum(i; 0; k; Mul(\\mathbf{c}_i, Pow(t; i))))), Add(Mul(\\mathbf{A}, Pow(e; Mul(\\mathbf{A}, t)), Add(\\mathbf{x}_0, Neg(\\mathbf{\\beta}_0))), BigSum(i; 1; k; Mul(i, \\mathbf{\\beta}_i, Pow(t; Add(i, Neg(1)))))); =, =)",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\boldsymbol{r}_i = \\boldsymbol{r}_i(\\boldsymbol{q})",
+        "Chain(Call(\\boldsymbol{r}_i), Call(\\boldsymbol{r}_i; \\boldsymbol{q}); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "\\Gamma(b_j - l_u - b - t) = \\frac{\\Gamma(b_j - l_u - b)}{(-1)^t(l_u + b + 1 - b_j)_t},",
+        "Chain(Call(Gamma; Add(b_j, Neg(l_u), Neg(b), Neg(t))), Div(Call(Gamma; Add(b_j, Neg(l_u), Neg(b))); Mul(Pow(Neg(1); t), Marked(Add(l_u, b, 1, Neg(b_j)); _{ t }))); =)",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "\\left[\\mathbf{R}_{3}(\\theta_E)\\right] = \\begin{bmatrix}\\cos\\theta_E & \\sin\\theta_E & 0\\\\-\\sin\\theta_E & \\cos\\theta_E & 0\\\\0 & 0 & 1\\end{bmatrix}",
+        "Chain(Call(\\mathbf{R}_3; \\theta_E), MatrixOf(Call(cos; \\theta_E), Call(sin; \\theta_E), 0, Neg(Call(sin; \\theta_E)), Call(cos; \\theta_E), 0, 0, 0, 1); =)",
+        "bryanwweber/orbital-mechanics-notes/chapter-4/7-effects-of-the-earths-oblateness.md",
+    ),
+    (
+        "\\tanh\\frac{F}{2} = \\sqrt{\\frac{e - 1}{e + 1}}\\tan\\frac{\\nu}{2}",
+        "Chain(Call(tanh; Div(F; 2)), Mul(Sqrt(Div(Add(e, Neg(1)); Add(e, 1))), Call(tan; Div(\\nu; 2))); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/hyperbolic-trajectories.md",
+    ),
+    (
+        "\\begin{aligned} m_1 \\ddot{\\boldsymbol{R}}_1 &= \\frac{G m_1 m_2}{r^2}\\boldsymbol{\\hat{u}}_r\\\\ m_2 \\ddot{\\boldsymbol{R}}_2 &= -\\frac{G m_1 m_2}{r^2}\\boldsymbol{\\hat{u}}_r \\end{aligned}",
+        "System(Chain(Mul(m_1, Call(\\ddot{\\boldsymbol{R}}_1)), Mul(Div(Mul(G, m_1, m_2); Pow(r; 2)), \\hat{\\boldsymbol{u}}_r); =), Chain(Mul(m_2, Call(\\ddot{\\boldsymbol{R}}_2)), Neg(Mul(Div(Mul(G, m_1, m_2); Pow(r; 2)), \\hat{\\boldsymbol{u}}_r)); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "\\begin{array}{ll} \\beta &= \\frac{5}{2}m\\Big(1-\\frac{17}{35}f - \\frac{1}{245}f^2 - \\frac{13}{18865}f^3 - \\dots\\Big) - f \\\\ \\beta_1 &= \\frac{1}{8}f(f+2\\beta) \\\\ \\beta_2 &= \\frac{1}{8}f^2(2f+3\\beta) - \\frac{1}{32}f^3(3f+4\\beta) \\\\ & \\vdots \\\\ & \\mathrm{etc.} \\end{array}",
+        "System(Chain(\\beta, Add(Mul(Div(5; 2), m, Add(1, Neg(Mul(Div(17; 35), f)), Neg(Mul(Div(1; 245), Pow(f; 2))), Neg(Mul(Div(13; 18865), Pow(f; 3))), Neg(Dots()))), Neg(f)); =), Chain(\\beta_1, Mul(Div(1; 8), f, Add(f, Mul(2, \\beta))); =), Chain(\\beta_2, Add(Mul(Div(1; 8), Pow(f; 2), Add(Mul(2, f), Mul(3, \\beta))), Neg(Mul(Div(1; 32), Pow(f; 3), Add(Mul(3, f), Mul(4, \\beta))))); =), Words(Dots()), Words(\\text{etc.}))",
+        "Mayitzin/ahrs/ahrs/utils/wgs84.py",
+    ),
+    (
+        "C = \\frac{\\partial W}{\\partial E} - t = \\frac{1}{\\omega} \\int \\frac{\\mathrm{d} q}{\\sqrt{\\dfrac{2E}{m\\omega^2}-q^2}} - t = \\frac{1}{\\omega} \\arcsin\\left(\\sqrt{\\frac{m\\omega^2}{2E}}q\\right) - t",
+        "Chain(C, Add(Derivative(Call(W); E, 1; True), Neg(t)), Add(Mul(Div(1; \\omega), Antiderivative(Div(1; Sqrt(Add(Div(Mul(2, E); Mul(m, Pow(\\omega; 2))), Neg(Pow(q; 2))))); q)), Neg(t)), Add(Mul(Div(1; \\omega), Call(arcsin; Mul(Sqrt(Div(Mul(m, Pow(\\omega; 2)); Mul(2, E))), q))), Neg(t)); =, =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\mathbf{H}(\\hat{\\mathbf{q}}_t) = 2 \\begin{bmatrix} g_xq_w + g_yq_z - g_zq_y & g_xq_x + g_yq_y + g_zq_z & -g_xq_y + g_yq_x - g_zq_w & -g_xq_z + g_yq_w + g_zq_x \\\\ -g_xq_z + g_yq_w + g_zq_x & g_xq_y - g_yq_x + g_zq_w & g_xq_x + g_yq_y + g_zq_z & -g_xq_w - g_yq_z + g_zq_y \\\\ g_xq_y - g_yq_x + g_zq_w & g_xq_z - g_yq_w - g_zq_x & g_xq_w + g_yq_z - g_zq_y & g_xq_x + g_yq_y + g_zq_z \\end{bmatrix}",
+        "Chain(Call(\\mathbf{H}; \\hat{\\mathbf{q}}_t), Mul(2, MatrixOf(Add(Mul(g_x, q_w), Mul(g_y, q_z), Neg(Mul(g_z, q_y))), Add(Mul(g_x, q_x), Mul(g_y, q_y), Mul(g_z, q_z)), Add(Neg(Mul(g_x, q_y)), Mul(g_y, q_x), Neg(Mul(g_z, q_w))), Add(Neg(Mul(g_x, q_z)), Mul(g_y, q_w), Mul(g_z, q_x)), Add(Neg(Mul(g_x, q_z)), Mul(g_y, q_w), Mul(g_z, q_x)), Add(Mul(g_x, q_y), Neg(Mul(g_y, q_x)), Mul(g_z, q_w)), Add(Mul(g_x, q_x), Mul(g_y, q_y), Mul(g_z, q_z)), Add(Neg(Mul(g_x, q_w)), Neg(Mul(g_y, q_z)), Mul(g_z, q_y)), Add(Mul(g_x, q_y), Neg(Mul(g_y, q_x)), Mul(g_z, q_w)), Add(Mul(g_x, q_z), Neg(Mul(g_y, q_w)), Neg(Mul(g_z, q_x))), Add(Mul(g_x, q_w), Mul(g_y, q_z), Neg(Mul(g_z, q_y))), Add(Mul(g_x, q_x), Mul(g_y, q_y), Mul(g_z, q_z)))); =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\bar{I}_a = \\sum_{i=1}^\\nu m_i \\bar{r}^{P_i/O} \\times \\left( \\hat{n}_a \\times \\bar{r}^{P_i/O} \\right)",
+        "Chain(\\bar{I}_a, BigSum(i; 1; \\nu; Cross(Mul(m_i, \\bar { r } ^ { P _ { i } / O }); Cross(\\hat{n}_a; \\bar { r } ^ { P _ { i } / O }))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "\\theta(t_{b1}) = \\pm \\frac{1}{2} \\ddot{\\theta}_{\\text{max}} t_{\\text{bang}}^2 + \\dot{\\theta}_0 t_{\\text{bang}} + \\theta_0",
+        "Chain(Call(\\theta; t_{b1}), Add(PlusMinus(Mul(Div(1; 2), \\ddot { \\theta } _ { \\text { m a x } }, Pow(t_{bang}; 2))), Mul(\\dot { \\theta } _ { 0 }, t_{bang}), \\theta_0); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "\\sum_{i=1}^n \\boldsymbol{J}_{iR} \\cdot \\delta\\boldsymbol{r}_i = 0",
+        "Chain(BigSum(i; 1; n; Mul(\\boldsymbol{J}_{iR}, \\delta \\boldsymbol { r } _ { i }; 1)), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\boldsymbol{\\hat{u}}_r = \\frac{\\boldsymbol{r}}{r}",
+        "Chain(\\hat{\\boldsymbol{u}}_r, Div(\\boldsymbol{r}; r); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "\\bm{r}_{B/N} = \\bm{r}_{B/C} + \\bm{r}_{C/N}",
+        "Chain(\\bm{r}_{B/N}, Add(\\bm{r}_{B/C}, \\bm{r}_{C/N}); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/gravityEffector/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "a = \\frac{h^2}{\\mu} \\frac{1}{1 - e^2}",
+        "Chain(a, Mul(Div(Pow(h; 2); \\mu), Div(1; Add(1, Neg(Pow(e; 2))))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-orbit-equation/elliptical-orbits.md",
+    ),
+    (
+        "w_i = \\frac{2}{\\left(1-x_i^2\\right) \\left(P'_n(x_i)\\right)^2}",
+        "Chain(w_i, Div(2; Mul(Add(1, Neg(Pow(x_i; 2))), Pow(Call(P_n'; x_i); 2))); =)",
+        "sympy/sympy/sympy/integrals/quadrature.py",
+    ),
+    (
+        "J^G(q) = \\begin{bmatrix} -s_0 - s_{0+1} & -s_{0 + 1} \\\\ c_0 + c_{0 + 1} & c_{0 + 1} \\end{bmatrix},",
+        "Chain(Call(J ^ { G }; q), MatrixOf(Add(Neg(s_0), Neg(s_{0+1})), Neg(s_{0+1}), Add(c_0, c_{0+1}), c_{0+1}); =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\theta = \\theta_m \\cos \\left(\\sqrt{\\frac{g}{l}} t + \\phi_0\\right)",
+        "Chain(\\theta, Mul(\\theta_m, Call(cos; Add(Mul(Sqrt(Div(g; l)), t), \\phi_0))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "F_r + F_r^* = 0",
+        "Chain(Add(F_r, F _ { r } ^ { * }), 0; =)",
+        "sympy/sympy/sympy/physics/mechanics/kane.py",
+    ),
+    (
+        "\\bar{r}^{P_1/O}\\cdot\\hat{n}_x = 0 \\\\ \\bar{r}^{P_1/O}\\cdot\\hat{n}_y = 0",
+        "System(Chain(Mul(\\bar { r } ^ { P _ { 1 } / O }, \\hat{n}_x; 1), 0; =), Chain(Mul(\\bar { r } ^ { P _ { 1 } / O }, \\hat{n}_y; 1), 0; =))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "\\begin{array}{rcl} \\dot{\\mathbf{q}}_t &=& \\mathbf{Aq}_{t-1} + \\mathbf{B}\\boldsymbol\\omega_t + \\mathbf{w}_\\mathbf{q} \\\\ && \\\\ \\hat{\\mathbf{q}}_t &=& \\mathbf{Fq}_{t-1} = e^{\\mathbf{A}\\Delta t}\\mathbf{q}_{t-1} \\end{array}",
+        "System(Chain(Call(\\dot{\\mathbf{q}}_t), Add(Mul(\\mathbf{A}, \\mathbf{q}_{t-1}), Mul(\\mathbf{B}, \\boldsymbol{\\omega}_t), \\mathbf{w}_{\\mathbf q}); =), Chain(\\hat{\\mathbf{q}}_t, Mul(\\mathbf{F}, \\mathbf{q}_{t-1}), Mul(Pow(e; Mul(\\mathbf{A}, \\Delta t)), \\mathbf{q}_{t-1}); =, =))",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "\\bar{0} = \\sum\\bar{F}^{P_1} - m_1 {}^N\\bar{a}^{P_1} \\\\ \\bar{0} = \\sum\\bar{F}^{P_2} - m_2 {}^N\\bar{a}^{P_2}",
+        "System(Chain(0, Add(Limiting(sum; ; \\bar { F } ^ { P _ { 1 } }), Neg(Mul(m_1, \\prescript { N } { } { \\bar { a } } ^ { P _ { 1 } }))); =), Chain(0, Add(Limiting(sum; ; \\bar { F } ^ { P _ { 2 } }), Neg(Mul(m_2, \\prescript { N } { } { \\bar { a } } ^ { P _ { 2 } }))); =))",
+        "moorepants/learn-multibody-dynamics/noncontributing.rst",
+    ),
+    (
+        "g(w) = \\frac{2}{\\sqrt{\\pi}} \\exp\\left(\\frac{i \\pi}{4}\\right) w^{\\frac{1}{4}} \\,.",
+        "Chain(Call(g; w), Mul(Div(2; Sqrt(\\pi)), Call(exp; Div(Mul(i, \\pi); 4)), Pow(w; Div(1; 4))); =)",
+        "sympy/sympy/doc/src/modules/simplify/hyperexpand.rst",
+    ),
+    (
+        "B_n = \\frac{1}{e} \\sum_{k=0}^{\\infty} \\frac{k^n}{k!}.",
+        "Chain(B_n, Mul(Div(1; e), BigSum(k; 0; Infinity(); Div(Pow(k; n); Factorial(k)))); =)",
+        "sympy/sympy/sympy/functions/combinatorial/numbers.py",
+    ),
+    (
+        "\\begin{aligned} \\ddot{x} &= -\\mu \\frac{x}{r^3} \\\\ \\ddot{y} &= -\\mu \\frac{y}{r^3} \\\\ \\ddot{z} &= -\\mu \\frac{z}{r^3} \\end{aligned}",
+        "System(Chain(Call(\\ddot{x}), Neg(Mul(\\mu, Div(Call(x); Pow(r; 3)))); =), Chain(Call(\\ddot{y}), Neg(Mul(\\mu, Div(Call(y); Pow(r; 3)))); =), Chain(Call(\\ddot{z}), Neg(Mul(\\mu, Div(Call(z); Pow(r; 3)))); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-relative-motion.md",
+    ),
+    (
+        "K_1 = \\phi(1.43-1.3\\beta^2)(1-\\beta^2)^2",
+        "Chain(K_1, Mul(\\phi, Add(1.43, Neg(Mul(1.3, Pow(\\beta; 2)))), Pow(Add(1, Neg(Pow(\\beta; 2))); 2)); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\alpha x + \\beta x = (\\alpha + \\beta) x .",
+        "Chain(Add(Mul(\\alpha, x), Mul(\\beta, x)), Mul(Add(\\alpha, \\beta), x); =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "b_{m}p^{m}\\mathcal{T}[y]+\\dots+b_{1}p\\mathcal{T}[y]+b_{0}\\mathcal{T}[y]= a_{n}p^{n}\\mathcal{T}[x]+\\dots+a_{1}p\\mathcal{T}[x]+a_{0}\\mathcal{T}[x]",
+        "Chain(Add(Mul(b_m, Pow(p; m), Indexed(\\mathcal{T}; y)), Dots(), Mul(b_1, p, Indexed(\\mathcal{T}; y)), Mul(b_0, Indexed(\\mathcal{T}; y))), Add(Mul(a_n, Pow(p; n), Indexed(\\mathcal{T}; x)), Dots(), Mul(a_1, p, Indexed(\\mathcal{T}; x)), Mul(a_0, Indexed(\\mathcal{T}; x))); =)",
+        "sympy/sympy/sympy/physics/control/lti.py",
+    ),
+    (
+        "\\frac{\\mu^2}{h^3}dt = \\frac{d\\nu}{\\left(1 + e\\cos\\nu\\right)^2}",
+        "Chain(Mul(Div(Pow(\\mu; 2); Pow(h; 3)), Total(t)), Div(Total(\\nu); Pow(Add(1, Mul(e, Call(cos; \\nu))); 2)); =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\frac{1}{\\sqrt{f_d}} = -2 \\log_{10} \\left(\\frac{\\epsilon/D}{3.7}\\right)",
+        "Chain(Div(1; Sqrt(f_d)), Neg(Mul(2, Call(lg; Div(Div(\\epsilon; D); 3.7)))); =)",
+        "CalebBell/fluids/fluids/friction.py",
+    ),
+    (
+        "\\bm{v}_\\text{rot,contr} = \\sum\\limits_{i=1}^{N} \\Big[ m_{\\text{rw}_i}[\\tilde{\\bm{r}}_{W_{c_i}/B}]d_i \\Omega_i^2\\hat{\\bm{w}}_{2_i}-[I_{\\text{rw}_i,W_{c_i}}]'\\Omega_i \\hat{\\bm{g}}_{s_i} -[\\tilde{\\bm\\omega}_{\\cal B/N}]\\Big([I_{\\text{rw}_i,W_{c_i}}]\\Omega_i \\hat{\\bm{g}}_{s_i}+ m_{\\text{rw}_i}[\\tilde{\\bm{r}}_{W_{c_i}/B}]\\bm{r}'_{W_{c_i}/B}\\Big) \\\\ -\\Big([I_{\\text{rw}_i,W_{c_i}}]\\hat{\\bm{g}}_{s_i} + m_{\\text{rw}_i}d_i[\\tilde{\\bm{r}}_{W_{c_i}/B}]\\hat{\\bm{w}}_{3_i}\\Big)c_{\\Omega_i} \\Big]",
+        "Chain(\\bm{v}_{rot,contr}, BigSum(i; 1; N; Add(Mul(m_{rw_i}, [ \\tilde { \\bm { r } } _ { W _ { c _ { i } } / B } ], d_i, Pow(\\Omega_i; 2), \\hat{\\bm{w}}_{2_i}), Neg(Mul([ I _ { \\text { r w } _ { i } , W _ { c _ { i } } } ]', \\Omega_i, \\hat{\\bm{g}}_{s_i})), Neg(Mul([ \\tilde { \\bm { \\omega } } _ { \\mathcal { B } / \\mathcal { N } } ], Add(Mul([ I _ { \\text { r w } _ { i } , W _ { c _ { i } } } ], \\Omega_i, \\hat{\\bm{g}}_{s_i}), Mul(m_{rw_i}, [ \\tilde { \\bm { r } } _ { W _ { c _ { i } } / B } ], \\bm{r}_{W_c_i/B}')))), Neg(Mul(Add(Mul([ I _ { \\text { r w } _ { i } , W _ { c _ { i } } } ], \\hat{\\bm{g}}_{s_i}), Mul(m_{rw_i}, d_i, [ \\tilde { \\bm { r } } _ { W _ { c _ { i } } / B } ], \\hat{\\bm{w}}_{3_i})), c_{\\Omega_i})))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/reactionWheels/_Documentation/RWJitterBackSubstitution/Basilisk-RWJitterBackSub-20161221.tex",
+    ),
+    (
+        "\\mathbf{M} = \\begin{bmatrix} \\mathbf{M}_{B_1} & \\mathbf{0} & \\ldots & \\mathbf{0} \\\\ \\mathbf{0} & \\mathbf{M}_{B_2} & \\ldots & \\vdots \\\\ \\vdots & \\vdots & \\ddots & \\vdots \\\\ \\mathbf{0} & \\mathbf{0} & \\ldots & \\mathbf{M}_{B_\\nu} \\end{bmatrix}",
+        "Chain(\\mathbf{M}, MatrixOf(\\mathbf{M}_{B_1}, 0, Dots(), 0, 0, \\mathbf{M}_{B_2}, Dots(), Dots(), Dots(), Dots(), Dots(), Dots(), 0, 0, Dots(), \\mathbf{M}_{B_\\nu}); =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "h_t = \\sqrt{2\\mu \\frac{r_a r_p}{r_a + r_p}}",
+        "Chain(h_t, Sqrt(Mul(2, \\mu, Div(Mul(r_a, r_p); Add(r_a, r_p)))); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/hohmann-transfer.md",
+    ),
+    (
+        "A=\\left[\\begin{array}{cccccc} 1 & 0 & 0 & 0 & \\cdots & 0 \\\\ h_{0} & 2\\left(h_{0}+h_{1}\\right) & h_{1} & 0 & \\cdots & 0 \\\\ 0 & h_{1} & 2\\left(h_{1}+h_{2}\\right) & h_{2} & \\cdots & 0 \\\\ 0 & 0 & h_{2} & 2\\left(h_{2}+h_{3}\\right) & \\cdots & 0 \\\\ 0 & 0 & 0 & h_{3} & \\ddots & \\\\ \\vdots & \\vdots & & & & \\\\ 0 & 0 & 0 & \\cdots & 0 & 1 \\end{array}\\right]",
+        "Chain(A, MatrixOf(1, 0, 0, 0, Dots(), 0, h_0, Mul(2, Add(h_0, h_1)), h_1, 0, Dots(), 0, 0, h_1, Mul(2, Add(h_1, h_2)), h_2, Dots(), 0, 0, 0, h_2, Mul(2, Add(h_2, h_3)), Dots(), 0, 0, 0, 0, h_3, Dots(), Blank(), Dots(), Dots(), Blank(), Blank(), Blank(), Blank(), 0, 0, 0, Dots(), 0, 1); =)",
+        "AtsushiSakai/PythonRobotics/docs/modules/5_path_planning/cubic_spline/cubic_spline_main.rst",
+    ),
+    (
+        "\\begin{cases} I_{13}\\ddot{\\psi}-I_{23}\\dot{\\psi}^2=0 \\\\ I_{23}\\ddot{\\psi}+I_{13}\\dot{\\psi}^2=0 \\end{cases}",
+        "System(Chain(Add(Mul(I_{13}, Call(\\ddot{\\psi})), Neg(Mul(I_{23}, Pow(Call(\\dot{\\psi}); 2)))), 0; =), Chain(Add(Mul(I_{23}, Call(\\ddot{\\psi})), Mul(I_{13}, Pow(Call(\\dot{\\psi}); 2))), 0; =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "v_{\\perp} = r \\dot{\\nu} = r \\frac{d\\nu}{dt}",
+        "Chain(v_\\perp, Mul(r, Call(\\dot{\\nu})), Mul(r, Derivative(Call(\\nu); t, 1)); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/elliptical-orbits.md",
+    ),
+    (
+        "\\frac{d{}^B\\mathbf{C}^A}{dt} = \\begin{bmatrix} -\\frac{\\sqrt{6}}{2} - \\frac{3 \\sqrt{2}}{4} & - \\frac{\\sqrt{6}}{4} + \\frac{3 \\sqrt{2}}{2} & - \\frac{3 \\sqrt{6}}{4} + \\sqrt{2}\\\\ -1 & - \\frac{1}{2} & - \\sqrt{3}\\\\ - \\frac{\\sqrt{6}}{2} + \\frac{3 \\sqrt{2}}{4} & - \\frac{\\sqrt{6}}{4} + \\frac{3 \\sqrt{2}}{2} & \\frac{3 \\sqrt{6}}{4} \\end{bmatrix}",
+        "Chain(Derivative(Call(\\prescript { B } { } { \\mathbf { C } } ^ { A }); t, 1), MatrixOf(Add(Neg(Div(Sqrt(6); 2)), Neg(Div(Mul(3, Sqrt(2)); 4))), Add(Neg(Div(Sqrt(6); 4)), Div(Mul(3, Sqrt(2)); 2)), Add(Neg(Div(Mul(3, Sqrt(6)); 4)), Sqrt(2)), Neg(1), Neg(Div(1; 2)), Neg(Sqrt(3)), Add(Neg(Div(Sqrt(6); 2)), Div(Mul(3, Sqrt(2)); 4)), Add(Neg(Div(Sqrt(6); 4)), Div(Mul(3, Sqrt(2)); 2)), Div(Mul(3, Sqrt(6)); 4)); =)",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "\\tau^{B_A}_{total,W_y} = \\tau^{B_A}_{finger,W_y} + \\text{unknown terms}.",
+        "Chain(\\tau _ { t o t a l , W _ { y } } ^ { B _ { A } }, Add(\\tau _ { f i n g e r , W _ { y } } ^ { B _ { A } }, \\text{unknown~terms}); =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "{\\bf x}[n+1] = \\begin{bmatrix} x_1[n] + x_2[n] \\\\ x_2[n] + u[n] \\end{bmatrix},",
+        "Chain(Indexed(\\mathbf{x}; Add(n, 1)), MatrixOf(Add(Indexed(x_1; n), Indexed(x_2; n)), Add(Indexed(x_2; n), Indexed(u; n))); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\frac{T''(t)}{a^2 T(t)} = -\\lambda = \\frac{X''(x)}{X(x)} .",
+        "Chain(Div(Call(T''; t); Mul(Pow(a; 2), Call(T; t))), Neg(\\lambda), Div(Call(X''; x); Call(X; x)); =, =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "\\begin{aligned}\\boldsymbol{r} &= \\frac{x\\dot{y}_0 - y\\dot{x}_0}{h}\\boldsymbol{r}_0 + \\frac{-xy_0 + yx_0}{h}\\boldsymbol{v}_0 \\\\ \\boldsymbol{v} &= \\frac{\\dot{x}\\dot{y}_0 - \\dot{y}\\dot{x}_0}{h}\\boldsymbol{r}_0 + \\frac{-\\dot{x}y_0 + \\dot{y}x_0}{h}\\boldsymbol{v}_0\\end{aligned}",
+        "System(Chain(\\boldsymbol{r}, Add(Mul(Div(Add(Mul(Call(x), \\dot { y } _ { 0 }), Neg(Mul(Call(y), \\dot { x } _ { 0 }))); h), \\boldsymbol{r}_0), Mul(Div(Add(Neg(Mul(Call(x), y_0)), Mul(Call(y), x_0)); h), \\boldsymbol{v}_0)); =), Chain(\\boldsymbol{v}, Add(Mul(Div(Add(Mul(Call(\\dot{x}), \\dot { y } _ { 0 }), Neg(Mul(Call(\\dot{y}), \\dot { x } _ { 0 }))); h), \\boldsymbol{r}_0), Mul(Div(Add(Neg(Mul(Call(\\dot{x}), y_0)), Mul(Call(\\dot{y}), x_0)); h), \\boldsymbol{v}_0)); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/the-lagrange-coefficients.md",
+    ),
+    (
+        "\\nu = \\nu_0 + n t",
+        "Chain(\\nu, Add(\\nu_0, Mul(n, t)); =)",
+        "bryanwweber/orbital-mechanics-notes/interplanetary-maneuvers/interplanetary-transfer-phasing.md",
+    ),
+    (
+        "h = uf+vg",
+        "Chain(h, Add(Mul(u, f), Mul(v, g)); =)",
+        "sympy/sympy/doc/src/modules/polys/internals.rst",
+    ),
+    (
+        "\\frac{T(k+1)}{T(k)} = z \\left(\\frac{k}{k+1}\\right)^s \\left( \\frac{\\log(k+1)}{\\log(k)} \\right)^d \\le U(k).",
+        "Chain(Div(Call(T; Add(k, 1)); Call(T; k)), Mul(z, Pow(Div(k; Add(k, 1)); s), Pow(Div(Call(log; Add(k, 1)); Call(log; k)); d)), Call(U; k); =, \\le)",
+        "fredrik-johansson/arb/doc/source/polylogarithms.rst",
+    ),
+    (
+        "\\int_{t_0}^{t_1} \\left(\\delta T + \\sum_{i=1}^n \\boldsymbol{F}_i \\cdot \\delta \\boldsymbol{r}_i\\right) \\mathrm{d} t = 0",
+        "Chain(Integral(Add(\\delta T, BigSum(i; 1; n; Mul(\\boldsymbol{F}_i, \\delta \\boldsymbol { r } _ { i }; 1))); t; t_0; t_1), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter9.tex",
+    ),
+    (
+        "\\left[{}^AX^B\\right]^{-1} = {}^BX^A.",
+        "Chain(Pow(\\prescript { A } { } { X } ^ { B }; Neg(1)), \\prescript { B } { } { X } ^ { A }; =)",
+        "RussTedrake/manipulation/book/pick.html",
+    ),
+    (
+        "\\ddot{\\boldsymbol{r}} = \\boldsymbol{\\Omega}\\times\\left(\\boldsymbol{\\Omega}\\times\\boldsymbol{r}\\right) + 2\\boldsymbol{\\Omega}\\times\\boldsymbol{v}_{\\text{rel}} + \\boldsymbol{a}_{\\text{rel}}",
+        "Chain(Call(\\ddot{\\boldsymbol{r}}), Add(Cross(\\boldsymbol{\\Omega}; Cross(\\boldsymbol{\\Omega}; Call(\\boldsymbol{r}))), Cross(Mul(2, \\boldsymbol{\\Omega}); \\boldsymbol{v}_{rel}), \\boldsymbol{a}_{rel}); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\Delta\\mathbf{q}_\\mathrm{acc} = \\begin{bmatrix}\\sqrt{\\frac{g_z+1}{2}} & - \\frac{g_y}{\\sqrt{2(g_z+1)}} & \\frac{g_x}{\\sqrt{2(g_z+1)}} & 0\\end{bmatrix}^T",
+        "Chain(\\Delta \\mathbf { q } _ { \\mathrm { a c c } }, Transpose(MatrixOf(Sqrt(Div(Add(g_z, 1); 2)), Neg(Div(g_y; Sqrt(Mul(2, Add(g_z, 1))))), Div(g_x; Sqrt(Mul(2, Add(g_z, 1)))), 0)); =)",
+        "Mayitzin/ahrs/ahrs/filters/aqua.py",
+    ),
+    (
+        "d(\\mathbf{R}_1, \\mathbf{R}_2) = \\|\\log(\\mathbf{R}_1\\mathbf{R}_2^T)\\|",
+        "Chain(Call(d; \\mathbf{R}_1, \\mathbf{R}_2), Norm(Call(log; Mul(\\mathbf{R}_1, Transpose(\\mathbf{R}_2)))); =)",
+        "Mayitzin/ahrs/ahrs/utils/metrics.py",
+    ),
+    (
+        "\\xi_1 = e^{-2t}\\int e^{2t} \\, (e^t-t) \\, dt + C_1 e^{-2t} = \\frac{e^t}{3}-\\frac{t}{2}+\\frac{1}{4}+C_1 e^{-2t} ,",
+        "Chain(\\xi_1, Add(Mul(Pow(e; Neg(Mul(2, t))), Antiderivative(Mul(Pow(e; Mul(2, t)), Add(Pow(e; t), Neg(t))); t)), Mul(C_1, Pow(e; Neg(Mul(2, t))))), Add(Div(Pow(e; t); 3), Neg(Div(t; 2)), Div(1; 4), Mul(C_1, Pow(e; Neg(Mul(2, t))))); =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\dot x = f(x, u), \\qquad x\\in\\mathbb{R}^n,\\, u\\in\\mathbb{R}^m.",
+        "System(Chain(Call(\\dot{x}), Call(f; Call(x), u); =), Chain(Call(x), Pow(\\mathbb{R}; n); \\in), Chain(u, Pow(\\mathbb{R}; m); \\in))",
+        "python-control/python-control/doc/optimal.rst",
+    ),
+    (
+        "\\boldsymbol{\\omega}_0 = \\omega_0 \\boldsymbol{e}_3 = \\omega_0(-\\cos \\lambda \\boldsymbol{i} + \\sin \\lambda \\boldsymbol{k})",
+        "Chain(\\boldsymbol{\\omega}_0, Mul(\\omega_0, \\boldsymbol{e}_3), Mul(\\omega_0, Add(Neg(Mul(Call(cos; \\lambda), \\boldsymbol{i})), Mul(Call(sin; \\lambda), \\boldsymbol{k}))); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter7.tex",
+    ),
+    (
+        "\\lambda = 1 + 0.622(1-0.215\\beta^2 - 0.785\\beta^5)",
+        "Chain(\\lambda, Add(1, Mul(0.622, Add(1, Neg(Mul(0.215, Pow(\\beta; 2))), Neg(Mul(0.785, Pow(\\beta; 5)))))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "e^{z} =1 + z + \\frac{1}{2} z^2 + \\frac{1}{6} z^3 + ... .",
+        "Chain(Pow(e; z), Add(1, z, Mul(Div(1; 2), Pow(z; 2)), Mul(Div(1; 6), Pow(z; 3)), Dots()); =)",
+        "RussTedrake/underactuated/book/acrobot.html",
+    ),
+    (
+        "\\Gamma(s,z) = \\frac{(-1)^n}{n!} (\\psi(n+1) - \\log(z)) + \\frac{(-1)^n}{(n+1)!} z \\, {}_2F_2(1,1,2,2+n,-z) - z^{-n} \\sum_{k=0}^{n-1} \\frac{(-z)^k}{(k-n) k!}, \\quad n = -s \\in \\mathbb{Z}_{\\ge 0}",
+        "System(Chain(Call(Gamma; s, z), Add(Mul(Div(Pow(Neg(1); n); Factorial(n)), Add(Call(\\psi; Add(n, 1)), Neg(Call(log; z)))), Mul(Div(Pow(Neg(1); n); Factorial(Add(n, 1))), z, Call(\\prescript { } { 2 } { F } _ { 2 }; 1, 1, 2, Add(2, n), Neg(z))), Neg(Mul(Pow(z; Neg(n)), BigSum(k; 0; Add(n, Neg(1)); Div(Pow(Neg(z); k); Mul(Add(k, Neg(n)), Factorial(k))))))); =), Chain(n, Neg(s), \\mathbb{Z}_{\\ge0}; =, \\in))",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "[colback=white,colframe=black,boxrule=0.5pt,top=1.5pt,bottom=1.5pt]{~~ a_n = \\frac{2}{L} \\int_{0}^L f(t)\\, \\cos \\left( \\frac{n \\pi}{L} t \\right) \\, dt . ~~}",
+        "Chain(a_n, Mul(Div(2; L), Integral(Mul(Call(f; t), Call(cos; Mul(Div(Mul(n, \\pi); L), t))); t; 0; L)); =)",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "I_{\\nu}(z) = \\frac{1}{\\Gamma(\\nu+1)} \\left(\\frac{z}{2}\\right)^{\\nu} {}_0F_1\\left(\\nu+1, \\frac{z^2}{4}\\right),",
+        "Chain(Call(I_\\nu; z), Mul(Div(1; Call(Gamma; Add(\\nu, 1))), Pow(Div(z; 2); \\nu), Call(\\prescript { } { 0 } { F } _ { 1 }; Add(\\nu, 1), Div(Pow(z; 2); 4))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
+    ),
+    (
+        "\\begin{cases} Q_\\alpha = Q_\\alpha(\\boldsymbol{q},\\boldsymbol{p},t), \\\\ P_\\alpha = P_\\alpha(\\boldsymbol{q},\\boldsymbol{p},t), \\end{cases}\\quad \\alpha = 1,2,\\cdots,s",
+        "System(Chain(Call(Q_{\\alpha}), Call(Q_{\\alpha}; \\boldsymbol{q}, \\boldsymbol{p}, t); =), Chain(Call(P_{\\alpha}), Call(P_{\\alpha}; \\boldsymbol{q}, \\boldsymbol{p}, t); =), Values(\\alpha; 1, 2, Dots(), s))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "P_{loss}=P_{mec}\\frac{1-\\eta}{\\eta}",
+        "Chain(P_{loss}, Mul(P_{mec}, Div(Add(1, Neg(\\eta)); \\eta)); =)",
+        "AVSLab/basilisk/src/simulation/thermal/motorThermal/motorThermal.rst",
+    ),
+    (
+        "& k_1 = f(x_i,y_i) , & & k_2 = f(x_i + h,y_i + k_1h) , \\\\ & x_{i+1} = x_i + h , & & y_{i+1} = y_i + \\frac{k_1+k_2}{2}\\,h .",
+        "System(Chain(k_1, Call(f; x_i, y_i); =), Chain(k_2, Call(f; Add(x_i, h), Add(y_i, Mul(k_1, h))); =), Chain(x_{i+1}, Add(x_i, h); =), Chain(y_{i+1}, Add(y_i, Mul(Div(Add(k_1, k_2); 2), h)); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "J^*(s[0]) = \\min_{a[\\cdot]} E \\left[ \\sum_{n=0}^\\infty \\ell(s[n],a[n]) \\right].",
+        "Chain(Call(J ^ { * }; Indexed(s; 0)), Limiting(min; _{ a [ \\cdot ] }; Indexed(E; BigSum(n; 0; Infinity(); Call(\\ell; Indexed(s; n), Indexed(a; n))))); =)",
+        "RussTedrake/underactuated/book/dp.html",
+    ),
+    (
+        "\\begin{bmatrix} 1 \\\\ -1 \\end{bmatrix} = \\vec{x}(0) = \\begin{bmatrix} 1 \\\\ 2 \\end{bmatrix} a_1 + \\begin{bmatrix} 1 \\\\ -1 \\end{bmatrix} a_2 = \\begin{bmatrix} a_1+a_2 \\\\2a_1 - a_2 \\end{bmatrix} .",
+        "Chain(MatrixOf(1, Neg(1)), Call(\\vec{x}; 0), Add(Mul(MatrixOf(1, 2), a_1), Mul(MatrixOf(1, Neg(1)), a_2)), MatrixOf(Add(a_1, a_2), Add(Mul(2, a_1), Neg(a_2))); =, =, =)",
+        "jirilebl/diffyqs/ch-systems.tex",
+    ),
+    (
+        "\\begin{array}{rcl} \\sigma &=& \\mathrm{tr}\\mathbf{B} \\\\ \\mathbf{S} &=& \\mathbf{B}+\\mathbf{B}^T \\\\ \\mathbf{z} &=& \\begin{bmatrix}B_{23}-B_{32} \\\\ B_{31}-B_{13} \\\\ B_{12}-B_{21}\\end{bmatrix} \\end{array}",
+        "System(Chain(\\sigma, Call(tr; \\mathbf{B}); =), Chain(\\mathbf{S}, Add(\\mathbf{B}, Transpose(\\mathbf{B})); =), Chain(\\mathbf{z}, MatrixOf(Add(B_{23}, Neg(B_{32})), Add(B_{31}, Neg(B_{13})), Add(B_{12}, Neg(B_{21}))); =))",
+        "Mayitzin/ahrs/ahrs/filters/davenport.py",
+    ),
+    (
+        "\\gamma \\approx \\frac{\\beta\\Delta t}{\\mu_t}",
+        "Chain(\\gamma, Div(Mul(\\beta, \\Delta t); \\mu_t); \\approx)",
+        "Mayitzin/ahrs/ahrs/filters/madgwick.py",
+    ),
+    (
+        "\\forall \\tau, \\dot{V}(0,\\tau) = 0, \\\\ \\forall \\tau, \\forall {\\bf x}_\\perp \\in {\\cal B}, {\\bf x}_\\perp \\ne 0, \\dot{V}({\\bf x}_\\perp,\\tau) < 0,",
+        "System(Forall(\\tau), Chain(Call(\\dot{V}; 0, \\tau), 0; =), Forall(\\tau), Forall(Chain(\\mathbf{x}_\\perp, \\mathcal{B}; \\in)), Chain(\\mathbf{x}_\\perp, 0; \\ne), Chain(Call(\\dot{V}; \\mathbf{x}_\\perp, \\tau), 0; <))",
+        "RussTedrake/underactuated/book/limit_cycles.html",
+    ),
+    (
+        "\\ddot{\\boldsymbol{\\rho}} = -\\frac{1 - \\pi_2}{\\sigma^3}\\boldsymbol{\\sigma} - \\frac{\\pi_2}{\\psi^3}\\boldsymbol{\\psi}",
+        "Chain(Call(\\ddot{\\boldsymbol{\\rho}}), Add(Neg(Mul(Div(Add(1, Neg(\\pi_2)); Pow(\\sigma; 3)), \\boldsymbol{\\sigma})), Neg(Mul(Div(\\pi_2; Pow(\\psi; 3)), \\boldsymbol{\\psi}))); =)",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\left[I_{\\text{fuel}_i,\\,B}\\right]= \\left[I_{\\text{fuel}_i,\\,Fc_i}\\right] + m_{\\text{fuel}_i}\\, \\left[\\tilde{\\bm{r}}_{Fc_i/B}\\right]\\left[\\tilde{\\bm{r}}_{Fc_i/B}\\right]^T",
+        "Chain([ I _ { \\text { f u e l } _ { i } , \\, B } ], Add([ I _ { \\text { f u e l } _ { i } , \\, F c _ { i } } ], Mul(m_{fuel_i}, [ \\tilde { \\bm { r } } _ { F c _ { i } / B } ], Transpose([ \\tilde { \\bm { r } } _ { F c _ { i } / B } ]))); =)",
+        "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "\\begin{aligned} \\pi_1 &= \\frac{m_1}{m_1 + m_2} & \\pi_2 &= \\frac{m_2}{m_1 + m_2} \\end{aligned}",
+        "System(Chain(\\pi_1, Div(m_1; Add(m_1, m_2)); =), Chain(\\pi_2, Div(m_2; Add(m_1, m_2)); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "\\lambda = 1 + 0.622\\left[1-C_b\\left(\\frac{l}{D_o}\\right)^{\\frac{1- (l/D_o)^{0.25}}{2}}\\right]",
+        "Chain(\\lambda, Add(1, Mul(0.622, Add(1, Neg(Mul(C_b, Pow(Div(l; D_o); Div(Add(1, Neg(Pow(Div(l; D_o); 0.25))); 2))))))); =)",
+        "CalebBell/fluids/fluids/fittings.py",
+    ),
+    (
+        "\\text{SA} = R^2\\cos^{-1}\\frac{(R - h)}{R} - (R - h)\\sqrt{(2Rh - h^2)}",
+        "Chain(\\text{SA}, Add(Mul(Pow(R; 2), Call(arccos; Div(Add(R, Neg(h)); R))), Neg(Mul(Add(R, Neg(h)), Sqrt(Add(Mul(2, R, h), Neg(Pow(h; 2))))))); =)",
+        "CalebBell/fluids/fluids/geometry.py",
+    ),
+    (
+        "\\begin{cases} \\rho = \\rho \\\\ \\psi = \\phi \\\\ z = \\zeta + \\dfrac{h\\phi}{2\\pi} \\end{cases}",
+        "System(Chain(\\rho, \\rho; =), Chain(\\psi, \\phi; =), Chain(z, Add(\\zeta, Div(Mul(h, \\phi); Mul(2, \\pi))); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter2.tex",
+    ),
+    (
+        "^{\\cal N}\\dot{\\bm \\omega}_{RN} = \\frac{^{\\cal N}{\\bm \\omega}_{RN}(\\textrm{t}) - ^{\\cal N}{\\bm \\omega}_{RN}(\\textrm{t-1})}{\\Delta \\textrm{t}}",
+        "Chain(Call(\\prescript { \\mathcal { N } } { } { \\dot { \\bm { \\omega } } } _ { R N }), Div(Add(Call(\\prescript { \\mathcal { N } } { } { \\bm { \\omega } } _ { R N }; \\text{t}), Neg(Call(\\prescript { \\mathcal { N } } { } { \\bm { \\omega } } _ { R N }; \\text{t-1}))); Mul(\\Delta, \\text{t})); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/secModuleDescription.tex",
+    ),
+    (
+        "k(\\tau_{nm}) = a \\, \\exp \\left (-c\\,\\tau_{nm} \\right )",
+        "Chain(Call(k; \\tau_{nm}), Mul(a, Call(exp; Neg(Mul(c, \\tau_{nm})))); =)",
+        "dfm/celerite/docs/tutorials/modeling.rst",
+    ),
+    (
+        "\\text{head} = \\frac{K V^2}{2g}",
+        "Chain(\\text{head}, Div(Mul(K, Pow(V; 2)); Mul(2, g)); =)",
+        "CalebBell/fluids/fluids/core.py",
+    ),
+    (
+        "\\mathbf{M}_d\\dot{\\bar{u}} + \\bar{g}_d = -\\mathbf{T}^T \\mathbf{M} \\mathbf{T} \\dot{\\bar{u}} + \\mathbf{T}^T\\left(\\bar{F} - \\bar{g}\\right) = \\bar{0}",
+        "Chain(Add(Mul(\\mathbf{M}_d, Call(\\dot{\\bar{u}})), \\bar{g}_d), Add(Neg(Mul(Transpose(\\mathbf{T}), \\mathbf{M}, \\mathbf{T}, Call(\\dot{\\bar{u}}))), Mul(Transpose(\\mathbf{T}), Add(\\bar{F}, Neg(\\bar{g})))), 0; =, =)",
+        "moorepants/learn-multibody-dynamics/tmt.rst",
+    ),
+    (
+        "\\dot\\omega_{s_{i1,2}} = \\frac{{\\vphantom{\\textrm{d}}}^{\\mathcal{B}\\!}{\\textrm{d}}}{\\textrm{d} t} \\left( \\bm\\omega_{\\cal B/N} \\cdot \\hat{\\bm s}_{i1,2} \\right) = \\frac{{\\vphantom{\\textrm{d}}}^{\\mathcal{B}\\!}{\\textrm{d}}}{\\textrm{d} t} \\left( \\bm\\omega_{\\cal B/N}\\right) \\cdot \\hat{\\bm s}_{i1,2} = \\dot{\\bm\\omega}_{\\cal B/N} \\cdot \\hat{\\bm s}_{i1,2}",
+        "Chain(Call(\\dot{\\omega}_{s_i1,2}), Marked(Derivative(Mul(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}), \\hat{\\bm{s}}_{i1,2}; 1); t, 1); _{ \\mathcal { B } \\! }), Mul(Marked(Derivative(Call(\\bm{\\omega}_{\\mathcal B/\\mathcal N}); t, 1); _{ \\mathcal { B } \\! }), \\hat{\\bm{s}}_{i1,2}; 1), Mul(Call(\\dot { \\bm { \\omega } } _ { \\mathcal B / \\mathcal N }), \\hat{\\bm{s}}_{i1,2}; 1); =, =, =)",
+        "AVSLab/basilisk/src/simulation/dynamics/dualHingedRigidBodies/_Documentation/secModelDescription.tex",
+    ),
+    (
+        "x = l\\cos q \\\\ y = l\\sin q",
+        "System(Chain(x, Mul(l, Call(cos; q)); =), Chain(y, Mul(l, Call(sin; q)); =))",
+        "moorepants/learn-multibody-dynamics/configuration.rst",
+    ),
+    (
+        "\\begin{aligned} \\ddot{x} - 2\\varOmega\\dot{y} - \\varOmega^2 x &= -\\frac{\\mu_1}{r_1^3}\\left(x + \\pi_2 r_{12}\\right) - \\frac{\\mu_2}{r_2^3}\\left(x - \\pi_1 r_{12}\\right) \\\\ \\ddot{y} + 2\\varOmega\\dot{x} - \\varOmega^2 y &= -\\frac{\\mu_1}{r_1^3}y - \\frac{\\mu_2}{r_2^3}y \\\\ \\ddot{z} &= -\\frac{\\mu_1}{r_1^3}z - \\frac{\\mu_2}{r_2^3}z \\end{aligned}",
+        "System(Chain(Add(Call(\\ddot{x}), Neg(Mul(2, \\varOmega, Call(\\dot{y}))), Neg(Mul(Pow(\\varOmega; 2), Call(x)))), Add(Neg(Mul(Div(\\mu_1; Pow(r_1; 3)), Add(Call(x), Mul(\\pi_2, r_{12})))), Neg(Mul(Div(\\mu_2; Pow(r_2; 3)), Add(Call(x), Neg(Mul(\\pi_1, r_{12})))))); =), Chain(Add(Call(\\ddot{y}), Mul(2, \\varOmega, Call(\\dot{x})), Neg(Mul(Pow(\\varOmega; 2), Call(y)))), Add(Neg(Mul(Div(\\mu_1; Pow(r_1; 3)), Call(y))), Neg(Mul(Div(\\mu_2; Pow(r_2; 3)), Call(y)))); =), Chain(Call(\\ddot{z}), Add(Neg(Mul(Div(\\mu_1; Pow(r_1; 3)), Call(z))), Neg(Mul(Div(\\mu_2; Pow(r_2; 3)), Call(z)))); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/circular-restricted-three-body-problem.md",
+    ),
+    (
+        "{}^N\\bar{v}^R = {}^B\\bar{v}^R + {}^N\\bar{v}^S + {}^N\\bar{\\omega}^B \\times \\bar{r}^{R/S}",
+        "Chain(\\prescript { N } { } { \\bar { v } } ^ { R }, Add(\\prescript { B } { } { \\bar { v } } ^ { R }, \\prescript { N } { } { \\bar { v } } ^ { S }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; \\bar { r } ^ { R / S })); =)",
+        "moorepants/learn-multibody-dynamics/translational.rst",
+    ),
+    (
+        "x_{sat}= \\textrm{max}(x_{sat,1}, x_{min})",
+        "Chain(x_{sat}, Call(max; x_{sat,1}, x_{min}); =)",
+        "AVSLab/basilisk/src/architecture/utilities/_Documentation/saturate/secModelDescription.tex",
+    ),
+    (
+        "p := n - m",
+        "Chain(p, Add(n, Neg(m)); =)",
+        "moorepants/learn-multibody-dynamics/motion.rst",
+    ),
+    (
+        "|\\operatorname{atan}(x+a) - \\operatorname{atan}(x)| \\le \\min(\\pi, C_1 |a|).",
+        "Chain(Bars(Add(Call(atan; Add(x, a)), Neg(Call(atan; x)))), Call(min; \\pi, Mul(C_1, Bars(a))); \\le)",
+        "fredrik-johansson/arb/doc/source/formulas.rst",
+    ),
+    (
+        "x'' + a x' + bx + cx^3 = C \\cos(\\omega t) .",
+        "Chain(Add(x'', Mul(a, x'), Mul(b, x), Mul(c, Pow(x; 3))), Mul(C, Call(cos; Mul(\\omega, t))); =)",
+        "jirilebl/diffyqs/ch-nonlin-systems.tex",
+    ),
+    (
+        "\\begin{aligned} \\ddot{\\boldsymbol{R}}_1 &= G m_2 \\frac{\\boldsymbol{r}}{r^3}\\\\ \\ddot{\\boldsymbol{R}}_2 &= -G m_1 \\frac{\\boldsymbol{r}}{r^3} \\end{aligned}",
+        "System(Chain(Call(\\ddot{\\boldsymbol{R}}_1), Mul(G, m_2, Div(\\boldsymbol{r}; Pow(r; 3))); =), Chain(Call(\\ddot{\\boldsymbol{R}}_2), Neg(Mul(G, m_1, Div(\\boldsymbol{r}; Pow(r; 3)))); =))",
+        "bryanwweber/orbital-mechanics-notes/the-n-body-problem/two-body-inertial-motion.md",
+    ),
+    (
+        "\\omega_1 = \\sqrt{ 2 \\frac{g}{l} \\left[ 1 - \\cos \\left (\\gamma-\\alpha \\right) \\right]}.",
+        "Chain(\\omega_1, Sqrt(Mul(2, Div(g; l), Add(1, Neg(Call(cos; Add(\\gamma, Neg(\\alpha))))))); =)",
+        "RussTedrake/underactuated/book/simple_legs.html",
+    ),
+    (
+        "\\frac{dy}{dx} = \\frac{a F_3 (x, y, z) - c F_1 (x, y, z)}{c F_2 (x, y, z) - b F_3 (x, y, z)}",
+        "Chain(Derivative(Call(y); x, 1), Div(Add(Mul(a, Call(F_3; x, Call(y), z)), Neg(Mul(c, Call(F_1; x, Call(y), z)))); Add(Mul(c, Call(F_2; x, Call(y), z)), Neg(Mul(b, Call(F_3; x, Call(y), z))))); =)",
+        "sympy/sympy/sympy/solvers/ode/ode.py",
+    ),
+    (
+        "\\begin{aligned}\\chi^{+} &= \\frac{\\sqrt{\\mu}\\Delta t}{r^{-}}\\\\\\chi^{-} &= \\frac{\\sqrt{\\mu}\\Delta t}{r^{+}}\\end{aligned}",
+        "System(Chain(\\chi ^ { + }, Div(Mul(Sqrt(\\mu), \\Delta t); r ^ { - }); =), Chain(\\chi ^ { - }, Div(Mul(Sqrt(\\mu), \\Delta t); r ^ { + }); =))",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-variables.md",
+    ),
+    (
+        "J(n, {\\bf x}) = \\min_{\\bf u} \\left[\\ell(n, {\\bf x},{\\bf u}) + J(n+1, {\\bf A}[n]{\\bf x} + {\\bf B}[n]{\\bf u} + {\\bf c}[n]) \\right],",
+        "Chain(Call(J; n, \\mathbf{x}), Limiting(min; _{ \\mathbf { u } }; Add(Call(\\ell; n, \\mathbf{x}, \\mathbf{u}), Call(J; Add(n, 1), Add(Mul(Indexed(\\mathbf{A}; n), \\mathbf{x}), Mul(Indexed(\\mathbf{B}; n), \\mathbf{u}), Indexed(\\mathbf{c}; n))))); =)",
+        "RussTedrake/underactuated/book/lqr.html",
+    ),
+    (
+        "\\boldsymbol{X}_1 = \\boldsymbol{U}_1 \\boldsymbol{x},\\quad \\boldsymbol{X}_2 = \\boldsymbol{U}_2 \\boldsymbol{x}",
+        "System(Chain(\\boldsymbol{X}_1, Mul(\\boldsymbol{U}_1, \\boldsymbol{x}); =), Chain(\\boldsymbol{X}_2, Mul(\\boldsymbol{U}_2, \\boldsymbol{x}); =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter6.tex",
+    ),
+    (
+        "\\theta(t) = \\mp \\frac{\\ddot{\\theta}_{\\text{max}} (t - t_{s3})^2}{2} + \\dot{\\theta}(t_{s3})(t - t_{s3}) + \\theta(t_{s3})",
+        "Chain(Call(\\theta; t), Add(PlusMinus(Div(Mul(\\ddot { \\theta } _ { \\text { m a x } }, Pow(Add(t, Neg(t_{s3})); 2)); 2); True), Mul(Call(\\dot{\\theta}; t_{s3}), Add(t, Neg(t_{s3}))), Call(\\theta; t_{s3})); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "\\frac{\\mathrm{d}r}{\\mathrm{d}\\varTheta} = r^2\\sqrt{\\frac{2\\mu E}{\\beta^2}+ \\frac{2\\mu\\alpha}{\\beta^2} \\frac1r - \\frac{1}{r^2}}",
+        "Chain(Derivative(Call(r); \\varTheta, 1), Mul(Pow(Call(r); 2), Sqrt(Add(Div(Mul(2, \\mu, E); Pow(\\beta; 2)), Mul(Div(Mul(2, \\mu, \\alpha); Pow(\\beta; 2)), Div(1; Call(r))), Neg(Div(1; Pow(Call(r); 2)))))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\sum_{i=1}^n (\\boldsymbol{J}_i-m_i\\Delta\\boldsymbol{v}_i) \\cdot \\delta\\boldsymbol{v}_i = 0",
+        "Chain(BigSum(i; 1; n; Mul(Add(\\boldsymbol{J}_i, Neg(Mul(m_i, \\Delta \\boldsymbol { v } _ { i }))), \\delta \\boldsymbol { v } _ { i }; 1)), 0; =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter8.tex",
+    ),
+    (
+        "\\bar{v} \\cdot \\bar{w} = |\\bar{v}| |\\bar{w}| \\cos{\\theta}",
+        "Chain(Mul(\\bar{v}, \\bar{w}; 1), Mul(Bars(\\bar{v}), Bars(\\bar{w}), Call(cos; \\theta)); =)",
+        "moorepants/learn-multibody-dynamics/vectors.rst",
+    ),
+    (
+        "H = \\frac{1}{2m}(p_x^2+p_y^2+p_z^2) - \\frac{\\alpha}{r}",
+        "Chain(H, Add(Mul(Div(1; Mul(2, m)), Add(Pow(p_x; 2), Pow(p_y; 2), Pow(p_z; 2))), Neg(Div(\\alpha; r))); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\tilde{z} = z_d - z = \\frac{1}{k_p}mg.",
+        "Chain(\\tilde{z}, Add(z_d, Neg(z)), Mul(Div(1; k_p), m, g); =, =)",
+        "RussTedrake/manipulation/book/force.html",
+    ),
+    (
+        "\\dot{\\boldsymbol{x}}(t_k) = \\boldsymbol{f} \\big( t_k, \\boldsymbol{x}(t_k), \\dot{\\boldsymbol{x}}(t_{k-1}), \\boldsymbol{u}(t_k) \\big)",
+        "Chain(Call(\\dot{\\boldsymbol{x}}; t_k), Call(\\boldsymbol{f}; t_k, Call(\\boldsymbol{x}; t_k), Call(\\dot{\\boldsymbol{x}}; t_{k-1}), Call(\\boldsymbol{u}; t_k)); =)",
+        "JSBSim-Team/jsbsim-reference-manual/docs/formulation/state-propagation-contract.md",
+    ),
+    (
+        "\\varPi(h,k,x) & = \\int_0^x \\frac{\\mathrm{d}t}{(1+ht^2)\\sqrt{(1-t^2)(1-k^2t^2)}} \\\\ & = \\int_0^{\\arcsin x} \\frac{\\mathrm{d}\\phi}{(1+h\\sin^2\\phi)\\sqrt{1-k^2\\sin^2\\phi}}",
+        "Chain(Call(\\varPi; h, k, x), Integral(Div(1; Mul(Add(1, Mul(h, Pow(t; 2))), Sqrt(Mul(Add(1, Neg(Pow(t; 2))), Add(1, Neg(Mul(Pow(k; 2), Pow(t; 2)))))))); t; 0; x), Integral(Div(1; Mul(Add(1, Mul(h, Pow(Call(sin; \\phi); 2))), Sqrt(Add(1, Neg(Mul(Pow(k; 2), Pow(Call(sin; \\phi); 2))))))); \\phi; 0; Call(arcsin; x)); =, =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/appendixA.tex",
+    ),
+    (
+        "T = \\frac{1}{2}mR^2\\left(\\dot{\\theta}^2 + \\sin^2\\theta \\cdot \\dot{\\phi}^2\\right)",
+        "Chain(T, Mul(Div(1; 2), m, Pow(R; 2), Add(Pow(Call(\\dot{\\theta}); 2), Mul(Pow(Call(sin; Call(\\theta)); 2), Pow(Call(\\dot{\\phi}); 2)))); =)",
+        "sympy/sympy/doc/src/tutorials/physics/mechanics/muscle_model_example.rst",
+    ),
+    (
+        "{\\bf A} = \\sum_{i} \\beta_i {\\bf A}_i, \\quad \\sum_i \\beta_i = 1, \\quad \\forall i, \\beta_i > 0.",
+        "System(Chain(\\mathbf{A}, BigSum(i; Mul(\\beta_i, \\mathbf{A}_i)); =), Chain(BigSum(i; \\beta_i), 1; =), Forall(i), Chain(\\beta_i, 0; >))",
+        "RussTedrake/underactuated/book/lyapunov.html",
+    ),
+    (
+        "\\begin{array}{ll} y_{tt} = y_{xx} & \\qquad \\text{for } \\; 0 < x < 1 \\text{ and } t > 0, \\\\ y(0,t) = y(1,t) = 0 & \\qquad \\text{for } \\; t > 0, \\\\ y(x,0) = f(x) & \\qquad \\text{for } \\; 0 < x < 1, \\\\ y_t(x,0) = 0 & \\qquad \\text{for } \\; 0 < x < 1 . \\end{array}",
+        "System(Implies(System(Chain(0, x, 1; <, <), Chain(t, 0; >)); Chain(y_{tt}, y_{xx}; =)), Implies(Chain(t, 0; >); Chain(Call(y; 0, t), Call(y; 1, t), 0; =, =)), Implies(Chain(0, x, 1; <, <); Chain(Call(y; x, 0), Call(f; x); =)), Implies(Chain(0, x, 1; <, <); Chain(Call(y_t; x, 0), 0; =)))",
+        "jirilebl/diffyqs/ch-fourier-and-pde.tex",
+    ),
+    (
+        "f(\\chi) = 0 = \\frac{r_0 v_{r,0}}{\\sqrt{\\mu}}\\chi^2 C\\left(\\alpha\\chi^2\\right) + \\left(1 - \\alpha r_0\\right) \\chi^3 S\\left(\\alpha\\chi^2\\right) + r_0 \\chi - \\sqrt{\\mu}\\left(t - t_0\\right)",
+        "Chain(Call(f; \\chi), 0, Add(Mul(Div(Mul(r_0, v_{r,0}); Sqrt(\\mu)), Pow(\\chi; 2), Call(C; Mul(\\alpha, Pow(\\chi; 2)))), Mul(Add(1, Neg(Mul(\\alpha, r_0))), Pow(\\chi; 3), Call(S; Mul(\\alpha, Pow(\\chi; 2)))), Mul(r_0, \\chi), Neg(Mul(Sqrt(\\mu), Add(t, Neg(t_0))))); =, =)",
+        "bryanwweber/orbital-mechanics-notes/time-since-periapsis-and-keplers-equation/universal-lagrange-coefficients-example.md",
+    ),
+    (
+        "v = \\frac{y}{x} \\qquad \\text{and therefore} \\qquad y' = v + x v' .",
+        "System(Chain(v, Div(y; x); =), Words(\\text{and~therefore}), Chain(y', Add(v, Mul(x, v')); =))",
+        "jirilebl/diffyqs/ch-first-order-ode.tex",
+    ),
+    (
+        "U(\\mathbf{\\bar r}) = \\frac{\\mu}{r} \\sum_{l=0}^\\infty \\sum_{m=0}^l \\bigg(\\frac{R_{\\text{ref}}}{r}\\bigg)^l A_{l,m}[u] \\{C_{l,m} R_m[s,t] + S_{l,m} I_m[s,t]\\}",
+        "Chain(Call(U; \\bar{\\mathbf{r}}), Mul(Div(\\mu; r), BigSum(l; 0; Infinity(); BigSum(m; 0; l; Mul(Pow(Div(R_{ref}; r); l), Indexed(A_{lm}; u), Tuple(Add(Mul(C_{lm}, Indexed(R_m; s, t)), Mul(S_{lm}, Indexed(I_m; s, t))); {}))))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/formationFlying/spacecraftPointing/_Documentation/example/secModelDescription.tex",
+    ),
+    (
+        "\\frac{{}^Ad\\bar{u}}{dt} &= \\dot{u}_1\\hat{b}_x + \\dot{u}_2\\hat{b}_y + \\dot{u}_3\\hat{b}_z + u_1\\frac{{}^Ad\\hat{b}_x}{dt} + u_2\\frac{{}^Ad\\hat{b}_y}{dt} + u_3\\frac{{}^Ad\\hat{b}_z}{dt} \\\\ \\frac{{}^Ad\\bar{u}}{dt} &= \\frac{{}^Bd\\bar{u}}{dt} + u_1{}^A\\bar{\\omega}^B\\times\\hat{b}_x + u_2{}^A\\bar{\\omega}^B\\times\\hat{b}_y + u_3{}^A\\bar{\\omega}^B\\times\\hat{b}_z \\\\ \\frac{{}^Ad\\bar{u}}{dt} &= \\frac{{}^Bd\\bar{u}}{dt} + {}^A\\bar{\\omega}^B\\times\\bar{u}",
+        "System(Chain(Marked(Derivative(Call(\\bar{u}); t, 1); _{ A }), Add(Mul(Call(\\dot{u}_1), Call(\\hat{b}_x)), Mul(Call(\\dot{u}_2), Call(\\hat{b}_y)), Mul(Call(\\dot{u}_3), Call(\\hat{b}_z)), Mul(Call(u_1), Marked(Derivative(Call(\\hat{b}_x); t, 1); _{ A })), Mul(Call(u_2), Marked(Derivative(Call(\\hat{b}_y); t, 1); _{ A })), Mul(Call(u_3), Marked(Derivative(Call(\\hat{b}_z); t, 1); _{ A }))); =), Chain(Marked(Derivative(Call(\\bar{u}); t, 1); _{ A }), Add(Marked(Derivative(Call(\\bar{u}); t, 1); _{ B }), Cross(Mul(Call(u_1), \\prescript { A } { } { \\bar { \\omega } } ^ { B }); Call(\\hat{b}_x)), Cross(Mul(Call(u_2), \\prescript { A } { } { \\bar { \\omega } } ^ { B }); Call(\\hat{b}_y)), Cross(Mul(Call(u_3), \\prescript { A } { } { \\bar { \\omega } } ^ { B }); Call(\\hat{b}_z))); =), Chain(Marked(Derivative(Call(\\bar{u}); t, 1); _{ A }), Add(Marked(Derivative(Call(\\bar{u}); t, 1); _{ B }), Cross(\\prescript { A } { } { \\bar { \\omega } } ^ { B }; Call(\\bar{u}))); =))",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "Q_m(a, b) = a^{- m + 1} \\int_{b}^{\\infty} x^{m} e^{- \\frac{a^{2}}{2} - \\frac{x^{2}}{2}} I_{m - 1}\\left(a x\\right)\\, dx",
+        "Chain(Call(Q_m; a, b), Mul(Pow(a; Add(Neg(m), 1)), Integral(Mul(Pow(x; m), Pow(e; Add(Neg(Div(Pow(a; 2); 2)), Neg(Div(Pow(x; 2); 2)))), Call(I_{m-1}; Mul(a, x))); x; b; Infinity())); =)",
+        "sympy/sympy/sympy/functions/special/bessel.py",
+    ),
+    (
+        "\\begin{split} \\det \\left( \\begin{bmatrix} 1 & 2 & 3 \\\\ 4 & 5 & 6 \\\\ 7 & 8 & 9 \\end{bmatrix} \\right) & = 1 \\cdot \\det \\left( \\begin{bmatrix} 5 & 6 \\\\ 8 & 9 \\end{bmatrix} \\right) - 2 \\cdot \\det \\left( \\begin{bmatrix} 4 & 6 \\\\ 7 & 9 \\end{bmatrix} \\right) + 3 \\cdot \\det \\left( \\begin{bmatrix} 4 & 5 \\\\ 7 & 8 \\end{bmatrix} \\right) \\\\ & = 1 (5 \\cdot 9 - 6 \\cdot 8) - 2 (4 \\cdot 9 - 6 \\cdot 7) + 3 (4 \\cdot 8 - 5 \\cdot 7) = 0 . \\end{split}",
+        "Chain(Call(det; MatrixOf(1, 2, 3, 4, 5, 6, 7, 8, 9)), Add(Mul(1, Call(det; MatrixOf(5, 6, 8, 9))), Neg(Mul(2, Call(det; MatrixOf(4, 6, 7, 9)))), Mul(3, Call(det; MatrixOf(4, 5, 7, 8)))), Add(Mul(1, Add(Mul(5, 9), Neg(Mul(6, 8)))), Neg(Mul(2, Add(Mul(4, 9), Neg(Mul(6, 7))))), Mul(3, Add(Mul(4, 8), Neg(Mul(5, 7))))), 0; =, =, =)",
+        "jirilebl/diffyqs/ap-linear-algebra.tex",
+    ),
+    (
+        "dx/dt &= Ax + Bu + Gw \\\\ y &= Cx + Du + v",
+        "System(Chain(Derivative(Call(x); t, 1), Add(Mul(A, Call(x)), Mul(B, u), Mul(G, w)); =), Chain(y, Add(Mul(C, Call(x)), Mul(D, u), v); =))",
+        "python-control/python-control/control/stochsys.py",
+    ),
+    (
+        "y'' - xy = 0 ,",
+        "Chain(Add(y'', Neg(Mul(x, y))), 0; =)",
+        "jirilebl/diffyqs/ch-power-ser.tex",
+    ),
+    (
+        "{}_1F_1(a,b,z) = \\frac{\\Gamma(b)}{\\Gamma(a) \\Gamma(b-a)} \\int_0^1 e^{zt} t^{a-1} (1-t)^{b-a-1} dt.",
+        "Chain(Call(\\prescript { } { 1 } { F } _ { 1 }; a, b, z), Mul(Div(Call(Gamma; b); Mul(Call(Gamma; a), Call(Gamma; Add(b, Neg(a))))), Integral(Mul(Pow(e; Mul(z, t)), Pow(t; Add(a, Neg(1))), Pow(Add(1, Neg(t)); Add(b, Neg(a), Neg(1)))); t; 0; 1)); =)",
+        "fredrik-johansson/arb/doc/source/arb_hypgeom.rst",
+    ),
+    (
+        "q(d) = \\frac{1}{ds\\sqrt{2\\pi}} \\exp\\left[-0.5\\left(\\frac{ \\ln(d/d_{characteristic})}{s}\\right)^2\\right]",
+        "Chain(Call(q; d), Mul(Div(1; Mul(d, s, Sqrt(Mul(2, \\pi)))), Call(exp; Neg(Mul(0.5, Pow(Div(Call(ln; Div(d; d_{characteristic})); s); 2))))); =)",
+        "CalebBell/fluids/fluids/particle_size_distribution.py",
+    ),
+    (
+        "S_n(\\zeta) = \\sum_{k=0}^{n-1} (-1)^k \\frac{u(k)}{\\zeta^k}, \\quad S'_n(\\zeta) = \\sum_{k=0}^{n-1} (-1)^k \\frac{v(k)}{\\zeta^k}",
+        "System(Chain(Call(S_n; \\zeta), BigSum(k; 0; Add(n, Neg(1)); Mul(Pow(Neg(1); k), Div(Call(u; k); Pow(\\zeta; k)))); =), Chain(Call(S_n'; \\zeta), BigSum(k; 0; Add(n, Neg(1)); Mul(Pow(Neg(1); k), Div(Call(v; k); Pow(\\zeta; k)))); =))",
+        "fredrik-johansson/arb/doc/source/hypergeometric.rst",
+    ),
+    (
+        "\\boldsymbol{F} = T\\frac{\\boldsymbol{v}}{v}",
+        "Chain(\\boldsymbol{F}, Mul(T, Div(\\boldsymbol{v}; v)); =)",
+        "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/nonimpulsive-orbital-maneuvers.md",
+    ),
+    (
+        "\\mathbf{R} = \\begin{bmatrix} r_{11} & r_{12} & r_{13} \\\\ r_{21} & r_{22} & r_{23} \\\\ r_{31} & r_{32} & r_{33} \\end{bmatrix}",
+        "Chain(\\mathbf{R}, MatrixOf(r_{11}, r_{12}, r_{13}, r_{21}, r_{22}, r_{23}, r_{31}, r_{32}, r_{33}); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "\\ddot{\\theta}(t) = \\mp \\ddot{\\theta}_{\\text{max}} \\left ( -1 + \\frac{3(t - t_{b2})^2}{t_{\\text{smooth}}^2} - \\frac{2 (t - t_{b2})^3}{t_{\\text{smooth}}^3} \\right )",
+        "Chain(Call(\\ddot{\\theta}; t), PlusMinus(Mul(\\ddot { \\theta } _ { \\text { m a x } }, Add(Neg(1), Div(Mul(3, Pow(Add(t, Neg(t_{b2})); 2)); Pow(t_{smooth}; 2)), Neg(Div(Mul(2, Pow(Add(t, Neg(t_{b2})); 3)); Pow(t_{smooth}; 3))))); True); =)",
+        "AVSLab/basilisk/src/simulation/deviceInterface/prescribedRotation1DOF/prescribedRotation1DOF.rst",
+    ),
+    (
+        "0 \\leq \\psi \\leq \\pi \\\\ -\\pi/2 \\leq \\theta \\leq \\pi/2 \\\\ -\\infty \\leq \\varphi \\leq \\infty",
+        "System(Chain(0, \\psi, \\pi; \\le, \\le), Chain(Neg(Div(\\pi; 2)), \\theta, Div(\\pi; 2); \\le, \\le), Chain(Neg(Infinity()), \\varphi, Infinity(); \\le, \\le))",
+        "moorepants/learn-multibody-dynamics/angular.rst",
+    ),
+    (
+        "{}^\\mathcal{R}\\boldsymbol{a}_2 = {}^\\mathcal{R}\\boldsymbol{\\hat{r}}_S - ({}^\\mathcal{R}\\boldsymbol{\\hat{r}}_S \\cdot {}^\\mathcal{B}\\boldsymbol{\\hat{a}}_1) {}^\\mathcal{B}\\boldsymbol{\\hat{a}}_1",
+        "Chain(\\prescript { \\mathcal { R } } { } { \\boldsymbol { a } } _ { 2 }, Add(\\prescript { \\mathcal { R } } { } { \\hat { \\boldsymbol { r } } } _ { S }, Neg(Mul(Mul(\\prescript { \\mathcal { R } } { } { \\hat { \\boldsymbol { r } } } _ { S }, \\prescript { \\mathcal { B } } { } { \\hat { \\boldsymbol { a } } } _ { 1 }; 1), \\prescript { \\mathcal { B } } { } { \\hat { \\boldsymbol { a } } } _ { 1 }))); =)",
+        "AVSLab/basilisk/src/fswAlgorithms/effectorInterfaces/solarArrayReference/solarArrayReference.rst",
+    ),
+    (
+        "\\min_z c(z) \\quad \\textrm{subject to} \\quad {\\bf \\phi}(z) \\le 0,",
+        "System(Words(Limiting(min; _{ z }; Call(c; z))), Words(\\text{subject~to}), Chain(Call(\\mathbf{\\phi}; z), 0; \\le))",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathcal{X}_0 &=& \\bar{\\mathbf{x}} \\\\ \\mathcal{X}_i &=& \\bar{\\mathbf{x}} + \\Big(\\sqrt{(n + \\lambda)\\mathbf{P_{xx}}}\\Big)_i\\\\ \\mathcal{X}_{i+n} &=& \\bar{\\mathbf{x}} - \\Big(\\sqrt{(n + \\lambda)\\mathbf{P_{xx}}}\\Big)_i \\end{array}",
+        "System(Chain(\\mathcal{X}_0, \\bar{\\mathbf{x}}; =), Chain(\\mathcal{X}_i, Add(\\bar{\\mathbf{x}}, Marked(Sqrt(Mul(Add(n, \\lambda), \\mathbf{P}_{xx})); _{ i })); =), Chain(\\mathcal{X}_{i+n}, Add(\\bar{\\mathbf{x}}, Neg(Marked(Sqrt(Mul(Add(n, \\lambda), \\mathbf{P}_{xx})); _{ i }))); =))",
+        "Mayitzin/ahrs/ahrs/filters/ukf.py",
+    ),
+    (
+        "G_{2k} \\left(\\frac{a\\tau+b}{c\\tau+d}\\right) = (c\\tau+d)^{2k} G_{2k}(\\tau).",
+        "Chain(Call(G_{2k}; Div(Add(Mul(a, \\tau), b); Add(Mul(c, \\tau), d))), Mul(Pow(Add(Mul(c, \\tau), d); Mul(2, k)), Call(G_{2k}; \\tau)); =)",
+        "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "\\mathbf{k} = \\frac{1}{2\\sin\\theta} \\begin{bmatrix}r_{32} - r_{23} \\\\ r_{13} - r_{31} \\\\ r_{21} - r_{12}\\end{bmatrix}",
+        "Chain(\\mathbf{k}, Mul(Div(1; Mul(2, Call(sin; \\theta))), MatrixOf(Add(r_{32}, Neg(r_{23})), Add(r_{13}, Neg(r_{31})), Add(r_{21}, Neg(r_{12})))); =)",
+        "Mayitzin/ahrs/ahrs/common/dcm.py",
+    ),
+    (
+        "\\left| \\bar{I}_a \\right| = m \\left| \\bar{r}^{P/O} \\right| ^2 | \\sin\\theta |",
+        "Chain(Bars(\\bar{I}_a), Mul(m, Pow(Bars(\\bar { r } ^ { P / O }); 2), Bars(Call(sin; \\theta))); =)",
+        "moorepants/learn-multibody-dynamics/mass.rst",
+    ),
+    (
+        "y(x,0) = \\sum_{n=1}^\\infty b_n X_n(x) T_n(0) = \\sum_{n=1}^\\infty b_n X_n(x) = \\sum_{n=1}^\\infty b_n \\sin (n \\pi x) = f(x) .",
+        "Chain(Call(y; x, 0), BigSum(n; 1; Infinity(); Mul(b_n, Call(X_n; x), Call(T_n; 0))), BigSum(n; 1; Infinity(); Mul(b_n, Call(X_n; x))), BigSum(n; 1; Infinity(); Mul(b_n, Call(sin; Mul(n, \\pi, x)))), Call(f; x); =, =, =, =)",
+        "jirilebl/diffyqs/ch-eigenvalue-probs.tex",
+    ),
+    (
+        "{ {\\boldsymbol{z}}} = {K({ {\\boldsymbol{t}}},\\,{ {\\boldsymbol{t}}})}^{-1}\\,\\left[{ {\\boldsymbol{y}}} - { {\\boldsymbol{\\mu}}}_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{t}}})\\right] \\quad.",
+        "Chain(\\boldsymbol{z}, Mul(Pow(Call(K; \\boldsymbol{t}, \\boldsymbol{t}); Neg(1)), Add(\\boldsymbol{y}, Neg(Call(\\boldsymbol{\\mu}_{\\boldsymbol\\theta}; \\boldsymbol{t})))); =)",
+        "dfm/celerite/paper/ms.tex",
+    ),
+    (
+        "\\begin{bmatrix}d \\\\ c \\\\ a\\end{bmatrix} = \\begin{bmatrix} \\sin\\theta & \\cos\\theta & 0 \\\\ -\\cos\\theta & \\sin\\theta & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\begin{bmatrix}e \\\\ n \\\\ u\\end{bmatrix}",
+        "Chain(MatrixOf(d, c, a), Mul(MatrixOf(Call(sin; \\theta), Call(cos; \\theta), 0, Neg(Call(cos; \\theta)), Call(sin; \\theta), 0, 0, 0, 1), MatrixOf(e, n, u)); =)",
+        "Mayitzin/ahrs/ahrs/common/frames.py",
+    ),
+    (
+        "P_n^{(a,b)}(z)=\\frac{(a+1)_n}{\\Gamma(n+1)} {}_2F_1\\left(-n,n+a+b+1,a+1,\\frac{1-z}{2}\\right).",
+        "Chain(Call(P _ { n } ^ { ( a , b ) }; z), Mul(Div(Marked(Add(a, 1); _{ n }); Call(Gamma; Add(n, 1))), Call(\\prescript { } { 2 } { F } _ { 1 }; Neg(n), Add(n, a, b, 1), Add(a, 1), Div(Add(1, Neg(z)); 2))); =)",
+        "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
     ),
 )
 
@@ -11334,5 +13389,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\epsilon = \\sqrt{\\frac{- D^{4} P_{1} P_{2}^{2} \\log{\\left(\\frac{P_{2}} {P_{1}} \\right)} + Do^{4} P_{1} P_{2}^{2} \\log{\\left(\\frac{P_{2}}{P_{1}} \\right)}}{D^{4} P_{1}^{3} - D^{4} P_{1}^{2} P_{2} - Do^{4} P_{1} P_{2}^{2} + Do^{4} P_{2}^{3}}}",
         "CalebBell/fluids/fluids/flow_meter.py",
+    ),
+    (
+        "A = 1 \\le n \\wedge p < q \\wedge 1 \\le m",
+        "sympy/sympy/doc/src/modules/integrals/g-functions.rst",
+    ),
+    (
+        "u = u_\\text{d} - K_\\text{p} (x - x_\\text{d}) - K_\\text{i} \\int C (x - x_\\text{d}) dt.",
+        "python-control/python-control/doc/iosys.rst",
+    ),
+    (
+        "x = (\\mathcal L \\bar x)",
+        "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
     ),
 )

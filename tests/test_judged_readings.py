@@ -234,11 +234,18 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"R = \sum_{i=1}^{N} w_i v_i^T R", {"N": ("scalar", ""), "R": ("matrix", "")}),
     (r"\bar{r} \cdot \hat{n} = 0", {r"\bar{r}": ("vector", ""), r"\hat{n}": ("vector", "")}),
     (r"\bar{x} \cdot \bar{y} = 2", {r"\bar{x}": ("scalar", "")}),
+    (r"\bar{x} \cdot \bar{y} = |\bar{x}| |\bar{y}|", {r"\bar{x}": ("vector", "")}),
     (r"x \in \mathbb{R}^{6 \nu \times n}, \quad \nu = n", {r"\nu": ("scalar", ""), "n": ("scalar", "")}),
     (r"I \ddot{\theta} + b \dot{\theta} = \tau", {r"\theta": ("scalar", "t")}),
     (r"\dot{x} + x = u(\tau)", {"x": ("scalar", r"\tau")}),
     (r"\dot{\tau} = f(x, \tau)", {r"\tau": ("scalar", "t")}),
     (r"\rho = [HN](r - s)", {"[ H N ]": ("matrix", "")}),
+    (r"\bm{L} = \bm{r} \times \bm{\dot{r}}", {r"\bm{r}": ("vector", "t")}),
+    (r"\vec{0} = (A - 2 I) \vec{v}", {"A": ("matrix", ""), "I": ("matrix", None)}),
+    (r"V = (E - r I) R", {"E": ("scalar", ""), "I": ("scalar", "")}),
+    (r"\vec{p} = \vec{q} + t \cdot \vec{d}", {"t": ("scalar", "")}),
+    (r"W = \mathbf{F} \cdot \mathbf{s}", {r"\mathbf{F}": ("vector", "")}),
+    (r"\mathbf{F} = \mathbf{G} \cdot \mathbf{H}", {r"\mathbf{F}": ("matrix", ""), r"\mathbf{H}": ("matrix", "")}),
     (r"J = \left[BM_j\right] A \left[BM_j\right]^T", {"[ B M _ { j } ]": ("matrix", "")}),
     (r"\mathbf{D} = \mathbf{B} (\mathbf{B}^T \mathbf{B})^{-1/2}", {r"\mathbf{B}": ("matrix", "")}),
     (r"f = x \dot{y}_0 - y_0 \dot{x}", {r"\dot { y } _ { 0 }": ("scalar", ""), "y_0": ("scalar", "")}),
@@ -289,6 +296,9 @@ READ = (  # beside what is not read: one thing is meant
     r"\hat{H} x = 2",
     r"[a, b] = [c, d]",
     r"\frac{D u}{C t} = g",
+    r"u = v \wedge 1 \le n",
+    r"\mathcal{E} = I R + \mathcal{L}",
+    r"u = \int k \, dx + k x",
 )
 
 
@@ -317,7 +327,10 @@ def test_what_looks_alike_reads_apart(latex: str) -> None:
     assert bracketed(first_reading(latex)[0]) != bracketed(first_reading(APART[latex])[0])
 
 
-IN_DOUBT = {  # read as one name, of which nothing is said before somebody says what it is
+IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
+    r"A = 1 \le n \wedge p < q": "a chain, or what",
+    r"x = (\mathcal{L} \bar{y})": "applied to what follows",
+    r"u = K \int C (x - y) dt": "which letters depend on t",
     r"Re = \frac{v L}{\nu}": "Reynolds number, or R times e",
     r"C = 0.2 Re_D^{0.5}": "Reynolds number, or R times e",
     r"\overline{AB} = 1": "one name, or something done with A B",

@@ -23,6 +23,9 @@ _INCLINED = re.compile(
     r"\\(?:sin|cos|tan|cot)\s*(?:\^\s*(?:\w|\{[^{}]*\})\s*)?(?:\(\s*|\{\s*)?i(?![A-Za-z])\s*(?![\w\\(])"
 )
 _ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
+# `(A - \lambda I)` and `(\lambda I - A)`, by their tokens
+_MULTIPLE = r"(?:\d |\\[a-z]+ |\\[a-z]+ _ (?:\w|\{ \w+ \}) |[sz] )*I"
+_RESOLVENT = re.compile(rf"\( (?:([A-Z]) - {_MULTIPLE}|{_MULTIPLE} - ([A-Z])) (?:\\right )?\)")
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
 _CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
@@ -43,6 +46,7 @@ class Evidence:
     running: bool = False
     orbital: bool = False
     below: bool = False  # does it stand in a subscript anywhere?
+    square: bool = False  # is a multiple of the identity subtracted from it: A - \lambda I?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -130,6 +134,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
     initials = _initials(formulas) | _forms(formulas)
+    square = {x for formula in formulas for found in _RESOLVENT.finditer(formula) for x in found.groups()}
     for place in places:
         if place.role == "subscript":
             continue
@@ -149,6 +154,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             own.doubt = own.doubt or f"{INDEX_IN_NAME}: {min(inside)}"
         own.shape = shapes.get(latex, ())
         own.below = latex in below
+        own.square = latex in square
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():

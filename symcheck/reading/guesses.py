@@ -11,6 +11,7 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
+from symcheck.reading.commands import ACCENTS, STYLES
 from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, FACES, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
@@ -46,6 +47,7 @@ class Guess:
 COMPLEX = "a complex number"
 
 
+_OPERATOR = re.compile(r"\\math(?:cal|scr)\{[DFHLT]\}")  # of a derivative, a transform, or a linear one
 _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
 
 
@@ -56,6 +58,9 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
+    operator = _OPERATOR.fullmatch(of.spelling) and not of.said
+    if operator and any(p.after in ACCENTS | STYLES or tex.is_letter(p.after) for p in of.places):
+        return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
@@ -181,6 +186,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
     elif face(latex):
         yield from _styled(of)
+    elif of.square:
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "a multiple of the identity stands beside it")
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
@@ -281,7 +288,7 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
             return int(match[1])
         if each.said.startswith(("matrix", "skew matrix")):
             return 3
-        if is_styled(each.spelling, capital=True):
+        if each.square or is_styled(each.spelling, capital=True):
             found = 0
     return found
 
@@ -297,11 +304,11 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
         )
 
     beside = {x for place in of.places for x in place.beside}
-    accented = HAT.match(of.spelling) is not None
+    accented = HAT.match(of.spelling) is not None or _is_dotted(of)
     dotted = map(_is_dotted, every.values()) if accented else [_is_dotted(of)]
     if any(map(HAT.match, every)) and any(dotted):
         return True
-    return (any(map(is_vector, beside)) and not of.factor) or (
+    return (any(map(is_vector, beside)) and not of.factor and of.spelling != "t") or (
         accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
     )
 
@@ -487,7 +494,9 @@ def _styled(of: Evidence) -> Iterator[Guess]:
     elif of.crossed:
         yield vector
     else:
-        yield from (vector, matrix) if long and not of.transposed else (matrix, vector)
+        near = {x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside}
+        dotted = any(face(x) and not is_styled(x, capital=True) for x in near)
+        yield from (vector, matrix) if (long or dotted) and not of.transposed else (matrix, vector)
 
 
 def _letter(of: Evidence, **given: object) -> Letter:

@@ -192,6 +192,10 @@ def _relations(item: Relation | Tree) -> tuple[Relation, ...]:
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
         raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
+    for tree in (each.tree for each in found):
+        first = tree.parts[0] if isinstance(tree, And) else None
+        if isinstance(first, Chain) and first.signs[0] == "=" and not {*first.signs} <= {"=", r"\equiv"}:
+            raise SymcheckError(f"{to_latex(first)}: a chain, or what the first letter stands for? write brackets")
     return found
 
 
@@ -900,6 +904,11 @@ class Lowering:
         if sign != "=" or len(variables) != 1:
             raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
         (by,) = variables
+        parts = [node for side in (left, right) for node in nodes(side)]
+        if parts.count(found[0].variable) == len(found) and not any(
+            isinstance(part, Call) and not part.arguments for part in parts
+        ):
+            raise SymcheckError(f"{to_latex(found[0])}: which letters depend on {to_latex(found[0].variable)}?")
         return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
 
     def rate(self, tree: Tree, by: str, env: Env) -> Term:

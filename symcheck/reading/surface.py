@@ -299,6 +299,8 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     if "'" in inner[-2:] and len(inner) > 1:  # primes stand behind it
         count = 1 + (inner[-2] == "'")
         return [*_over_letters(command, inner[:-count]), *inner[-count:]]
+    if command in STYLES and len(inner) == 2 and inner[0] in ACCENTS and isinstance(inner[1], Group):
+        return [inner[0], Group(_over_letters(command, inner[1].parts))]  # the style is of the letter
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
@@ -307,7 +309,7 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
         text not in MARKS and not text.isupper() for part in above for text in _texts([part])
     )
     if letter and rest and len(rest) % 2 == 0 and scripts and not power:  # the mean of x^2 is not the square of a mean
-        return [command, Group(letter), *rest]
+        return [*_over_letters(command, letter), *rest]
     scripted = next((k for k in range(0, len(rest), 2) if rest[k] not in ("^", "_")), len(rest))
     if command in STYLES and letter and not power and _is_bracket(rest[scripted:]):
         return [command, Group(letter), *rest[:scripted], *_styled(command, rest[scripted:])]  # bold of all of it
