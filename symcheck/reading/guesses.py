@@ -11,7 +11,7 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
-from symcheck.reading.commands import ACCENTS, STYLES
+from symcheck.reading.commands import OVER
 from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, FACES, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
@@ -59,7 +59,7 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     operator = _OPERATOR.fullmatch(of.spelling) and not of.said
-    if operator and any(p.after in ACCENTS | STYLES or tex.is_letter(p.after) for p in of.places):
+    if operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places):
         return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)

@@ -319,7 +319,7 @@ class Lowering:
         if Total in self.kinds:
             refuse_uneven(relation.tree)
         formulas = self.relation(relation)
-        names = set(_names(tuple(formulas)))
+        names = _names(tuple(formulas))
         for name, printed in self.met.items():
             if name not in names:
                 raise SymcheckError(
@@ -1363,13 +1363,17 @@ def _is_time(tree: Tree) -> bool:
     return isinstance(tree, Name) and tree.letter.partition("_")[0] in TIMES
 
 
-def _names(tree: object) -> Iterator[str]:
-    """Every name in a term or in formulas, those of functions too."""
-    if isinstance(tree, str):
-        yield tree
-    elif isinstance(tree, tuple):
-        for part in tree:
-            yield from _names(part)
+def _names(tree: object) -> set[str]:
+    """Every name in a term or in formulas, those of functions too; parts that stand in several places count once."""
+    found, met, todo = set[str](), set[int](), [tree]
+    while todo:
+        part = todo.pop()
+        if isinstance(part, str):
+            found.add(part)
+        elif isinstance(part, tuple) and id(part) not in met:
+            met.add(id(part))
+            todo += part
+    return found
 
 
 def _free_names(term: Term, *, held: bool) -> Iterator[str]:

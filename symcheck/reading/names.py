@@ -14,7 +14,7 @@ from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES, known
 from symcheck.reading.faces import face
 from symcheck.reading.lexer import SIZES, SPACES
 from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
@@ -435,7 +435,7 @@ def _accented(formula: str) -> Iterator[tuple[str, str]]:
 
 
 def _begins_letter(text: str) -> bool:
-    return text in ACCENTS | STYLES or (tex.is_letter(text) and not known(text))
+    return text in OVER or (tex.is_letter(text) and not known(text))
 
 
 def _is_label(inside: Sequence[str]) -> bool:
@@ -465,7 +465,7 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     styles = {r"\mathcal"} if toks[end + 1 : end + 2] and toks[end + 1].text == "^" else STYLES  # or an inverse product
     letters = [text for text in _outside_scripts(inner) if text not in styles]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
-    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
+    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in OVER)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):
         return 0
     reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))

@@ -219,7 +219,7 @@ class Scan(tex.Reader):
         return text
 
     def peek_at(self, place: int) -> str:
-        return self.toks[place].text if place < len(self.toks) else ""
+        return self.texts[place] if place < len(self.texts) else ""
 
     def differential(self) -> bool:
         """Is the d here followed by a letter?"""
@@ -305,7 +305,7 @@ class Scan(tex.Reader):
 
     def operand(self, scope: Scope, by: tuple[str, ...]) -> Iterator[Occurrence]:
         """What stands behind an operator such as d/dx: one factor, or what is in brackets."""
-        while self.peek() in SPACES | SIZES:
+        while self.peek() in _UNPRINTED:
             self.i += 1
         if self.peek() in OPEN:
             yield from self.run(Scope("derived", by), self.closing())
@@ -444,4 +444,7 @@ FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorn
 
 def words(tokens: Sequence[str] | None) -> list[str]:
     """The tokens of a script that are letters or numbers."""
-    return [text for text in tokens or () if text not in {"{", "}", ","} | ROMAN | SPACES]
+    return [text for text in tokens or () if text not in _NO_WORDS]
+
+
+_NO_WORDS = {"{", "}", ","} | ROMAN | SPACES

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, ROMAN, STYLES
+from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES
 from symcheck.reading.functions import COMMANDS
 from symcheck.reading.phrases import phrased
 from symcheck.reading.typed import typed
@@ -50,6 +50,7 @@ BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracke
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
+_LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
 _ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 _BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
 # the name of an operator, perhaps with spaces
@@ -217,7 +218,7 @@ def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
     """The letter that begins here, with its style and accents."""
     if k >= len(parts) or not isinstance(parts[k], str) or not tex.is_letter(str(parts[k])):
         return [], k
-    if parts[k] in STYLES | ACCENTS | ROMAN and k + 1 < len(parts):
+    if parts[k] in _LETTERED and k + 1 < len(parts):
         return parts[k : k + 2], k + 2
     return parts[k : k + 1], k + 1
 
@@ -275,7 +276,7 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                     found.append(taken)
             if (part in ZEROS and _zero(found[-1], parts[k : k + 2])) or _one(found[-2:], parts[k : k + 2]):
                 found[-2:] = found[-1].parts if isinstance(found[-1], Group) else []
-            elif part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
+            elif part in OVER and isinstance(styled := found[-1], Group):
                 found[-2:] = _over_letters(part, styled.parts)
             is_array = (
                 part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array"
@@ -379,7 +380,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
     found: list[Part] = []
     for k, part in enumerate(parts):
         script = k > 0 and parts[k - 1] in ("_", "^")
-        letter = isinstance(part, str) and tex.is_letter(part) and part not in ROMAN | ACCENTS | STYLES
+        letter = isinstance(part, str) and tex.is_letter(part) and part not in _LETTERED
         letter = letter and parts[k - 1 : k + 2] not in (["(", "t", ")"], ["(", r"\tau", ")"])  # time is no vector
         letter = letter and not (style == r"\mathbf" and part in LETTER_COMMANDS and "(" in parts)  # Greek has no bold
         found += [style, Group([part])] if letter and not script else [part]
@@ -414,7 +415,7 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
         return [Group([])]
     if after == "^" and len(inner) == 3 and inner[1] == "_" and isinstance(inner[2], Group):
         return inner  # `{c_j}^2` is printed as `c_j^2`
-    if after == "^" and len(inner) == 4 and inner[0] in ACCENTS | STYLES and inner[2] == "_":
+    if after == "^" and len(inner) == 4 and inner[0] in OVER and inner[2] == "_":
         return inner
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
         if after in ("^", "_") and _runs_on(inner):
