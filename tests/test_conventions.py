@@ -182,7 +182,6 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         ("AB = BA", []),
         ("(A + B)(A - B) = A^2 - B^2", []),
         ("(AB)^{-1} = A^{-1} B^{-1}", []),
-        ("E[XY] = E[X] Y", []),
         (r"\hat{\mathbf n}\cdot\dot{\hat{\mathbf n}} = 0", []),
         (r"\mathbf{a}\cdot\mathbf{b} = ab\cos\theta", []),
         ("u_y = v_x", ["u = x^2 - y^2", "v = 2xy"]),
@@ -405,7 +404,6 @@ UNSAID = [
     (r"(\mathbf a \times \mathbf b) \times \mathbf c \ne \mathbf a \times (\mathbf b \times \mathbf c)", []),
     (r"\bar v = (\bar v \cdot \hat a_x) \hat a_x + (\bar v \cdot \hat a_y) \hat a_y", []),
     (r"\bar v \cdot \bar w = |\bar v| |\bar w| \cos\theta", []),
-    (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
     (r"m \ne n \Rightarrow \int_0^\pi \sin(mt) \sin(nt) \,dt = 0", []),
     (r"\sin(n\pi) = 0", []),
     (r"\int_0^{2\pi} \cos(m x) \cos(n x) \,dx = 0", []),
@@ -418,8 +416,10 @@ UNSAID = [
         [],
     ),
 ]
-# letters before brackets that nobody writes around a factor, and that stand without them too
+# letters before brackets that nobody writes around a factor, and that stand without them too; a sign that may be a sum
 APPLIED = [
+    (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
+    ("E[XY] = E[X] Y", []),
     (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
     (r"m\text{-}P = P\text{-}m", []),
     ("v(t) = v t", []),

@@ -83,6 +83,15 @@ def test_what_has_no_algebraic_form_is_stated_as_it_is_printed(latex: str) -> No
     assert any(formula.tag == "form" for formula in lower(tree, notation))
 
 
+PRIMED = r"T = \int_a^b \sqrt{1 + y'^2 + y} \, dx"
+
+
+def test_a_prime_below_an_integral_makes_no_constant() -> None:
+    assert decide(PRIMED.replace("T =", r"(b - a) \sqrt{1 + y'^2 + y} =")).verdict is not Status.PROVED
+    assert all(formula.tag == "form" for formula in lower(*first_reading(PRIMED)))
+    assert all(formula.tag != "form" for formula in lower(*first_reading(PRIMED.replace("'", "_1"))))
+
+
 OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
     (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
     (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
@@ -132,6 +141,35 @@ def test_what_may_be_applied_or_multiplied_has_no_form(latex: str) -> None:
         lower(*first_reading(latex))
 
 
+COMPLEX = (r"U(t) = e^{-i H t}", r"f(i x) = 2 f(x)", r"i \frac{\partial f}{\partial t} = H f")
+
+
+@pytest.mark.parametrize("latex", COMPLEX)
+def test_nothing_says_that_the_values_of_a_function_are_real(latex: str) -> None:
+    (formula,) = lower(*first_reading(latex))
+    assert formula.tag == "form"
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)
+
+
+def test_what_is_real_may_be_said_of_complex_numbers() -> None:
+    assert decide(r"e^{i x} = \cos x + i \sin x").verdict is Status.PROVED
+
+
+IDENTITY = {  # whether the letter is the identity
+    r"\mathbf{A}^{-1} \mathbf{A} = \mathbf{I}": True,
+    r"(\mathbf{A} - \lambda \mathbf{I}) \mathbf{x} = 0": True,
+    r"\mathbf{L} = \mathbf{I} \boldsymbol{\omega}": False,
+    r"T = \frac12 \boldsymbol{\omega}^T \mathbf{I} \boldsymbol{\omega}": False,
+}
+
+
+@pytest.mark.parametrize("latex", IDENTITY)
+def test_a_capital_i_before_a_vector_only_is_no_identity(latex: str) -> None:
+    letter = first_reading(latex)[1].find(r"\mathbf{I}", 0)
+    assert letter
+    assert letter.identity == IDENTITY[latex]
+
+
 def test_no_certificate_holds_a_form() -> None:
     (formula,) = lower(*first_reading(OPAQUE[0]))
     with pytest.raises(Malformed):
@@ -173,6 +211,11 @@ SAME = {  # two ways to print one thing
     r"M^{-T} J = 1": r"\left( M^{-1} \right)^T J = 1",
     r"i = 1 \ldots n": r"i = 1, \ldots, n",
     r"y = mcos\theta": r"y = m \cos \theta",
+    r"y = \left[ a_1 \ b_1 \ \dot{c} \right]": r"y = [a_1, b_1, \dot{c}]",
+    r"\mathbf{B} = {}^b \mathbf{a} ({}^r \mathbf{a})^T": r"\mathbf{B} = {}^b \mathbf{a} \, {}^r \mathbf{a}^T",
+    r"a = b \hspace{2cm} c = d": r"a = b, \quad c = d",
+    r"a = b \hspace{1pt} c": r"a = b c",
+    r"a = b \text{, where } c = d": r"a = b, \quad c = d",
     r"\operatorname{\text{argmin}}_x f = 1": r"\operatorname{argmin}_x f = 1",
 }
 
@@ -182,6 +225,88 @@ def test_two_ways_to_print_one_thing_read_alike(latex: str) -> None:
     assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(SAME[latex])[0])
 
 
+KINDS = (  # what letters are taken for: kind, and on what they depend
+    (r"\mathbf{v} = \mathbf{\Omega} \times \mathbf{r}", {r"\mathbf{\Omega}": ("vector", "")}),
+    (r"\mathbf{y} = \mathbf{A} \mathbf{x}", {r"\mathbf{A}": ("matrix", "")}),
+    (r"\mathbf{L} = \mathbf{r} \times m \mathbf{v}", {"m": ("scalar", "")}),
+    (r"\mathbf{L} = \mathbf{r} \times m_1 \ddot{\mathbf{r}}", {"m_1": ("scalar", "")}),
+    (r"L = r \times v", {"r": ("vector", "")}),
+    (r"R = \sum_{i=1}^{N} w_i v_i^T R", {"N": ("scalar", ""), "R": ("matrix", "")}),
+    (r"\bar{r} \cdot \hat{n} = 0", {r"\bar{r}": ("vector", ""), r"\hat{n}": ("vector", "")}),
+    (r"\bar{x} \cdot \bar{y} = 2", {r"\bar{x}": ("scalar", "")}),
+    (r"\bar{x} \cdot \bar{y} = |\bar{x}| |\bar{y}|", {r"\bar{x}": ("vector", "")}),
+    (r"x \in \mathbb{R}^{6 \nu \times n}, \quad \nu = n", {r"\nu": ("scalar", ""), "n": ("scalar", "")}),
+    (r"I \ddot{\theta} + b \dot{\theta} = \tau", {r"\theta": ("scalar", "t")}),
+    (r"\dot{x} + x = u(\tau)", {"x": ("scalar", r"\tau")}),
+    (r"\dot{\tau} = f(x, \tau)", {r"\tau": ("scalar", "t")}),
+    (r"\rho = [HN](r - s)", {"[ H N ]": ("matrix", "")}),
+    (r"\bm{L} = \bm{r} \times \bm{\dot{r}}", {r"\bm{r}": ("vector", "t")}),
+    (r"\vec{0} = (A - 2 I) \vec{v}", {"A": ("matrix", ""), "I": ("matrix", None)}),
+    (r"V = (E - r I) R", {"E": ("scalar", ""), "I": ("scalar", "")}),
+    (r"\vec{p} = \vec{q} + t \cdot \vec{d}", {"t": ("scalar", "")}),
+    (r"W = \mathbf{F} \cdot \mathbf{s}", {r"\mathbf{F}": ("vector", "")}),
+    (r"\mathbf{F} = \mathbf{G} \cdot \mathbf{H}", {r"\mathbf{F}": ("matrix", ""), r"\mathbf{H}": ("matrix", "")}),
+    (r"J = \left[BM_j\right] A \left[BM_j\right]^T", {"[ B M _ { j } ]": ("matrix", "")}),
+    (r"\mathbf{D} = \mathbf{B} (\mathbf{B}^T \mathbf{B})^{-1/2}", {r"\mathbf{B}": ("matrix", "")}),
+    (r"f = x \dot{y}_0 - y_0 \dot{x}", {r"\dot { y } _ { 0 }": ("scalar", ""), "y_0": ("scalar", "")}),
+    (r"\dot{q}_1 = a \dot{q}_0 + q", {"q_0": ("scalar", "t"), "q_1": ("scalar", "t")}),
+    (r"\dot{x}_0 = a x_0", {"x_0": ("scalar", "t")}),
+    (r"N = \frac{\partial}{\partial \theta} (r - R) + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", "")}),
+    (r"N = \frac{d r}{d \theta} + \frac{\partial}{\partial r} (r - R)", {"r": ("scalar", r"\theta")}),
+    (r"S = \Phi_t P \Phi_t^T", {r"\Phi_t": ("matrix", "")}),
+    (r"\frac{{}^B d \mathbf{c}}{dt} = \frac{dx}{dt} \mathbf{b}", {r"\mathbf{c}": ("vector", "t")}),
+    (r"\dot{\mathbf{s}} = \frac14 [B(\mathbf{s})] \mathbf{w}", {r"[ B ]": ("function", r"\mathbf { s }")}),
+    (r"\bar{H} = \breve{I} \cdot \hat{n}", {r"\breve{I}": ("matrix", ""), r"\hat{n}": ("vector", "")}),
+    (r"\ddot{\mathbf{s}} = a \frac{d^2 \mathbf{r}}{dt^2}", {r"\mathbf{r}": ("vector", "t")}),
+    (r"\frac{d(v x)}{dt} + y(t) = 1", {"v": ("scalar", "t"), "x": ("scalar", "t")}),
+    (r"\Delta G^\circ = -R T \ln K", {r"\Delta G ^ { \circ }": ("scalar", "")}),
+    (r"\dot{\omega} = \sin^2 i - 2", {"i": ("scalar", "")}),
+    (r"[\mathcal{F} \mathcal{N}] = 2", {r"[ \mathcal { F } \mathcal { N } ]": ("matrix", "")}),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("latex", "kinds"), KINDS)
+def test_letters_are_taken_for_what_is_done_with_them(latex: str, kinds: dict[str, tuple[str, str]]) -> None:
+    _, notation = first_reading(latex)
+    found = {name: notation.find(name, 0) for name in kinds}
+    assert {name: letter and (letter.kind, letter.depends) for name, letter in found.items()} == kinds
+
+
+NOT_READ = {  # where two things may be meant
+    r"y \, \mathrm{[dB]} = 20 \log_{10} x": "no factor",
+    r"\frac{d}{dt} [f, g] = 0": "a list, or a product",
+    r"a = b, \text{ where } c = d \\ = e": "which of the relations",
+    r"i \hbar \frac{\partial \Psi}{\partial t} = \hat{H} \Psi": "applied to what follows",
+    r"[\hat{x}, \hat{p}] = i \hbar": "the bracket of two operators",
+    r"\frac{D u}{D t} = g": "a derivative, or a quotient",
+}
+
+
+@pytest.mark.parametrize("latex", NOT_READ)
+def test_what_may_be_meant_in_two_ways_is_not_read(latex: str) -> None:
+    with pytest.raises(SymcheckError, match=NOT_READ[latex]):
+        first_reading(latex)
+
+
+READ = (  # beside what is not read: one thing is meant
+    r"y = \mathrm{dB} \log_{10} x",
+    r"y = x^T \mathbf{\Sigma} x",
+    r"\frac{d}{dt} [f - g] = 0",
+    r"a = b, \text{ where } c = d",
+    r"\hat{H} x = 2",
+    r"[a, b] = [c, d]",
+    r"\frac{D u}{C t} = g",
+    r"u = v \wedge 1 \le n",
+    r"\mathcal{E} = I R + \mathcal{L}",
+    r"u = \int k \, dx + k x",
+)
+
+
+@pytest.mark.parametrize("latex", READ)
+def test_what_means_one_thing_is_read(latex: str) -> None:
+    assert first_reading(latex)
+
+
 APART = {  # what is read otherwise, and would be read as the second one if a sign were overlooked
     r"y = g (m_1 + m_2)": r"y = g(t)",
     r"x_i(t + 1) = x_i(t) + v_i(t + 1)": r"x_i(t + 1) = x_i(t) + v_i \cdot (t + 1)",
@@ -189,6 +314,10 @@ APART = {  # what is read otherwise, and would be read as the second one if a si
     r"y = Q^E W^{N + 2} + Q^{2 F}": r"y = Q^E W^{N + 2} + Q^F",
     r"y = \sum_{i=1}^3 s_{i1,2}": r"y = \sum_{i=1}^3 s_{i12}",
     r"y = \cos\theta \hat{n}": r"y = \cos(\theta n)",
+    r"x'' + x = 0, \quad x'(a) = 0": r"x'' + x = 0, \quad x' \cdot a = 0",
+    r"E = E^\circ - R T": r"E = E - R T",
+    r"E[X] = 2 [Y]": r"E \cdot [X] = 2 [Y]",
+    r"\lambda = 2 \quad \text{with a value} \quad x = 1": r"\lambda = 2, \quad v = x = 1",
     r"\dot{x} = 2 x, \quad x(0) = 1": r"\dot{x} = 2 x, \quad x \cdot 0 = 1",
 }
 
@@ -198,10 +327,23 @@ def test_what_looks_alike_reads_apart(latex: str) -> None:
     assert bracketed(first_reading(latex)[0]) != bracketed(first_reading(APART[latex])[0])
 
 
-IN_DOUBT = {  # read as one name, of which nothing is said before somebody says what it is
+IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
+    r"A = 1 \le n \wedge p < q": "a chain, or what",
+    r"x = (\mathcal{L} \bar{y})": "applied to what follows",
+    r"u = K \int C (x - y) dt": "which letters depend on t",
     r"Re = \frac{v L}{\nu}": "Reynolds number, or R times e",
     r"C = 0.2 Re_D^{0.5}": "Reynolds number, or R times e",
     r"\overline{AB} = 1": "one name, or something done with A B",
+    r"\Sigma \xi = \xi_1 + \xi_2": "a letter, or the sign of a sum",
+    r"\ddot{x} = x'' + 2 x'": "do its primes say the same as its dots",
+    r"F = m \left(\frac{a}{b}\right)^2 [N]": "a matrix in brackets, or the unit",
+    r"f_{curved} = \frac{11.6}{De}": "Dean number, or D times e",
+    r"r = \frac{P \cdot MW}{T}": "one name MW, or a product",
+    r"PV = \frac{FV}{(1 + r)^n}": "one name PV, or a product",
+    r"R^2 = 1 - \frac{SS_{res}}{SS_{tot}}": "one name SS, or a product",
+    r"F = \frac{MSB}{MSW}": "one name MS., or a product",
+    r"e = D^4 P - Do^4 P": "one name Do, or a product",
+    r"\pi = p q - c": "the number pi, or a letter",
 }
 
 
@@ -214,6 +356,9 @@ def test_a_name_in_doubt_is_read_and_says_both_readings(latex: str) -> None:
 
 
 def test_letters_of_an_abbreviated_number_are_factors_where_they_may_be() -> None:
+    products = (r"AB = BA + C", r"R^2 = S S_1 + S", r"x = \frac{A B C}{A + B + C}", r"\pi = 4 \arctan 1")
+    for latex in products:
+        assert lower(*first_reading(latex))
     for latex in (r"I = \frac16 M a^2", r"y = D e^{2 x}"):
         assert "Mul" in bracketed(first_reading(latex)[0])
     for latex in (r"z = R e^{i x}", r"\sum_{i=1}^3 r_i \times v = 0", r"y = \int_0 f \, dx"):

@@ -16,7 +16,6 @@ from symcheck.reading.tree import Add, Bars, Call, Chain, Cross, Derivative, Mat
 APPLIED = frozenset({"f", "g", "h", "F", "G", "H", r"\phi", r"\varphi", r"\psi"})  # letters that are usually functions
 OPERATIONS = frozenset({"+", "-", "/", "^", r"\times", r"\cdot"})  # brackets around these are those of a factor
 # the sign of a sum as a letter, before another letter
-_SIGMA = re.compile(r"\\Sigma(?:\s|\\,)*(?:\\?[a-zA-Z])")
 # a unit in square brackets: "\mathrm{[dBW]}"
 _UNIT = re.compile(r"\\(?:text|mathrm|mbox|textrm|rm)\s*\{\s*\[")
 # a hyphen as text, which is neither a letter nor a minus
@@ -38,7 +37,7 @@ def unsaid(reading: Reading) -> str:
     said = {letter for letter, _ in reading.source[0].letters}
     known = said | {*reading.source[2]}
     return (
-        _signs(reading.source[0].relation, said)
+        _signs(reading.source[0].relation)
         or _declared(reading.tree, known)
         or _held(reading)
         or _marks(reading, known)
@@ -46,14 +45,12 @@ def unsaid(reading: Reading) -> str:
     )
 
 
-def _signs(relation: str, said: Set[str]) -> str:
+def _signs(relation: str) -> str:
     """The doubt about text and signs that may be no factors."""
     if hyphen := _HYPHEN.search(relation):
         return f"{hyphen[0]}: a hyphen in a name, or a minus? write - for a minus"
     if _UNIT.search(relation):
         return "text in square brackets: a unit, or a factor? leave units out"
-    if r"\Sigma" not in said and _SIGMA.search(relation):
-        return r"\Sigma: a letter, or the sign of a sum? write \sum for a sum"
     return ""
 
 

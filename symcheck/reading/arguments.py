@@ -38,7 +38,7 @@ def is_shift(args: Sequence[str]) -> bool:
 
 def is_lone(place: Occurrence) -> bool:
     """Does one letter or number stand in brackets behind it, around which nobody writes them for a product?"""
-    if place.primes or place.powered or place.arguments is None or len(place.arguments) != 1:
+    if place.powered or place.arguments is None or len(place.arguments) != 1:
         return False
     (inside,) = place.arguments
     number = all(tok.isdigit() or tok in (".", "{", "}", r"\frac") for tok in inside.split())

@@ -36,6 +36,7 @@ ACCENTS = frozenset(
         r"\widehat",
     ]
 )
+OVER = STYLES | ACCENTS
 ROMAN = frozenset({r"\text", r"\mathrm", r"\operatorname", r"\textrm", r"\mbox"})
 # how many arguments belong to a command
 ARGUMENTS = {

@@ -10,14 +10,22 @@ from dataclasses import dataclass, field, replace
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
 from symcheck.reading.complex_letters import equated
-from symcheck.reading.faces import is_styled
-from symcheck.reading.names import INDEX_IN_NAME, names_of_several_tokens
+from symcheck.reading.faces import FACES, is_styled
+from symcheck.reading.names import INDEX_IN_NAME, NO_FACTORS, names_of_several_tokens
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
     r"1\s*[-+]\s*e\s*(?:\^\s*\{?\s*2\s*\}?)?(?!\s*\^|\d)|(?<![A-Za-z\\])e\s*\\(?:cos|sin|cosh|sinh)(?![A-Za-z])"
 )
+# what i is there: the angle of a function
+_INCLINED = re.compile(
+    r"\\(?:sin|cos|tan|cot)\s*(?:\^\s*(?:\w|\{[^{}]*\})\s*)?(?:\(\s*|\{\s*)?i(?![A-Za-z])\s*(?![\w\\(])"
+)
+_ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
+# `(A - \lambda I)` and `(\lambda I - A)`, by their tokens
+_MULTIPLE = r"(?:\d |\\[a-z]+ |\\[a-z]+ _ (?:\w|\{ \w+ \}) |[sz] )*I"
+_RESOLVENT = re.compile(rf"\( (?:([A-Z]) - {_MULTIPLE}|{_MULTIPLE} - ([A-Z])) (?:\\right )?\)")
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
 _CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
@@ -38,6 +46,7 @@ class Evidence:
     running: bool = False
     orbital: bool = False
     below: bool = False  # does it stand in a subscript anywhere?
+    square: bool = False  # is a multiple of the identity subtracted from it: A - \lambda I?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -55,6 +64,21 @@ class Evidence:
     def multiplied(self) -> bool:
         """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
         return self.capital and any(place.followed for place in self.places)
+
+    @property
+    def crossed(self) -> bool:
+        """Does a cross stand beside it?"""
+        return any(r"\times" in (place.before, place.after) for place in self.places)
+
+    @property
+    def bound(self) -> bool:
+        """Does it bound a sum, as a number does?"""
+        return any(place.role == "bound" for place in self.places)
+
+    @property
+    def factor(self) -> bool:
+        """Does a vector follow it behind a dot or a cross, so that it is a factor of that?"""
+        return any(place.before in (r"\cdot", r"\times") and place.after in FACES for place in self.places)
 
     @property
     def idle(self) -> bool:
@@ -110,6 +134,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
     initials = _initials(formulas) | _forms(formulas)
+    square = {x for formula in formulas for found in _RESOLVENT.finditer(formula) for x in found.groups()}
     for place in places:
         if place.role == "subscript":
             continue
@@ -129,8 +154,9 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             own.doubt = own.doubt or f"{INDEX_IN_NAME}: {min(inside)}"
         own.shape = shapes.get(latex, ())
         own.below = latex in below
+        own.square = latex in square
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
-        own.orbital = latex == "e" and any(map(_ECCENTRIC.search, formulas))
+        own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
             if low.isdigit() and high.isdigit():
@@ -147,10 +173,16 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
+_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
+_SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
 # capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
-# three capitals or more behind the sign
-_CAPITALS = re.compile(r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])")
+# three capitals or more behind the sign or as a part of a fraction, or two where other factors have a dot between them
+_CAPITALS = re.compile(
+    r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])"
+    r"|\{ ([A-Z](?: [A-Z]){2,}) \}"
+)
+_RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
@@ -158,15 +190,30 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     found: dict[str, str] = {}
-    runs = [match for formula in formulas for match in _CAPITALS.finditer(formula)]
-    for match in [*filter(None, map(_INITIALS.match, formulas)), *runs]:
-        *letters, last = match[1].split()
-        once = [bare.count(letter) == 1 for letter in letters] + [(bare.count(last) or toks.count(last)) == 1]
-        if all(once) or (len(once) > 2 and any(once)):
-            name = "".join([*letters, last])
+    outside = [NO_FACTORS.sub("", formula) for formula in formulas]
+    first = [match for match in map(_INITIALS.match, formulas) if match]
+    runs = [match for formula in outside for match in _CAPITALS.finditer(formula)]
+    named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
+    named += [
+        ([x, x], True) for text in formulas for x in _TWICE.findall(text) if bare.count(x) == text.count(f"{x} {x} _")
+    ]
+    for letters, begins in named:
+        *before, last = letters
+        once = [bare.count(letter) == 1 for letter in before] + [(bare.count(last) or toks.count(last)) == 1]
+        if all(once) or (len(once) > 2 and any(once)) or (begins and _are_at_their_places(letters, outside)):
+            name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
-            found |= dict.fromkeys([*letters, last], told)
+            found |= dict.fromkeys(letters, told)
+    for diameter in {x for text in formulas for x in _SMALL_O.findall(text)}:
+        found["o"] = f"one name {diameter}o, or a product? say what its letters are, or write {diameter}_o"
     return found
+
+
+def _are_at_their_places(letters: Sequence[str], formulas: Sequence[str]) -> bool:
+    """Do capitals stand nowhere but at these places of runs of so many: `PV = FV`?"""
+    runs = [match[0].split() for formula in formulas for match in _RUN.finditer(formula)]
+    places = [(x, k) for k, x in enumerate(letters)]
+    return all(len(run) == len(letters) and run[k] == x for x, k in places for run in runs if x in run)
 
 
 # x'Qx, a quadratic form
@@ -195,7 +242,7 @@ def _ranges(formulas: Sequence[str]) -> Iterator[tuple[str, str, str]]:
 
 def _complete(evidence: dict[str, Evidence]) -> None:
     """Letters that are meant without being printed: the time, where there are dots, and the d of differentials."""
-    if any(each.dotted for each in evidence.values()) and not {"t", r"\tau"} & evidence.keys():
+    if any(each.dotted for each in evidence.values()) and time(evidence) not in evidence:
         evidence["t"] = Evidence("t", [Occurrence("t")])
     used = any(
         p.role == "variable" or (p.role == "derived" and p.before == "d") for e in evidence.values() for p in e.places
@@ -214,6 +261,16 @@ def _complete(evidence: dict[str, Evidence]) -> None:
             name = canonical(each.said.removeprefix("skew matrix of "))
             own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
             own.said = own.said or "vector"
+
+
+def time(every: Mapping[str, Evidence]) -> str:
+    r"""The letter of the time: `\tau` only where something is a function of it, or differentiated by it."""
+    own = every.get(r"\tau")
+    if "t" in every or own is None or own.dotted:
+        return "t"
+    texts = (arg for each in every.values() for args in each.arguments for arg in args)
+    used = any(place.role == "variable" for place in own.places) or any(r"\tau" in text.split() for text in texts)
+    return r"\tau" if used else "t"
 
 
 def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:

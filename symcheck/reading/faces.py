@@ -5,14 +5,18 @@ from __future__ import annotations
 import re
 
 STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
+# what a vector begins with, behind a factor
+FACES = frozenset(
+    {r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\hat", r"\bar", r"\dot", r"\ddot", r"\prescript"}
+)
 HAT = re.compile(r"\\(hat|widehat|vec)\{")  # accents of unit vectors and of vectors
-ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde)\{")  # accents that make a letter of their own
+ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde|breve)\{")  # accents that make a letter of their own
 
 
 def face(latex: str) -> str:
     """What is printed in bold type or below an arrow, where a letter, or a name of several tokens, is; else nothing."""
     printed = re.sub(r"^\\(?:Delta|delta)(?=\\)", "", latex.replace(" ", ""))
-    found = STYLED.match(printed)
+    found = None if printed.startswith(r"\prescript") else STYLED.match(printed)
     return printed[found.end() :] if found else ""
 
 
@@ -20,3 +24,8 @@ def is_styled(latex: str, *, capital: bool) -> bool:
     """Is a letter bold or with an arrow, and capital or not?"""
     inner = face(latex).lstrip("\\")
     return bool(inner) and inner[:1].isupper() == capital
+
+
+def is_accented(latex: str) -> bool:
+    """Does an accent make the letter one of its own?"""
+    return ACCENT.match(latex.replace(" ", "")) is not None

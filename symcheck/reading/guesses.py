@@ -11,8 +11,9 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
-from symcheck.reading.evidence import Evidence
-from symcheck.reading.faces import ACCENT, HAT, face, is_styled
+from symcheck.reading.commands import OVER
+from symcheck.reading.evidence import Evidence, time
+from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.occurrences import Occurrence
@@ -46,6 +47,7 @@ class Guess:
 COMPLEX = "a complex number"
 
 
+_OPERATOR = re.compile(r"\\math(?:cal|scr)\{[DFHLT]\}")  # of a derivative, a transform, or a linear one
 _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
 
 
@@ -54,10 +56,18 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     found = [*_options(of, every, defined)]
     if of.spelling == r"\delta" and not of.said and any(x != of.spelling and _VARIED.match(x) for x in every):
         return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
+    if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
+        return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
+    operator = _OPERATOR.fullmatch(of.spelling) and not of.said
+    if operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places):
+        return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
-    if of.said or applied or not unclear:
+    number = all(each.number for each in letters) and (
+        letters[0].number != "i" or all(place.exponent for place in unclear)
+    )
+    if of.said or applied or not unclear or number:
         return found
     sums = all(map(is_sum, (place.arguments or () for place in unclear)))
     named = letters[0].latex[:1] in ("m", "M") or not is_letter(letters[0].latex)  # masses are no functions
@@ -70,7 +80,10 @@ def _multiplies(of: Evidence, place: Occurrence) -> bool:
     """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?"""
     power = place.superscript or ()
     raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
-    return raised or any(of.spelling in arg.split() for arg in place.arguments or ())
+    if raised or not place.arguments:
+        return raised
+    printed = " ".join(tok.text for tok in tex.tokenize(of.spelling))
+    return any(f" {printed} " in f" {arg} " for arg in place.arguments)
 
 
 def in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -126,8 +139,10 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         letters = ", ".join(variables)
         yield Guess(_letter(of, kind="function", depends=letters), f"a function of {letters}", "it is defined as one")
     elif applied:
-        depends = ", ".join(simple) if simple else _time(every) if of.dotted else None
-        yield Guess(_letter(of, kind="function", depends=depends), "a function", "it stands before its arguments only")
+        depends = ", ".join(simple) if simple else time(every) if of.dotted else None
+        shape = (0, 0) if latex.startswith("[") else ()  # of the matrix that is its value
+        applied_to = _letter(of, kind="function", depends=depends, size=shape)
+        yield Guess(applied_to, "a function", "it stands before its arguments only")
     elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
@@ -147,7 +162,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif bare and not of.dotted and not of.derived and (any(map(is_listed, arguments)) or _equals_itself(of)):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before several arguments")
     elif of.dotted and not of.shape and not of.capital and any(map(is_lone, of.places)):
-        on = _letter(of, kind="function", depends=_time(every), size=(0,) if face(latex) else ())
+        on = _letter(of, kind="function", depends=time(every), size=(0,) if face(latex) else ())
         yield Guess(on, f"a function of {on.depends}", "its rate stands beside its value at a place")
     elif of.dotted or of.derived:
         yield from _dependent(of, every, latex in defined)
@@ -176,14 +191,22 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
     elif face(latex):
         yield from _styled(of)
+    elif of.square:
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "a multiple of the identity stands beside it")
     elif of.transposed and "T" not in every:
-        kind = "matrix" if latex[:1].isupper() else "vector"
+        kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
-    elif latex.isupper() and not of.indices and any(x.transposed and x.spelling.isalpha() for x in every.values()):
+    elif (
+        latex.isupper()
+        and not of.indices
+        and not of.bound
+        and any(x.transposed and x.spelling.isalpha() for x in every.values())
+    ):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif _beside_vectors(of, every):
-        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it is multiplied by one")
+        kind = "matrix" if latex.startswith(r"\breve") else "vector"  # a dyadic
+        yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is multiplied by a vector")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
 
@@ -207,6 +230,8 @@ def _before_sums(of: Evidence) -> Iterator[Guess]:
     function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
     crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
     factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
+    if of.spelling.startswith("["):
+        product = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
     constant = of.spelling in ("g", "G") and not any(map(is_shift, of.arguments))  # of gravity
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
@@ -272,7 +297,7 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
             return int(match[1])
         if each.said.startswith(("matrix", "skew matrix")):
             return 3
-        if is_styled(each.spelling, capital=True):
+        if each.square or is_styled(each.spelling, capital=True):
             found = 0
     return found
 
@@ -288,13 +313,19 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
         )
 
     beside = {x for place in of.places for x in place.beside}
-    accented = HAT.match(of.spelling) is not None
-    hats = any(map(HAT.match, (of.spelling, *beside))) and any(r"\cdot" in (p.before, p.after) for p in of.places)
-    if hats and any(map(ACCENT.match, beside)) and ACCENT.match(of.spelling):
+    accented = HAT.match(of.spelling) is not None or _is_dotted(of)
+    dotted = map(_is_dotted, every.values()) if accented else [_is_dotted(of)]
+    if any(map(HAT.match, every)) and any(dotted):
         return True
-    return any(map(is_vector, beside)) or (
+    return (any(map(is_vector, beside)) and not of.factor and of.spelling != "t") or (
         accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)
     )
+
+
+def _is_dotted(of: Evidence) -> bool:
+    """Does a dot stand between it and another letter, where both have accents?"""
+    near = (x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside)
+    return bool(is_accented(of.spelling)) and any(map(is_accented, near))
 
 
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
@@ -313,7 +344,7 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         return Guess(Letter(of.spelling, kind="differential"), "the sign of a differential", why)
     if phrase == "imaginary unit":
         return Guess(Letter(of.spelling, number="i"), "the imaginary unit", why)
-    depends = _time(every) if of.dotted else ""
+    depends = time(every) if of.dotted else ""
     if phrase in ("vector", "matrix"):
         return Guess(_letter(of, kind=phrase, depends=depends), f"a {phrase}", why)
     if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
@@ -340,7 +371,11 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":
-        return [Guess(Letter(latex, number="pi"), "the number pi", "so it is written")]
+        number = Guess(Letter(latex, number="pi"), "the number pi", "so it is written")
+        defined = any(place.before in ("", "&", r"\\") and place.after == "=" for place in of.places)
+        others = any(x != latex and not each.index and each.said != "differential" for x, each in every.items())
+        doubt = "the number pi, or a letter that is defined here? say what it is"
+        return [in_doubt(number, doubt) if defined and others else number]
     if latex in ("e", r"\text{e}"):
         euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")
@@ -368,8 +403,10 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         )
         if latex[0] == "\\" or any(place.exponent for place in of.places):
             return [unit]
-        if of.below:
-            return [replace(plain, why="it is an index elsewhere", remote=False)]
+        if any((place.before, place.after) == ("", "=") and not place.superscript for place in of.places):
+            return [replace(plain, why="it is equal to something", remote=False), unit]
+        if of.below or of.orbital:
+            return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]
     return []
 
@@ -396,10 +433,6 @@ def _varies(of: Evidence) -> bool:
     )
 
 
-def _time(every: Mapping[str, Evidence]) -> str:
-    return "t" if "t" in every or r"\tau" not in every else r"\tau"
-
-
 CONSTANT = "constant"
 PRINTED = "it is equal to one that is printed"
 MOVING = "it is differentiated"
@@ -416,7 +449,7 @@ def _primed_by(of: Evidence, every: Mapping[str, Evidence]) -> str:
 
 def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
     """A letter with dots, or one in a derivative."""
-    on = [_time(every)] if of.dotted else []
+    on = [time(every)] if of.dotted else []
     on += [x for x in of.by if x not in on and x != of.spelling]
     words = ", ".join(on)
     if of.shape:
@@ -424,18 +457,20 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
         return
     if of.capital:
-        for kind in ("matrix", "vector")[: 1 if of.multiplied else 2]:
+        kinds = ("matrix",) if of.multiplied else ("vector",) if of.crossed else ("matrix", "vector")
+        for kind in kinds:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
     kind = of.framed or ("vector" if face(of.spelling) else "scalar")
     primed = any(place.primes for place in of.places)
-    direct = (
-        of.dotted
-        or primed
-        or any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
-    )
+    behind = any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    direct = of.dotted or primed or behind
     within = any(x in every and _stands_in_body(every[x]) for x in on)
+    within |= any(place.role == "variable" and place.before == r"\partial" for place in of.places)
     varying = Guess(_letter(of, kind=kind, depends=words, named=named), f"a function of {words}", MOVING)
+    if of.dotted and primed:
+        yield in_doubt(varying, "do its primes say the same as its dots? write one of them")
+        return
     constant = Guess(
         _letter(of, kind=kind, depends=""), CONSTANT, "it has no dot, and the other letter stands beside it"
     )
@@ -452,7 +487,7 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
 
 
 def _stands_in_body(of: Evidence) -> bool:
-    return any(place.role == "derived" for place in of.places)
+    return any(place.role == "derived" and (place.before, place.after) != ("(", ")") for place in of.places)
 
 
 def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
@@ -474,8 +509,12 @@ def _styled(of: Evidence) -> Iterator[Guess]:
     long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
     if of.multiplied:
         yield matrix
+    elif of.crossed:
+        yield vector
     else:
-        yield from (vector, matrix) if long and not of.transposed else (matrix, vector)
+        near = {x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside}
+        dotted = any(face(x) and not is_styled(x, capital=True) for x in near)
+        yield from (vector, matrix) if (long or dotted) and not of.transposed else (matrix, vector)
 
 
 def _letter(of: Evidence, **given: object) -> Letter:

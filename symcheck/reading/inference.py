@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from symcheck.reading.complex_letters import complexes, equated
-from symcheck.reading.evidence import Evidence, gathered
+from symcheck.reading.evidence import Evidence, gathered, spelling
 from symcheck.reading.faces import ACCENT, STYLED
 from symcheck.reading.guesses import COMPLEX, CONSTANT, Guess, in_doubt, options, variable_name
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.notation import VALUE, Letter, Notation, instances
-from symcheck.reading.occurrences import Occurrence
+from symcheck.reading.occurrences import Occurrence, occurrences
 from symcheck.reading.relatives import Relatives, relatives
 
 SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
@@ -182,7 +182,8 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
         for key, guess in zip(evidence, inference.guesses, strict=False)
         if guess.letter.kind == "scalar" and _may_be_vector(guess.letter) and not evidence[key].said
     }
-    crossed = {key for key in plain if any(r"\times" in (p.before, p.after) for p in evidence[key].places)}
+    sizes = {spelling(p) for f in formulas for found in _SIZE.finditer(f) for p in occurrences(found[1])}
+    crossed = {key for key in plain - sizes if evidence[key].crossed and not evidence[key].factor}
     if not crossed or not any(map(_CROSS.search, formulas)):
         yield inference
         return
@@ -203,6 +204,7 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
     yield replace(inference, choices=(*inference.choices, NUMBERS), remote=inference.remote or accented)
 
 
+_SIZE = re.compile(r"\^\s*\{([^{}]*\\times[^{}]*)\}")  # rows and columns
 VECTORS, NUMBERS = "a cross between vectors", "a cross between numbers"
 
 

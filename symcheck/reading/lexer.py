@@ -97,6 +97,7 @@ _OPERATORS = frozenset(
 )
 _MARKED = frozenset({"RPAR", "RBRA", "RSET", "RNORM", "RBAR", "MEND", "RFLOOR"})  # what may have a mark
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON", "FOR"})
+_NO_FACTORS = _OPERATORS | _BREAKS
 WIDE_COMMA = r",\quad"
 COMMA_AT_END = r",\\"  # of a line
 PARTING = {"and": "COMMA", "for": "FOR"}  # words between relations
@@ -810,12 +811,13 @@ class Lexer(tex.Reader):
 
         It stands behind the letter `word`, or behind the last token.
         """
-        text = self.bracketed()
+        if not (text := self.bracketed()):
+            return
         base = next((lexeme for lexeme in reversed(self.out) if lexeme.type != "GAP"), None)
         name = Name(word) if word else base.value if base is not None and base.type == "NAME" else None
         letter = self.notation.find(name.letter, len(name.subscripts)) if name is not None else None
         number = name is None and base is not None and base.type == "NUMBER"
-        if not text or number or (letter is not None and letter.number):
+        if number or (letter is not None and letter.number):
             return
         shown, inside = name.letter if name is not None else "", text[2:-2].strip("()[]")
         self.fail(
@@ -1000,6 +1002,7 @@ class Lexer(tex.Reader):
             self.out.insert(0, Lexeme("BLANK", "", self.out[0].at))
         out: list[Lexeme] = []
         pending: Lexeme | None = None
+        line = 0  # where the line begins
         for lexeme in self.out:
             if lexeme.type == "NEWLINE":
                 pending = pending or lexeme
@@ -1008,6 +1011,9 @@ class Lexer(tex.Reader):
                 out.pop()
             if pending and out:
                 before = out[-1]
+                if lexeme.type == "REL" and _several(out[line:]):
+                    self.fail("which of the relations on the line before does this one go on from?", lexeme.at)
+                line = len(out)
                 if (before.type, before.value) == ("COMMA", ","):
                     out[-1] = Lexeme("COMMA", COMMA_AT_END, before.at)
                 if before.type in _OPERATORS:
@@ -1019,13 +1025,24 @@ class Lexer(tex.Reader):
                     if lexeme.type in {"MINUS", "PM"} and goes_on and not self.ordered(out, lexeme):
                         self.fail("a line begins with a sign that the line before does not end with", lexeme.at)
                     begins = lexeme.type == "MINUS" and goes_on
-                    if (begins or lexeme.type not in _OPERATORS | _BREAKS) and lexeme.type not in PARTNER:
+                    if (begins or lexeme.type not in _NO_FACTORS) and lexeme.type not in PARTNER:
                         out.append(pending)
             pending = None
             out.append(lexeme)
         if out and out[-1].type in {"COMMA", "SEMI", "FOR"}:
             out.pop()
         return out
+
+
+def _several(line: Sequence[Lexeme]) -> bool:
+    """Are there several relations on a line, one behind another?"""
+    depth, parted = 0, False
+    for lexeme in line:
+        depth += (lexeme.type in PARTNER.values()) - (lexeme.type in PARTNER)
+        if depth == 0 and parted and lexeme.type == "REL":
+            return True
+        parted |= depth == 0 and lexeme.type in _BREAKS
+    return False
 
 
 def _relates(lexemes: Sequence[Lexeme]) -> bool:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache, partial
 from math import comb, factorial
 from types import MappingProxyType
@@ -191,6 +192,10 @@ def _relations(item: Relation | Tree) -> tuple[Relation, ...]:
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
         raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
+    for tree in (each.tree for each in found):
+        first = tree.parts[0] if isinstance(tree, And) else None
+        if isinstance(first, Chain) and first.signs[0] == "=" and not {*first.signs} <= {"=", r"\equiv"}:
+            raise SymcheckError(f"{to_latex(first)}: a chain, or what the first letter stands for? write brackets")
     return found
 
 
@@ -315,7 +320,7 @@ class Lowering:
         if Total in self.kinds:
             refuse_uneven(relation.tree)
         formulas = self.relation(relation)
-        names = set(_names(tuple(formulas)))
+        names = _names(tuple(formulas))
         for name, printed in self.met.items():
             if name not in names:
                 raise SymcheckError(
@@ -413,12 +418,22 @@ class Lowering:
             return [self.rounded(*part, sign=sign) for part in parts]
         if not isinstance(a, list) and not isinstance(a, Complex) and not isinstance(b, Complex):
             return [node(SIGNS[sign], a, b)]
+        if self.notation.inferred and any(isinstance(each, Complex) for each in (*flat(a), *flat(b))):
+            self.refuse_values(left, right)
         pairs = [node(SIGNS[sign], *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
         if sign == "=" or sign == r"\equiv":
             return pairs
         if sign == r"\ne":
             return [node("or", *pairs)]
         raise Unsaid(f"{to_latex(left)} {sign} {to_latex(right)} orders vectors; only scalars can be")
+
+    def refuse_values(self, *sides: Tree) -> None:
+        """An error for a function beside complex numbers whose own values nothing tells."""
+        for call in (part for side in sides for part in nodes(side) if isinstance(part, Call)):
+            name = call.function
+            letter = self.notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
+            if letter is not None and not (letter.named or letter.components or letter.latex in self.defined):
+                raise Unsaid(f"{to_latex(call)}: may its values be complex? say what they are")
 
     def limit(self, tree: Tree, value: Tree, env: Env) -> list[Formula]:
         """An equation that says what a limit is."""
@@ -615,7 +630,8 @@ class Lowering:
                 value = self.derived(value, self.time(letter, env), tree.dots, tree)
             return self.derived(value, self.only(letter, env), derived, tree) if derived else value
         if tree.primes and (letter.depends is None or letter.named):
-            raise SymcheckError(
+            error = Unsaid if letter.kind == "function" else SymcheckError
+            raise error(
                 f"{to_latex(tree)}: the derivative of {letter.latex}, or another letter? declare {letter.latex} with "
                 "depends='x' for a function of x, depends='' if the prime makes another letter"
             )
@@ -840,7 +856,8 @@ class Lowering:
         if len(size) != 2 or size[0] != size[1] or not isinstance(exponent, int):
             if len(size) == 1 and exponent == 2:
                 return dot(base, base)
-            raise Unsaid(f"{to_latex(tree)}: only a whole power of a square matrix is read")
+            square = len(size) == 2 and size[0] == size[1]
+            raise (NoForm if square else Unsaid)(f"{to_latex(tree)}: only a whole power of a square matrix is read")
         return power(base, exponent)
 
     def is_whole(self, tree: Tree) -> bool:
@@ -908,10 +925,17 @@ class Lowering:
     def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         """An equation with integrals without bounds: both sides have one derivative."""
         found = [node for side in (left, right) for node in nodes(side) if isinstance(node, Antiderivative)]
-        variables = {self.variable(node.variable, env) for node in found}
+        for each in found:
+            self.refuse_primes(each)
+        variables = {self.variable(each.variable, env) for each in found}
         if sign != "=" or len(variables) != 1:
             raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
         (by,) = variables
+        parts = [node for side in (left, right) for node in nodes(side)]
+        if parts.count(found[0].variable) == len(found) and not any(
+            isinstance(part, Call) and not part.arguments for part in parts
+        ):
+            raise SymcheckError(f"{to_latex(found[0])}: which letters depend on {to_latex(found[0].variable)}?")
         return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
 
     def rate(self, tree: Tree, by: str, env: Env) -> Term:
@@ -1007,6 +1031,8 @@ class Lowering:
         if self.defined.get(name.letter, ((), None))[0] and not name.subscripts:
             return self.put(name, [self.value(argument, env) for argument in tree.arguments], tree, env)
         arguments = tuple(t for argument in tree.arguments for t in flat(self.value(argument, env)))
+        if any(isinstance(argument, Complex) for argument in arguments):
+            raise Unsaid(f"{to_latex(tree)}: a function at complex numbers, whose values nothing tells")
         indices = self.places(name, letter, env)
         declared = self.arguments(letter, indices) if letter.depends else None
         if letter.named or letter.components is not None:
@@ -1204,9 +1230,18 @@ class Lowering:
         ]
 
     def of_integral(self, tree: Integral, env: Env) -> Value:
+        self.refuse_primes(tree)
         by, body = self.variable(tree.variable, env), self.scalar(tree.body, env)
         self.refuse_unsaid(body, by, tree)
         return node("integral", body, by, self.bound(tree.low, env), self.bound(tree.high, env))
+
+    def refuse_primes(self, tree: Integral | Antiderivative) -> None:
+        """An error for letters with and without primes under an integral, of which nobody says what the primes are."""
+        names = {node for node in nodes(tree.body) if isinstance(node, Name) and self.notation.inferred}
+        for name in names:
+            letter = self.notation.find(name.letter, len(name.subscripts))
+            if name.primes and replace(name, primes=0) in names - {tree.variable} and letter and letter.depends == "":
+                raise Unsaid(f"{to_latex(name)}: a derivative by {to_latex(tree.variable)}? say on what it depends")
 
     def bound(self, tree: Tree, env: Env) -> Term:
         """A bound of an integral; infinity is an end of its own."""
@@ -1357,13 +1392,17 @@ def _is_time(tree: Tree) -> bool:
     return isinstance(tree, Name) and tree.letter.partition("_")[0] in TIMES
 
 
-def _names(tree: object) -> Iterator[str]:
-    """Every name in a term or in formulas, those of functions too."""
-    if isinstance(tree, str):
-        yield tree
-    elif isinstance(tree, tuple):
-        for part in tree:
-            yield from _names(part)
+def _names(tree: object) -> set[str]:
+    """Every name in a term or in formulas, those of functions too; parts that stand in several places count once."""
+    found, met, todo = set[str](), set[int](), [tree]
+    while todo:
+        part = todo.pop()
+        if isinstance(part, str):
+            found.add(part)
+        elif isinstance(part, tuple) and id(part) not in met:
+            met.add(id(part))
+            todo += part
+    return found
 
 
 def _free_names(term: Term, *, held: bool) -> Iterator[str]:

@@ -14,9 +14,10 @@ from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
+from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES, known
+from symcheck.reading.faces import face
 from symcheck.reading.lexer import SIZES, SPACES
-from symcheck.reading.occurrences import SIGNED_SUMS, occurrences
+from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
@@ -97,16 +98,44 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found.setdefault(each.bare, "")
     for formula in formulas:
         if _SQUARE_OR_CHANGE.search(formula):
-            found |= {latex: "" for latex in _matrices_and_differences(formula) if latex not in found}
+            found |= {x: _unit(x, formula) for x in _matrices_and_differences(formula) if x not in found}
         if _ACCENT.search(formula):
             found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
         if _ABBREVIATED.search(formula):
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
-    found = {tex.without_dots(latex): doubt for latex, doubt in found.items()}
+    found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
     for latex in found:
         if inside := bound.intersection(latex.split()[1:]):
             found[latex] = found[latex] or f"{INDEX_IN_NAME}: {min(inside)}"
     return found
+
+
+# a rate at the beginning, or the largest or smallest one
+_VALUE = re.compile(
+    r"\\d{1,4}ot\s*\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}\s*_\s*(?:0|\{\s*0\s*\}|\{\s*\\text\s*\{\s*m\s*(?:a\s*x|i\s*n)\s*\}\s*\})"
+)
+
+
+_DEFINED = re.compile(r"\s*&?\s*=")
+_ONE = re.compile("[1-9]")
+
+
+def _values(formulas: Sequence[str]) -> Iterator[str]:
+    r"""Values of rates, such as `\dot{x}_0` beside an `x` or an `x_0`: constants, and no rates of an `x_0`."""
+    found = [match for formula in formulas for match in _VALUE.finditer(formula)]
+    places = [place for formula in formulas if found for place in occurrences(formula)]
+    bare = {place.word for place in places if place.subscript is None}
+    begins = {p.word for p in places if p.subscript == ("0",) and not p.dots and not face(p.word)}
+    begins -= {p.word for p in places if p.dots > 1}
+    own = {p.word for p in places if p.subscript and (_ONE.search(p.subscript[-1]) or _is_of_letters(p))}
+    defined = {tex.spelled(match[1]) for match in found if _DEFINED.match(match.string, match.end())}
+    for match in found:
+        if tex.spelled(match[1]) in (bare | (begins - defined)) - own:
+            yield " ".join(tok.text for tok in tex.tokenize(match[0]))
+
+
+def _is_of_letters(place: Occurrence) -> bool:
+    return any(map(is_letter, place.arguments or ()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +161,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
     if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
-    if _is_label(inside):
+    if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
     if len(upright) == 1 and upright[0] in _TRANSPOSING:
@@ -321,6 +350,12 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             reader.i = start + 1
 
 
+def _unit(latex: str, formula: str) -> str:
+    """The doubt about the only brackets of a formula, at its end behind a factor."""
+    last = formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula)
+    return "a matrix in brackets, or the unit of what stands before them? say what it is" if last else ""
+
+
 def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
     """Do these brackets stand behind a letter behind which others hold a number or a letter, as in `x[0], x[N]`?
 
@@ -329,12 +364,15 @@ def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
     before = toks[start - 1].text if start else ""
     texts = [tok.text for tok in toks]
     four = zip(texts, texts[1:], texts[2:], texts[3:], strict=False)
-    return texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"] or any(
-        (a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four
+    return (
+        texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"]
+        or before == "E"
+        or any((a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four)
     )
 
 
-_UPRIGHT = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}")  # words, whose letters are none of the formula
+# words and subscripts, whose letters are no factors
+NO_FACTORS = re.compile(r"\\(?:text|mathrm|operatorname) \{[^{}]*\}|_ \{(?:[^{}]|\{[^{}]*\})*\}")
 
 
 def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
@@ -344,7 +382,7 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
     """
     toks = tex.tokenize(formula)
     texts = [tok.text for tok in toks]
-    counted = [tok.text for tok in tex.tokenize(_UPRIGHT.sub("", formula))]
+    counted = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("", formula))]
     found = dict[str, str]()
     for k, (a, b) in enumerate(itertools.pairwise(texts)):
         word = a + b
@@ -397,7 +435,7 @@ def _accented(formula: str) -> Iterator[tuple[str, str]]:
 
 
 def _begins_letter(text: str) -> bool:
-    return text in ACCENTS | STYLES or (tex.is_letter(text) and not known(text))
+    return text in OVER or (tex.is_letter(text) and not known(text))
 
 
 def _is_label(inside: Sequence[str]) -> bool:
@@ -424,9 +462,10 @@ def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
     end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
     inner = [tok.text for tok in toks[start + 1 : end]]
-    letters = _outside_scripts(inner)
+    styles = {r"\mathcal"} if toks[end + 1 : end + 2] and toks[end + 1].text == "^" else STYLES  # or an inverse product
+    letters = [text for text in _outside_scripts(inner) if text not in styles]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
-    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in STYLES | ACCENTS)
+    styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in OVER)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):
         return 0
     reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))

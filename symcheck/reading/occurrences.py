@@ -36,8 +36,8 @@ class Occurrence:
     arguments
         The texts of what stands in round brackets behind it, apart at commas; None without brackets.
     role
-        "" in an expression, "index" below a sum, "variable" behind the d of an integral or below that of a derivative,
-        "derived" behind the d above, "subscript" within one.
+        "" in an expression, "index" below a sum, "bound" in one of its bounds, "variable" behind the d of an integral
+        or below that of a derivative, "derived" behind the d above, "subscript" within one.
     before, after
         The tokens beside it, spaces left out; "" at the ends.
     """
@@ -111,6 +111,13 @@ class Scan(tex.Reader):
         inside = tuple(words([tok.text for tok in self.group()])) if self.i < len(self.toks) else ()
         self.i = start
         return inside in TRANSPOSED
+
+    def transposed(self, place: int) -> bool:
+        """Is what ends before this place transposed?"""
+        start, self.i = self.i, place
+        found = self.peek() == "^" and self.transposes()
+        self.i = start
+        return found
 
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
         stop = len(self.toks) if stop is None else stop
@@ -190,7 +197,7 @@ class Scan(tex.Reader):
             self.i += 1
             if not below:
                 if self.peek(-1) == "^":
-                    yield from self.inside(Scope(scope.role, scope.by, exponent=scope.exponent))
+                    yield from self.inside(Scope(scope.role or "bound", scope.by, exponent=scope.exponent))
                 continue
             start = self.i
             tokens = self.group()
@@ -199,7 +206,7 @@ class Scan(tex.Reader):
             ends = ("".join(tok.text for tok in tokens[signs[0] + 1 :]) if signs else "", self.above(end))
             for index in self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens))):
                 yield replace(index, arguments=ends)
-            yield from self.run(Scope(scope.role, scope.by, exponent=scope.exponent), end)
+            yield from self.run(Scope(scope.role or "bound", scope.by, exponent=scope.exponent), end)
             self.i = end
 
     def above(self, place: int) -> str:
@@ -212,7 +219,7 @@ class Scan(tex.Reader):
         return text
 
     def peek_at(self, place: int) -> str:
-        return self.toks[place].text if place < len(self.toks) else ""
+        return self.texts[place] if place < len(self.texts) else ""
 
     def differential(self) -> bool:
         """Is the d here followed by a letter?"""
@@ -272,28 +279,33 @@ class Scan(tex.Reader):
     def differentials(self, start: int, end: int, role: str, by: tuple[str, ...] = ()) -> Iterator[Occurrence]:
         """The letters behind the d in one part of a derivative."""
         self.i = start + (self.peek_at(start) == "{")
+        behind = ""  # the d that ends before this place, with its power
         while self.i < end:
             text = self.peek()
-            before = self.peek(-1) if self.i else ""
+            before = behind or (self.peek(-1) if self.i else "")
             if self.wholes and (whole := self.whole())[0]:
                 yield Occurrence(whole[0], whole[1], role=role, by=by, before=before)
             elif text in ("d", r"\partial"):
-                self.i += 1
+                self.i, behind = self.i + 1, text
                 if self.peek() == "^":
                     self.i += 1
                     self.group()
+                continue
             elif (
                 text in (r"\mathrm", r"\text") and "".join(t.text for t in self.toks[self.i + 1 : self.i + 4]) == "{d}"
             ):
                 self.i += 4
             elif tex.is_letter(text) and text not in FUNCTIONS_SPELLED:
-                yield from self.letter(Scope(role, by))
+                places = [*self.letter(Scope(role, by))]
+                yield from [replace(place, before=before) for place in places[: bool(behind)]]
+                yield from places[bool(behind) :]
             else:
                 self.i += 1
+            behind = ""
 
     def operand(self, scope: Scope, by: tuple[str, ...]) -> Iterator[Occurrence]:
         """What stands behind an operator such as d/dx: one factor, or what is in brackets."""
-        while self.peek() in SPACES | SIZES:
+        while self.peek() in _UNPRINTED:
             self.i += 1
         if self.peek() in OPEN:
             yield from self.run(Scope("derived", by), self.closing())
@@ -313,11 +325,9 @@ class Scan(tex.Reader):
 
     def letter(self, scope: Scope) -> Iterator[Occurrence]:
         """One letter with its scripts and arguments; then the letters in these."""
-        start, before = self.i, ""
-        for k in range(self.i - 1, -1, -1):
-            if (text := self.toks[k].text) not in SPACES:
-                before = text
-                break
+        start, before, k = self.i, "", self.i
+        while not before and (k := k - 1) >= 0:
+            before = self.toks[k].text if self.toks[k].text not in SPACES else ""
         try:
             word, dots = undotted(self.spelling())
         except SymcheckError:
@@ -350,11 +360,9 @@ class Scan(tex.Reader):
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
-        after = ""
-        for k in range(self.i, len(self.toks)):
-            if (text := self.toks[k].text) not in _UNPRINTED:
-                after = text
-                break
+        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in _UNPRINTED), "")
+        if k > 0 and (before, after) == ("(", ")") and self.peek_at(k - 1) in DIFFERENTIALS:
+            before = self.peek_at(k - 1)  # alone in brackets behind the d
         yield Occurrence(
             word,
             dots,
@@ -404,6 +412,8 @@ class Scan(tex.Reader):
             tok = self.toks[k]
             depth += (tok.text in OPEN or tok.text in _ALSO_OPEN) - (tok.text in CLOSE or tok.text in _ALSO_CLOSE)
             if depth == 0:
+                if parts[0][:1] == [r"\prescript"] and self.transposed(k + 1):
+                    return None  # they are needed around a letter in a frame
                 break
             if tok.text == "," and depth == 1:
                 parts.append([])
@@ -434,4 +444,7 @@ FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorn
 
 def words(tokens: Sequence[str] | None) -> list[str]:
     """The tokens of a script that are letters or numbers."""
-    return [text for text in tokens or () if text not in {"{", "}", ","} | ROMAN | SPACES]
+    return [text for text in tokens or () if text not in _NO_WORDS]
+
+
+_NO_WORDS = {"{", "}", ","} | ROMAN | SPACES

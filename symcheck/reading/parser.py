@@ -15,7 +15,7 @@ from symcheck.reading import tex
 from symcheck.reading.functions import INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
-from symcheck.reading.names import DIMENSIONLESS, EXPECTED, PRODUCTS
+from symcheck.reading.names import DIMENSIONLESS, EXPECTED, NO_FACTORS, PRODUCTS
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
@@ -90,15 +90,18 @@ COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
 OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
 LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "k", "T"})  # what wave numbers multiply
-_D = re.compile(r"(?:\\[a-z]+\{)?(?:d|\\text\{d\})\}?")  # upright or not, with an accent or without
+_D = re.compile(r"(?:\\[a-z]+\{)?(?:[dD]|\\text\{[dD]\})\}?")  # upright or not, with an accent or without
+_OPERATOR = re.compile(r"\\(?:hat|mathcal)\{[A-Z]\}")  # before the state to which it is applied
+_STATE = re.compile(r"\\(?:psi|Psi|phi|Phi|varphi|chi)(?![a-z])")
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
+_SEVERAL = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among them
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
-_WORDS = re.compile(r"\\text \{[^{}]*\}")  # upright type, in which letters are none
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
 _BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
-ASIDE = frozenset({SUBJECT, r"\text{~or~}"})  # words between relations
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
+# signs beside which an interval stands
+_OF_SETS = re.compile(r"\\(?:in|notin|subset|subseteq|supset|cup|cap|setminus)(?![a-z])")
 _ARROWS = frozenset({r"\to", r"\rightarrow", r"\longrightarrow"})
 _ORDERS = {"<": "up", r"\le": "up", ">": "down", r"\ge": "down"}
 
@@ -474,7 +477,7 @@ class Builder:
         """A letter alone, which may share a relation with others: those of `a, b > 0`."""
         name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
         name = name.name if isinstance(name, Indexed) else name
-        if isinstance(name, Name) and name.letter in ASIDE:
+        if isinstance(name, Name) and _SEVERAL.match(name.letter):
             return False
         return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
 
@@ -536,6 +539,8 @@ class Builder:
             whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
             if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        if self.notation.inferred and _is_bracket(members[0]) and not any(isinstance(m, Tuple) for m in members[1:]):
+            raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
         inner = [k for k in range(1, len(signs) - 1) if signs[k] in _ARROWS]  # between relations
         if inner and (len(inner) > 1 or isinstance(members[inner[0] + 1], Number | Name | Infinity)):
             at, sign = nodes[2 * inner[0] + 1].value.at, signs[inner[0]]
@@ -719,7 +724,7 @@ class Builder:
         power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
         if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
             return
-        toks = [tok.text for tok in tex.tokenize(_WORDS.sub("", self.source))]
+        toks = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("", self.source))]
         pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
         alone = toks.count(word[0]) == toks.count(word[1]) == pairs
         clear = word not in PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)
@@ -734,8 +739,8 @@ class Builder:
         if not isinstance(factor, Name) or not factor.letter.startswith(r"\text{"):
             return
         beside = [other for other in (*before, *behind) if other.kind != "dot"]
-        if beside and not any(map(str.isalnum, factor.letter.removeprefix(r"\text{"))):
-            raise self.fail(item.at, "punctuation in text is no factor; name what is printed with it")
+        if beside and not factor.letter.removeprefix(r"\text{")[:1].isalnum():
+            raise self.fail(item.at, "punctuation or brackets in text are no factor; name what is printed with them")
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
         if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
@@ -756,6 +761,8 @@ class Builder:
         bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
         if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
+        if isinstance(name, Name) and _OPERATOR.match(name.letter) and _STATE.match(to_latex(after.node or Blank())):
+            raise self.fail(item.at, f"{to_latex(name)} applied to what follows, or times it? say what it is")
         if not self.in_brackets(after):
             return
         if isinstance(node, Derivative) and _is_step(node, self.inside(after)):
@@ -845,6 +852,8 @@ class Builder:
             if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
+            if isinstance(body, Tuple):
+                raise self.fail(items[k + 1].at, "a list, or a product in these brackets? say what they mean")
             return Derivative(body, variables, partial), len(items)
         if item.kind == "d fraction":
             assert isinstance(item.node, Div)
@@ -1205,6 +1214,8 @@ class Builder:
             return items[0]
         if len(items) == 2 and kind == "()":
             return Pair(*items)
+        if len(items) == 2 and kind == "[]" and self.notation.inferred and not _OF_SETS.search(self.source):
+            return Tuple(items, kind)
         if len(items) == 2 and kind in ("[]", "[)", "(]"):
             return Interval(*items, kind)
         if kind in ("[)", "(]"):
@@ -1522,6 +1533,11 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for node in nodes(tree))
+
+
+def _is_bracket(tree: Tree) -> bool:
+    """Are these two letters in square brackets?"""
+    return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
 
 
 def _is_words(tree: Tree) -> bool:

@@ -18,7 +18,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
     (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
     (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
     # a matrix in brackets, and one of zeros
-    (re.compile(rf"\\left \[ ({_LETTER}(?: _ {_BRACED})?) \\right \]"), r"[ \1 ]"),
+    (re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
     (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
     (re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
     (re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
@@ -37,13 +37,16 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
         ),
         r"\\left ( \\frac { \2 } \3 ( \4 ) \\right ) _ \1",
     ),
-    # the matrix between two frames as a function of their attitude, a bold letter: `[BN(\bm{\sigma})]`
-    (
-        re.compile(
-            r"\[ ((?:[A-Z] (?:_ (?:\w|\{ [^{}]* \}) )?){2})(?:\\left )?"
-            r"(\( -? ?\\(?:bm|boldsymbol|mathbf|pmb) [^()\[\]]*\)) \]"
-        ),
-        r"[ \1] \2",
+    # the matrix between two frames as a function of their attitude, a bold letter: `[BN(\bm{\sigma})]`, `[B(\bm{x})]`
+    *(
+        (
+            re.compile(
+                rf"{before}\[ ((?:[A-Z] (?:_ (?:\w|\{{ [^{{}}]* \}}) )?){count})(?:\\left )?"
+                r"(\( -? ?\\(?:bm|boldsymbol|mathbf|pmb) [^()\[\]]*\)) \]"
+            ),
+            r"[ \1] \2",
+        )
+        for before, count in (("", "{2}"), (r"(?:^|(?<=[-+=(] )|(?<=\d \} ))", ""))
     ),
     # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
     (
@@ -63,7 +66,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
 )
 WIDE = r", \quad"
 WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ \s*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ [\s,~]*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
     for words, sign in (
         ("w h e r e|w i t h", WIDE),
         ("a n d", r"\text{and}"),
@@ -86,7 +89,7 @@ def phrased(text: str) -> str:
         text = layout.sub(change, text)
     for pattern, sign in WORDS:
         text = pattern.sub(partial(_parting, sign), text)
-    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, '&')}", text)
+    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, _PARTING[found[1][-1]])}", text)
     return _problem(_MATRIX.sub(_with_cells, text))
 
 
@@ -94,10 +97,10 @@ def phrased(text: str) -> str:
 _MATRIX = re.compile(
     r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
 )
-_SPACE = "\\ "
-_ENTRY = r"(?:\\[A-Za-z]+|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
+_SPACE, _PARTING = "\\ ", {"}": "&", "[": ","}
+_ENTRY = r"(?:\\[A-Za-z]+(?: \{ [^{}]* \})?|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
 _SPACED = re.compile(
-    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end)"
+    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end|(?:\\right )?\])"
 )  # parted by spaces
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from symcheck.reading import tex
-from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, ROMAN, STYLES
+from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES
 from symcheck.reading.functions import COMMANDS
 from symcheck.reading.phrases import phrased
 from symcheck.reading.typed import typed
@@ -40,8 +40,7 @@ SAME = {  # other spellings
 }  # fmt: skip
 NOTHING = {  # layout, with the number of arguments that go with it
     r"\displaystyle": 0, r"\textstyle": 0, r"\scriptstyle": 0, r"\notag": 0, r"\nonumber": 0, r"\label": 1,
-    r"\hspace": 1,
-    r"\hspace*": 1, r"\vspace": 1, r"\phantom": 1, r"\hphantom": 1, r"\vphantom": 1, r"\mathstrut": 0, r"\strut": 0,
+    r"\vspace": 1, r"\phantom": 1, r"\hphantom": 1, r"\vphantom": 1, r"\mathstrut": 0, r"\strut": 0,
     r"\color": 1, r"\nolinebreak": 0, r"\allowbreak": 0, r"\relax": 0, r"\limits": 0, r"\nolimits": 0, r"\noindent": 0,
     r"\small": 0, r"\large": 0, r"\null": 0, r"\hfill": 0, r"\hfil": 0, r"\centering": 0, r"\footnotesize": 0,
     r"\tiny": 0,
@@ -51,12 +50,15 @@ BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracke
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
+_LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
 _ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 _BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
 # the name of an operator, perhaps with spaces
 _OPERATOR = re.compile(
     r"\\operatorname(\*?)\s*\{([^{}]*)\}|(?<!\{)\\(?:mathrm|text|textrm)()\s*\{\s*(arg\W*(?:max|min))\s*\}"
 )
+# spaces with their lengths; the wide ones part relations
+_HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*(\d*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
 _HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
@@ -78,6 +80,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     Formulas beside it tell whether a capital gamma is the function.
     """
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
+    source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
     source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
     source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
     if not any(map(_GAMMA.search, (source, *beside))):
@@ -215,7 +218,7 @@ def _letter_here(parts: list[Part], k: int) -> tuple[list[Part], int]:
     """The letter that begins here, with its style and accents."""
     if k >= len(parts) or not isinstance(parts[k], str) or not tex.is_letter(str(parts[k])):
         return [], k
-    if parts[k] in STYLES | ACCENTS | ROMAN and k + 1 < len(parts):
+    if parts[k] in _LETTERED and k + 1 < len(parts):
         return parts[k : k + 2], k + 2
     return parts[k : k + 1], k + 1
 
@@ -273,7 +276,7 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
                     found.append(taken)
             if (part in ZEROS and _zero(found[-1], parts[k : k + 2])) or _one(found[-2:], parts[k : k + 2]):
                 found[-2:] = found[-1].parts if isinstance(found[-1], Group) else []
-            elif part in ACCENTS | STYLES and isinstance(styled := found[-1], Group):
+            elif part in OVER and isinstance(styled := found[-1], Group):
                 found[-2:] = _over_letters(part, styled.parts)
             is_array = (
                 part == r"\begin" and isinstance(found[-1], Group) and "".join(map(str, found[-1].parts)) == "array"
@@ -297,6 +300,8 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     if "'" in inner[-2:] and len(inner) > 1:  # primes stand behind it
         count = 1 + (inner[-2] == "'")
         return [*_over_letters(command, inner[:-count]), *inner[-count:]]
+    if command in STYLES and len(inner) == 2 and inner[0] in ACCENTS and isinstance(inner[1], Group):
+        return [inner[0], Group(_over_letters(command, inner[1].parts))]  # the style is of the letter
     letter, end = _letter_here(inner, 0)
     rest = inner[end:]
     scripts = all(rest[k] in ("^", "_") and isinstance(rest[k + 1], Group) for k in range(0, len(rest) - 1, 2))
@@ -305,7 +310,7 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
         text not in MARKS and not text.isupper() for part in above for text in _texts([part])
     )
     if letter and rest and len(rest) % 2 == 0 and scripts and not power:  # the mean of x^2 is not the square of a mean
-        return [command, Group(letter), *rest]
+        return [*_over_letters(command, letter), *rest]
     scripted = next((k for k in range(0, len(rest), 2) if rest[k] not in ("^", "_")), len(rest))
     if command in STYLES and letter and not power and _is_bracket(rest[scripted:]):
         return [command, Group(letter), *rest[:scripted], *_styled(command, rest[scripted:])]  # bold of all of it
@@ -375,7 +380,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
     found: list[Part] = []
     for k, part in enumerate(parts):
         script = k > 0 and parts[k - 1] in ("_", "^")
-        letter = isinstance(part, str) and tex.is_letter(part) and part not in ROMAN | ACCENTS | STYLES
+        letter = isinstance(part, str) and tex.is_letter(part) and part not in _LETTERED
         letter = letter and parts[k - 1 : k + 2] not in (["(", "t", ")"], ["(", r"\tau", ")"])  # time is no vector
         letter = letter and not (style == r"\mathbf" and part in LETTER_COMMANDS and "(" in parts)  # Greek has no bold
         found += [style, Group([part])] if letter and not script else [part]
@@ -410,7 +415,7 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
         return [Group([])]
     if after == "^" and len(inner) == 3 and inner[1] == "_" and isinstance(inner[2], Group):
         return inner  # `{c_j}^2` is printed as `c_j^2`
-    if after == "^" and len(inner) == 4 and inner[0] in ACCENTS | STYLES and inner[2] == "_":
+    if after == "^" and len(inner) == 4 and inner[0] in OVER and inner[2] == "_":
         return inner
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
         if after in ("^", "_") and _runs_on(inner):

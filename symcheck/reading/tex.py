@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import NamedTuple, NoReturn
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, ROMAN, STYLES, known
+from symcheck.reading.commands import LETTER_COMMANDS, OVER, ROMAN, known
 
 _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)  # a command, an escaped sign, or any other sign
 _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
@@ -20,8 +20,9 @@ _TAG = re.compile(
 _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")  # spaces and punctuation at the end of a formula
 
 MAX_DEPTH = 30  # of brackets; the papers have less than ten
-_LETTERS = STYLES | ACCENTS | ROMAN | LETTER_COMMANDS
-_STYLED = STYLES | ACCENTS
+_LETTERED = OVER | ROMAN
+_LETTERS = _LETTERED | LETTER_COMMANDS
+_ROMAN = {"{", "}"} | ROMAN  # what a subscript is printed with
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
 
 
@@ -43,6 +44,7 @@ def fault(source: str, at: int, message: str) -> SymcheckError:
     return SymcheckError(f"{message}, at character {at + 1}: {' '.join(shown.split())}")
 
 
+@lru_cache(maxsize=1024)  # a formula is read under several notations
 def split_tag(latex: str) -> tuple[str, str | None]:
     r"""Split a displayed formula from its printed number.
 
@@ -72,19 +74,33 @@ def split_tag(latex: str) -> tuple[str, str | None]:
 
 def tokenize(source: str) -> list[Tok]:
     """All TeX tokens; white space separates and is dropped."""
-    return [*_tokens(source)]
+    return [*_tokens(source)[0]]
 
 
 @lru_cache(maxsize=2048)  # a formula is scanned for several kinds of evidence, and by the reader
-def _tokens(source: str) -> tuple[Tok, ...]:
-    return tuple([_NEW(Tok, (m[0], m.start())) for m in _TOKEN.finditer(source)])
+def _tokens(source: str) -> tuple[tuple[Tok, ...], tuple[str, ...]]:
+    """The tokens, and their texts."""
+    found = tuple([_NEW(Tok, (m[0], m.start())) for m in _TOKEN.finditer(source)])
+    return found, tuple([tok.text for tok in found])
+
+
+@lru_cache(maxsize=2048)
+def _closing(source: str) -> dict[int, int]:
+    """The place of the brace that closes each brace that opens."""
+    found, opened = dict[int, int](), list[int]()
+    for k, text in enumerate(_tokens(source)[1]):
+        if text == "{":
+            opened.append(k)
+        elif text == "}" and opened:
+            found[opened.pop()] = k
+    return found
 
 
 @lru_cache(maxsize=2048)
 def _too_deep(source: str) -> int | None:
     """The place of the first bracket within too many others."""
     depth = 0
-    for tok in _tokens(source):
+    for tok in _tokens(source)[0]:
         depth += (tok.text in _OPENING) - (tok.text in _CLOSING)
         if depth > MAX_DEPTH:
             return tok.at
@@ -106,7 +122,7 @@ class Reader:
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.toks = _tokens(source)
+        self.toks, self.texts = _tokens(source)
         self.i = 0
         self.refuse_depth()
 
@@ -118,7 +134,7 @@ class Reader:
     def peek(self, ahead: int = 0) -> str:
         """The text of a coming token; "" past the end."""
         k = self.i + ahead
-        return self.toks[k].text if k < len(self.toks) else ""
+        return self.texts[k] if k < len(self.texts) else ""
 
     def at(self, ahead: int = 0) -> int:
         """The place of a coming token in the source."""
@@ -138,13 +154,12 @@ class Reader:
         self.i += 1
         if self.toks[start].text != "{":
             return self.toks[start : self.i]
-        depth = 1
-        while depth:
-            if self.i >= len(self.toks):
-                self.fail("unbalanced brace: this { is never closed", self.toks[start].at)
-            depth += {"{": 1, "}": -1}.get(self.toks[self.i].text, 0)
-            self.i += 1
-        return self.toks[start + 1 : self.i - 1]
+        end = _closing(self.source).get(start)
+        if end is None:
+            self.i = len(self.toks)
+            self.fail("unbalanced brace: this { is never closed", self.toks[start].at)
+        self.i = end + 1
+        return self.toks[start + 1 : end]
 
     def spelling(self) -> str:
         r"""The canonical spelling of the letter that begins here, accents included: `\dot{\boldsymbol{\omega}}`."""
@@ -156,7 +171,7 @@ class Reader:
             if not inside:
                 self.fail("an empty name", start)
             return f"\\text{{{''.join(t.text for t in inside)}}}"
-        if text in _STYLED:
+        if text in OVER:
             self.i += 1
             start = self.at()
             inside = self.group()
@@ -196,7 +211,7 @@ def spelled(latex: str) -> str | None:
 
 def subscript(tokens: Sequence[Tok]) -> str:
     r"""The canonical text of a subscript that belongs to the letter: `_1`, `_{\max}`, `_{s1}`."""
-    kept = [t.text for t in tokens if t.text not in {"{", "}"} | ROMAN]
+    kept = [t.text for t in tokens if t.text not in _ROMAN]
     parted = (text + " " * _runs_on(text, after) for text, after in itertools.zip_longest(kept, kept[1:], fillvalue=""))
     text = "".join(parted)
     return f"_{text}" if len(kept) == 1 else f"_{{{text}}}"
@@ -232,7 +247,7 @@ def _base(tokens: Sequence[str]) -> tuple[int, int]:
     elif tokens[0] in (r"\Delta", r"\delta") and is_letter("".join(tokens[1:2])):
         start = 1
     end = start + 1
-    if {*tokens[start:end]} & (STYLES | ACCENTS | ROMAN) and tokens[end : end + 1] == ["{"]:
+    if {*tokens[start:end]} & _LETTERED and tokens[end : end + 1] == ["{"]:
         depth = 1
         while depth:
             end += 1

@@ -14,6 +14,8 @@ def _with_norms(toks: Sequence[tex.Tok]) -> list[tex.Tok]:
     """The same with one token for the double bars of a norm that are typed as two, `|| x ||`."""
     found, k, single, opened = list[tex.Tok](), 0, 0, False
     double = [a.text == b.text == "|" and b.at == a.at + 1 for a, b in itertools.pairwise(toks)] + [False]
+    if not any(double):
+        return [*toks]
     while k < len(toks):
         begins = double[k] and not single % 2 and any(double[k + 2 :])
         if double[k] and (opened or begins):
@@ -49,16 +51,16 @@ def _with_words(source: str) -> list[tex.Tok]:
             ]
             k += 1 + count
             continue
-        elif tok.text.isalpha() and (greek := _greek(toks, k)):
-            found.append(tex.Tok(f"\\{greek}", tok.at))
-            k += len(greek)
-            continue
-        elif tok.text.isalpha() and (word := _function_of_letters(toks, k)):
-            found.append(tex.Tok(f"\\{_OTHERWISE.get(word, word)}", tok.at))
-            k += len(word)
-            continue
-        elif tok.text.isalpha() and not any(scripts) and (word := _word_of_letters(toks, k)):
-            found += [tex.Tok(t, tok.at) for t in ([r"\bmod"] if word == "mod" else [r"\text", "{", *word, "}"])]
+        elif len(word := _letters(toks, k)) > 1:
+            if _is_greek(word, toks, k):
+                made = [f"\\{word}"]
+            elif _is_function(word, toks, k):
+                made = [f"\\{_OTHERWISE.get(word, word)}"]
+            elif not any(scripts) and _is_word(word, toks, k):
+                made = [r"\bmod"] if word == "mod" else [r"\text", "{", *word, "}"]
+            else:
+                made, word = [tok.text], tok.text
+            found += [tex.Tok(text, tok.at) for text in made]
             k += len(word)
             continue
         found.append(tok)
@@ -68,8 +70,10 @@ def _with_words(source: str) -> list[tex.Tok]:
 
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
     """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
+    if not toks[k].text.isalpha() or not (k + 1 < len(toks) and toks[k + 1].text.isdigit()):
+        return 0
     before = toks[k - 1] if k else tex.Tok("", -2)
-    if not toks[k].text.isalpha() or before.text in ("_", "^") or before.text in ARGUMENTS:
+    if before.text in ("_", "^") or before.text in ARGUMENTS:
         return 0
     if before.at == toks[k].at - 1 and before.text.isalnum():
         return 0
@@ -100,31 +104,33 @@ def _closing(toks: Sequence[tex.Tok], k: int) -> int:
     return len(toks)
 
 
-def _greek(toks: Sequence[tex.Tok], k: int) -> str:
-    """The Greek letter that is typed here by its name; those of two letters may be products."""
-    if k and toks[k - 1].text.isalpha() and toks[k - 1].at == toks[k].at - 1:
-        return ""
+def _letters(toks: Sequence[tex.Tok], k: int) -> str:
+    """The letters from here on that are typed without spaces."""
     end = k
     while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
         end += 1
-    word = "".join(tok.text for tok in toks[k:end])
-    return word if len(word) > 2 and f"\\{word}" in LETTER_COMMANDS else ""
+    return "".join([tok.text for tok in toks[k:end]])
 
 
-def _function_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
-    """The function whose name is typed here as letters: `max(a, b)`, `v cos\\theta`."""
-    start, end = k, k
+def _is_greek(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
+    """Is this a Greek letter that is typed by its name? Those of two letters may be products."""
+    begins = not k or not toks[k - 1].text.isalpha() or toks[k - 1].at != toks[k].at - 1
+    return begins and len(word) > 2 and f"\\{word}" in LETTER_COMMANDS
+
+
+def _is_function(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
+    """Is this a function whose name is typed as letters: `max(a, b)`, `v cos\\theta`?"""
+    if word not in _TYPED:
+        return False
+    start, end = k, k + len(word)
     while start and toks[start - 1].text.isalpha() and toks[start - 1].at == toks[start].at - 1:
         start -= 1
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
     behind = [tok.text for tok in toks[end : end + 2]]
     brackets = behind[:1] == ["("] or behind == [r"\left", "("]
     angle = next((tok.text for tok in toks[end : end + 4] if tok.text not in _BEFORE_ANGLE), "") in LETTER_COMMANDS
     whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
     of_angle = angle and word in ("sin", "cos", "tan")
-    return word if of_angle or (word in _TYPED and k - start < 2 and (brackets or whole)) else ""
+    return of_angle or (k - start < 2 and (brackets or whole))
 
 
 _BEFORE_ANGLE = frozenset({"{", "^", "2", "3"})  # as in cos^2{\theta}
@@ -132,19 +138,16 @@ _BEFORE_ANGLE = frozenset({"{", "^", "2", "3"})  # as in cos^2{\theta}
 _OPERATORS = frozenset({"mod", "res", "rem", "gcd", "lcm", "div", "rot", "curl", "grad", "span", "rank", "sgn", "erf"})
 
 
-def _word_of_letters(toks: Sequence[tex.Tok], k: int) -> str:
-    """The word that is typed here as letters: an operator, one with an o, or a long one, defined or capitalised."""
-    end = k
-    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[k].at + end - k:
-        end += 1
-    word = "".join(tok.text for tok in toks[k:end])
+def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
+    """Is this a word that is typed as letters: an operator, one with an o, or a long one, defined or capitalised?"""
+    end = k + len(word)
     inside = k > 0 and (toks[k - 1].at == toks[k].at - 1 and toks[k - 1].text.isalnum())
     first = not k or toks[k - 1].text in ("&", r"\\")
     behind = toks[end].text if end < len(toks) and first else ""
     defined = (len(word) > 3 and behind in ("(", "=")) or (len(word) > 4 and word.istitle())
     named = (word in _ANGLES and behind == "=") or (len(word) > 2 and (word in _OPERATORS or "o" in word or defined))
     named = named and not _WITH_FUNCTION.search(word)
-    return word if word.isascii() and named and not inside else ""
+    return word.isascii() and named and not inside
 
 
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
