@@ -21,6 +21,7 @@ from symcheck.reading import Notation
 
 LIBRARIES = ("sympy", "python-flint", "lark")
 SOURCES = ("reading", "proof", "mechanics", "audit", "ledger", "checker", "core")
+ASKING = ("question", "document")  # besides, of relations that are asked about
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,8 @@ def users(key: str) -> dict[str, tuple[str, ...]]:
 def _digest_of_sources(key: str) -> str:
     root = Path(__file__).parents[1]
     derivation = papers.load().folders.get(key, root / "papers" / key) / "derivation.py"
-    listed = [root / source for source in SOURCES] + [derivation]
+    asked = any(item.question for _, _, item in papers.load()[key].items())
+    listed = [root / source for source in (*SOURCES, *(ASKING if asked else ()))] + [derivation]
     files = [f for path in listed for f in (sorted(path.rglob("*")) if path.is_dir() else [path])]
     digest = hashlib.sha256()
     for file in files:

@@ -61,7 +61,7 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     from symcheck.audit import outputs
     from symcheck.ledger import by_paper, store
 
-    differing = list[str]()
+    differing = [note for key in by_paper(records) for note in papers.load()[key].notes]
     for key, rows in by_paper(records).items():
         complete = not selection or key in selection
         differing += store.disagreements(rows, store.expected(outputs.folder(key), key), complete)

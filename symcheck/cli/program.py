@@ -14,6 +14,7 @@ from symcheck.cli.errors import one_line_errors
 from symcheck.cli.export import export
 from symcheck.cli.generate import generate
 from symcheck.cli.look import look
+from symcheck.cli.new import new
 from symcheck.cli.notebooks import notebooks
 from symcheck.cli.papers import papers
 from symcheck.cli.plot import plot
@@ -52,7 +53,22 @@ def cli() -> None:
     """
 
 
-for command in (check, decide, look, show, errata, papers, generate, plot, sweep, notebooks, selftest, report, export):
+for command in (
+    check,
+    decide,
+    look,
+    new,
+    show,
+    errata,
+    papers,
+    generate,
+    plot,
+    sweep,
+    notebooks,
+    selftest,
+    report,
+    export,
+):
     cli.add_command(command)
 
 

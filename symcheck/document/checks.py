@@ -172,7 +172,7 @@ class Checks:
 
     def _defined(self, k: int, link: Link) -> Question | None:
         """A relation between letters that are all defined before it, or free in these definitions."""
-        known = self._definitions(k)
+        known = self.definitions(k)
         names = link.names[0] | link.names[1]
         used: dict[str, Definition] = {}
         more = {x for x in names if x in known}
@@ -199,7 +199,7 @@ class Checks:
             sure=True,
         )
 
-    def _definitions(self, k: int) -> dict[str, Definition]:
+    def definitions(self, k: int) -> dict[str, Definition]:
         """The letters that are defined before a formula, once, in the same part of the document."""
         section, local = self.formulas[k].scope
         found: dict[str, Definition] = {}
