@@ -91,7 +91,8 @@ def test_a_fresh_audit_decides_without_an_edit(tmp_path: Path) -> None:
         ("paper.rst", ".. math:: E = m v^2 / 2\n\nThen\n\n.. math:: 2 E = m v^2\n\nand\n\n.. math:: 4 E = 3 m v^2\n"),
         (
             "paper.tex",
-            "\\newcommand{\\en}{E}\\newcommand{\\sq}[1]{#1^2}$$\\en = \\frac{m \\sq{v}}{2}$$ $$2 \\en = m \\sq{v}$$ $$4 \\en = 3 m \\sq v$$",
+            r"\newcommand{\en}{E}\newcommand{\sq}[1]{#1^2}$$\en = \frac{m \sq{v}}{2}$$ $$2 \en = m \sq{v}$$"
+            r"$$4 \en = 3 m \sq v$$",
         ),
         (
             "twice.tex",
@@ -172,3 +173,92 @@ def test_what_is_no_document_begins_no_audit(data: bytes, said: str, tmp_path: P
     assert said in failed.stderr
     assert failed.stderr.count("\n") == 1
     assert not (tmp_path / "audit").exists()
+
+
+NOTES = """We have
+$$E = \\frac{m v^2}{2}$$
+and
+$$2 E = m v^2.$$
+Now $E > 0$ and
+$$4 E = 3 m v^2.$$
+$$4 E = 3 m v^2.$$
+also $$a += 3$$
+"""
+
+
+def test_an_update_keeps_what_the_user_wrote(tmp_path: Path) -> None:
+    """Relations that move are named anew, those that change are told, new ones are added behind their neighbours."""
+    audit, paper = begun(tmp_path, NOTES, "paper.md"), tmp_path / "paper.md"
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    mine = code.replace('line_6 = source.claim("line 6",', 'ä = 1; line_6 = source.claim(r"line 6",')
+    mine = mine.replace("paper =", "# mine: line 4\nunder = {'line 4': 4}\n\npaper =")
+    assert mine.count("mine") == 1
+    (audit / "audit.py").write_text(mine, encoding="utf-8")
+    edited = NOTES.replace("We have", "We\n\nnow have $$p = m v$$\n").replace("2 E = m v^2", "2 E = m v^3")
+    paper.write_text(edited.replace("also", "also $$2 E = p v$$"), encoding="utf-8")
+    done = run("new", "--update", audit, "--jobs", 0)
+    assert done.exit_code == 0, done.output
+    for said in (
+        f"{paper}:7: line 7 has changed: was 2 E = m v^2, is 2 E = m v^3",
+        f"{paper}:3: new, and added: p = m v",
+        'new, and to be added to its letters: letter("p"),',
+    ):
+        assert said in done.stdout
+    line = re.compile(r"line (\d+)")
+    moved = {"2": "5", "4": "7", "5": "8", "6": "9", "8": "11"}
+    before, after = mine.split("\n"), (audit / "audit.py").read_text(encoding="utf-8").split("\n")
+    assert [each for each in after if "line_3 = " in each or "line_11 = " in each] == [
+        'line_3 = source.definition("line 3")',
+        'line_11 = source.claim("line 11", follows=[line_3, line_2, line_5])',
+    ]
+    kept = [each for each in after if not each.startswith(("line_3", "line_11"))]
+    named = [line.sub(lambda x: f"line {moved[x[1]]}", e) if "source." in e else e for e in before]
+    assert [each.replace("line 11 #2", "line 11") for each in kept] == [e.replace('r"line', '"line') for e in named]
+    assert run("new", "--update", audit, "--jobs", 0).stdout == f"{audit}/audit.lock: nothing has changed\n"
+    assert verdicts(audit) == {"0.3": "refuted", "0.5": "refuted", "0.6": "refuted", "0.7": "undecided"}
+
+
+def test_a_label_that_is_another_one_is_found_by_content(tmp_path: Path) -> None:
+    audit, paper = begun(tmp_path, SHORT), tmp_path / "paper.tex"
+    paper.write_text(SHORT.replace("eq:twice", "eq:double"), encoding="utf-8")
+    checked = run("check", audit, "--jobs", 0)
+    assert "moved since it was accepted: eq:twice to eq:double" in checked.stderr
+    assert run("new", "--update", audit, "--jobs", 0).exit_code == 0
+    assert 'twice = source.claim("eq:double", follows=[energy])' in (audit / "audit.py").read_text(encoding="utf-8")
+    assert "moved" not in run("check", audit, "--jobs", 0).stderr
+
+
+def test_of_two_equal_relations_the_one_that_is_left_is_found(tmp_path: Path) -> None:
+    audit, paper = begun(tmp_path, NOTES, "paper.md"), tmp_path / "paper.md"
+    paper.write_text(NOTES.replace("$$4 E = 3 m v^2.$$\n", "", 1), encoding="utf-8")
+    done = run("new", "--update", audit, "--jobs", 0)
+    assert f"is gone: it was 4 E = 3 m v^2; take {audit}/audit.py:20 out" in done.stdout
+    assert run("check", audit, "--jobs", 0).exit_code == 2
+
+
+def test_what_cannot_be_written_leaves_both_files_as_they_are(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from symcheck.document import scaffold
+
+    audit, paper = begun(tmp_path, NOTES, "paper.md"), tmp_path / "paper.md"
+    before = [file.read_bytes() for file in sorted(audit.glob("audit.*"))]
+    paper.write_text("\n" + NOTES, encoding="utf-8")
+    put = scaffold.put
+
+    def full(file: Path, data: bytes) -> None:
+        if file.name == "audit.py":
+            raise OSError(28, "No space left on device", str(file))
+        put(file, data)
+
+    monkeypatch.setattr(scaffold, "put", full)
+    failed = run("new", "--update", audit, "--jobs", 0)
+    assert (
+        failed.stderr
+        == f"symcheck: {audit}/audit.py cannot be written (No space left on device); name another folder\n"
+    )
+    assert [file.read_bytes() for file in sorted(audit.glob("audit.*"))] == before
+    failed = run("new", paper, "--out", tmp_path / "other", "--jobs", 0)
+    assert failed.exit_code == 2
+    assert not list((tmp_path / "other").iterdir())
+    failed = run("new", paper, "--out", paper / "audit", "--jobs", 0)
+    assert failed.exit_code == 2
+    assert "(Not a directory)" in failed.stderr

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import click
 
-from symcheck.cli.errors import writing
 from symcheck.cli.options import cores
 from symcheck.cli.records import progress
+from symcheck.core.verdicts import SymcheckError
+
+
+@contextmanager
+def _writing() -> Iterator[None]:
+    """Where files are written beside one another; SymcheckError names the one that cannot be."""
+    try:
+        yield
+    except OSError as error:
+        raise SymcheckError(f"{error.filename} cannot be written ({error.strerror}); name another folder") from error
 
 
 @click.command()
@@ -32,7 +43,7 @@ def new(file: Path, out: Path, update: bool, jobs: int) -> None:
 
     with progress("reading") as move:
         work = Work(executor(jobs, ["symcheck.document.checks"]), move)
-        with writing(out):
+        with _writing():
             done = (
                 scaffold.update(file, work)
                 if update

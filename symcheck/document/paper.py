@@ -218,6 +218,12 @@ class Document:
                     f"{self.path}:{now.line}: {now.place} has changed since it was accepted: "
                     f"was {each.latex}, is {now.latex}; {update}"
                 )
+        if moved := [key for key, k in self.where.items() if self.keys[k] != key]:
+            first = f"{moved[0]} to {self.keys[self.where[moved[0]]]}"
+            yield (
+                f"{self.path}: {len(moved)} moved since it was accepted: {first}{', ...' if len(moved) > 1 else ''}; "
+                f"{UPDATE.format(self.folder)} names them as they are now"
+            )
         if new := [f.place for k, f in enumerate(self.formulas) if k not in self.where.values()]:
             shown_ = ", ".join(new[:MANY]) + (f" and {len(new) - MANY} more" if len(new) > MANY else "")
             yield f"{self.path}: new since it was accepted: {shown_}; add it with {UPDATE.format(self.folder)}"

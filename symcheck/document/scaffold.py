@@ -126,9 +126,20 @@ def new(file: Path, folder: Path, work: Work) -> list[Path]:
         if each.exists():
             raise SymcheckError(f"{each} exists; {UPDATE.format(folder)} brings it up to date, --out names another")
     draft = drafted(file, work)
-    put(targets[1], written(accepted(draft.formulas)))
-    put(targets[0], text(draft, folder).encode())
+    _both(targets[1], written(accepted(draft.formulas)), targets[0], text(draft, folder).encode())
     return targets
+
+
+def _both(lock: Path, accepted: bytes, audit: Path, code: bytes) -> None:
+    """Write both files, or neither: an audit names relations as they are in its lock."""
+    before = lock.read_bytes() if lock.exists() else None
+    put(lock, accepted)
+    try:
+        if not audit.exists() or audit.read_bytes() != code:
+            put(audit, code)
+    except OSError:
+        put(lock, before) if before is not None else lock.unlink()
+        raise
 
 
 def text(draft: Draft, folder: Path) -> str:
@@ -237,10 +248,17 @@ class Audit:
     def source(self) -> str:
         """The name of the file that is audited."""
         for call in (each for each in ast.walk(self.tree) if isinstance(each, ast.Call)):
-            named = "Document" in (getattr(call.func, "id", ""), getattr(call.func, "attr", ""))
-            if named and isinstance(file := getattr(call.args[1:2] and call.args[1], "value", None), str):
+            if _called(call) == "Document" and isinstance(
+                file := getattr(call.args[1:2] and call.args[1], "value", None), str
+            ):
                 return file
         raise SymcheckError(f"{self.file} has no Document(__file__, ...) that names its source")
+
+    @property
+    def letters(self) -> set[object]:
+        """The letters of which it says something."""
+        calls = (each for each in ast.walk(self.tree) if isinstance(each, ast.Call))
+        return {getattr(each.args[0], "value", None) for each in calls if each.args and _called(each) == "letter"}
 
     def _calls(self) -> Iterator[Named]:
         for statement in self.tree.body:
@@ -279,14 +297,21 @@ class Audit:
         names = named(draft.formulas, draft.keys, used)
         names |= {k: each.name for k, each in ends.items() if each.name}
         top = next((s.end_lineno for s in self.tree.body if "Document(" in ast.unparse(s)), 0) or 0
+        top += self.lines[top : top + 1] == [""]
+        at = {m: each.end for m, each in ends.items()}
+        for k in places:
+            at[k] = at.get(max((m for m in ends if m < k), default=-1), top)
         for k in reversed(places):
-            at = ends[m].end if (m := max((m for m in ends if m < k), default=-1)) in ends else top
-            before = {m: x for m, x in names.items() if m == k or (m in ends and ends[m].end <= at)}
-            self.lines.insert(at, draft.line(k, before))
+            before = {m: x for m, x in names.items() if m == k or (m in at and m < k and at[m] <= at[k])}
+            self.lines.insert(at[k], draft.line(k, before))
 
     def text(self) -> str:
         """The audit as it is now."""
         return "\n".join(self.lines)
+
+
+def _called(call: ast.Call) -> str:
+    return str(getattr(call.func, "id", getattr(call.func, "attr", "")))
 
 
 # a line of an audit that is commented out, with the key of its relation
@@ -297,7 +322,7 @@ def update(folder: Path, work: Work) -> list[str]:
     """Accept the source of an audit as it is now; a line for each thing that has changed, and for what is written."""
     folder = folder.parent if folder.name in FILES else folder
     audit, lock = Audit(folder / FILES[0]), folder / LOCK
-    draft = drafted(folder / audit.source, work)
+    draft = drafted(Path(os.path.normpath(folder / audit.source)), work)
     old = load(lock) if lock.exists() else accepted(draft.formulas)
     where = located(old, draft.formulas)
     said = [*_changes(old, where, draft, audit)]
@@ -307,11 +332,17 @@ def update(folder: Path, work: Work) -> list[str]:
     new = [k for k in range(len(draft.formulas)) if k not in where.values()]
     audit.added(draft, new, keys)
     said += [f"{draft.file}:{draft.formulas[k].line}: new, and added: {draft.formulas[k].latex}" for k in new]
+    said += [f"{audit.file}: new, and to be added to its letters: {_letter(each)}" for each in _new(draft, audit, old)]
     ast.parse(audit.text())
-    if audit.text() != audit.code:
-        put(audit.file, audit.text().encode())
-    put(lock, written(accepted(draft.formulas)))
+    _both(lock, written(accepted(draft.formulas)), audit.file, audit.text().encode())
     return [*said, f"{lock}: {'written' if said else 'nothing has changed'}"]
+
+
+def _new(draft: Draft, audit: Audit, old: Sequence[Accepted]) -> list[Letter]:
+    """The letters that stand first in a relation that is new or has changed, and are not in the audit."""
+    before = {each.digest for each in old}
+    places = {formula.place for formula in draft.formulas if digest(formula.latex) not in before}
+    return [each for each in draft.letters if each.first in places and shown(each.letter) not in audit.letters]
 
 
 def _changes(old: Sequence[Accepted], where: Mapping[str, int], draft: Draft, audit: Audit) -> Iterator[str]:
