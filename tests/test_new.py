@@ -215,7 +215,7 @@ def test_an_update_keeps_what_the_user_wrote(tmp_path: Path) -> None:
     named = [line.sub(lambda x: f"line {moved[x[1]]}", e) if "source." in e else e for e in before]
     assert [each.replace("line 11 #2", "line 11") for each in kept] == [e.replace('r"line', '"line') for e in named]
     assert run("new", "--update", audit, "--jobs", 0).stdout == f"{audit}/audit.lock: nothing has changed\n"
-    assert verdicts(audit) == {"0.3": "refuted", "0.5": "refuted", "0.6": "refuted", "0.7": "undecided"}
+    assert verdicts(audit) == {"0.3": "refuted", "0.5": "refuted", "0.6": "refuted", "0.7": "proved"}
 
 
 def test_a_label_that_is_another_one_is_found_by_content(tmp_path: Path) -> None:
@@ -262,3 +262,35 @@ def test_what_cannot_be_written_leaves_both_files_as_they_are(tmp_path: Path, mo
     failed = run("new", paper, "--out", paper / "audit", "--jobs", 0)
     assert failed.exit_code == 2
     assert "(Not a directory)" in failed.stderr
+
+
+def test_every_refutation_is_an_erratum_and_nothing_else(tmp_path: Path) -> None:
+    audit = begun(tmp_path, FAULTY)
+    listed = run("errata", audit, "--jobs", 0)
+    assert listed.exit_code == 0
+    assert re.findall(r"^audit:(\S+)", listed.stdout, re.MULTILINE) == ["1.2", "1.3c", "1.5"]
+    assert "3 errata" in listed.stdout
+    for kind, formula in (("markdown", "$q^2 + p^2 = 1$"), ("tex", "$q^2 + p^2 = 1$"), ("json", '"audit:1.5"]')):
+        assert formula in run("export", audit, "--format", kind, "--jobs", 0).stdout
+    letter = run("errata", audit, "--format", "letter", "--jobs", 0).stdout
+    assert "**3.** (1.5), line 21." in letter
+    assert "**4.**" not in letter
+    assert run("report", audit, "--output", tmp_path / "page.html", "--jobs", 0).exit_code == 0
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert page.count('<article class="fault">') == 3
+    assert "<dt>correct</dt>" not in page
+
+
+def test_a_correction_is_proved(tmp_path: Path) -> None:
+    audit = begun(tmp_path, FAULTY)
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    for right, then in (("q^2 + p^2 = 1", "proved"), ("q^2 + p^2 = 3", "refuted")):
+        errata = f'errata={{"": Erratum("{right}", "number", Origin.PAPER, "it is the unit circle")}}'
+        head = "from symcheck.core.claims import Erratum\nfrom symcheck.core.verdicts import Origin\n"
+        mended = head + code.replace("follows=[line_19]", f"follows=[line_19], {errata}")
+        (audit / "audit.py").write_text(mended, encoding="utf-8")
+        shown = run("show", f"{audit}:1.5", "--jobs", 0).stdout
+        assert re.search(rf"^corrected +{re.escape(right)}$", shown, re.MULTILINE)
+        assert re.search(rf"^then +{then}$", shown, re.MULTILINE)
+        assert run("generate", audit, "--jobs", 0).exit_code == 0
+        assert check_certificates([str(audit / "generated")]) == 0

@@ -249,7 +249,7 @@ def _answer(asked: Asked) -> Answer:
 
 def _reason(answer: Answer) -> str:
     if answer.repairs:
-        return f"one slip away holds: {' or '.join(each['relation'] for each in answer.repairs[:2])}"
+        return "one slip away holds: " + " or ".join(f"${each['relation']}$" for each in answer.repairs[:2])
     if answer.verdict is Status.VACUOUS:
         return answer.reason or "what it follows from contradicts itself, so that anything follows"
     return TOLD.get(answer.verdict, "") + answer.reason
