@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from rich.console import Console
 from stand_in import correction
 
-from symcheck.core.verdicts import Group, Origin, Reading, Role, Verdict
+from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.views import terminal
 

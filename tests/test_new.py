@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Iterator
@@ -43,6 +44,7 @@ def forget() -> None:
 
     for name in [name for name in sys.modules if name.startswith("symcheck.papers.audit")]:
         del sys.modules[name]
+    os.environ[papers.VARIABLE] = ""
     papers.load.cache_clear()
     for cached in (obligation._declared, obligation._paper_context, obligation.users, obligation._digest_of_sources):
         cached.cache_clear()
@@ -294,3 +296,87 @@ def test_a_correction_is_proved(tmp_path: Path) -> None:
         assert re.search(rf"^then +{then}$", shown, re.MULTILINE)
         assert run("generate", audit, "--jobs", 0).exit_code == 0
         assert check_certificates([str(audit / "generated")]) == 0
+
+
+def test_problems_are_told_at_their_lines(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    audit = begun(tmp_path / "a b", FAULTY)
+    monkeypatch.chdir(tmp_path)
+    plain = run("check", audit, "--format", "plain", "--jobs", 0).stdout.splitlines()
+    assert [line.split(": ")[:3] for line in plain] == [
+        ["a b/paper.tex:11", "refuted", "1.2"],
+        ["a b/paper.tex:14", "proved", "1.3b"],
+        ["a b/paper.tex:14", "refuted", "1.3c"],
+        ["a b/paper.tex:21", "refuted", "1.5"],
+    ]
+    assert "fails at s = 3, where the sides are 1 against 2; one slip away holds: q^2 + p^2 = 1" in plain[3]
+    [log] = json.loads(run("check", audit, "--format", "sarif", "--jobs", 0).stdout)["runs"]
+    rules = {rule["id"] for rule in log["tool"]["driver"]["rules"]}
+    assert [(each["kind"], each["level"]) for each in log["results"]] == [
+        ("fail", "error"),
+        ("pass", "none"),
+        ("fail", "error"),
+        ("fail", "error"),
+    ]
+    for each, line in zip(log["results"], (11, 14, 14, 21), strict=True):
+        [where] = each["locations"]
+        assert each["ruleId"] in rules
+        assert where["physicalLocation"]["artifactLocation"]["uri"] == "a%20b/paper.tex"
+        assert where["physicalLocation"]["region"]["startLine"] == line
+
+
+def test_an_included_file_and_a_cell_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "part").mkdir()
+    (tmp_path / "part" / "one.tex").write_text("\n$$2 (a + b) = 2 a + b$$\n", encoding="utf-8")
+    audit = begun(tmp_path, "\\input{part/one}\n$$a + b = b + a$$\n")
+    monkeypatch.chdir(tmp_path)
+    plain = run("check", audit, "--format", "plain", "--jobs", 0).stdout.splitlines()
+    assert [line.split(": ")[:2] for line in plain] == [["part/one.tex:2", "refuted"], ["paper.tex:2", "proved"]]
+    cells = [{"cell_type": "markdown", "source": "$$a + b = b - a$$"}]
+    audit = begun(tmp_path / "book", json.dumps({"cells": cells, "nbformat": 4, "metadata": {}}), "paper.ipynb")
+    plain = run("check", audit, "--format", "plain", "--jobs", 0).stdout.splitlines()
+    assert [line.split(": ")[:2] for line in plain] == [["book/paper.ipynb#1:1", "refuted"]]
+
+
+def test_what_an_audit_leaves_open_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    audit = begun(tmp_path, SHORT.replace("Moreover", r"Moreover $E += 1$ and \[ 3 E = m v^2, \]"))
+    said = run("lint", audit, "--jobs", 0)
+    assert said.exit_code == 1
+    assert said.stdout.splitlines() == [
+        "paper.tex:6: line 6 has no role: E += 1",
+        "paper.tex:6: 2.2 is refuted, and nothing is said of what is right",
+        *(
+            f"audit/audit.py:{n}: {x} has no unit; write '1' for a pure number"
+            for n, x in ((9, "E"), (10, "m"), (11, "v"))
+        ),
+    ]
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    code = re.sub(r'letter\("(.)"\)', r'letter("\1", unit="1")', code)
+    code = code.replace('# source.exclusion("line 6", reason=)', 'no = source.exclusion("line 6", reason="code")  #')
+    right = 'errata={"": Erratum("2 E = m v^2", "number", Origin.PAPER, "it is twice")}'
+    code = code.replace('source.claim("line 6 #2", ', f'source.claim("line 6 #2", {right}, ')
+    head = "from symcheck.core.claims import Erratum\nfrom symcheck.core.verdicts import Origin\n"
+    (audit / "audit.py").write_text(head + code, encoding="utf-8")
+    said = run("lint", audit, "--jobs", 0)
+    assert (said.exit_code, said.stdout) == (0, "")
+
+
+def test_circles_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    audit = begun(tmp_path, SHORT)
+    code = re.sub(r'letter\("(.)"\)', r'letter("\1", unit="1")', (audit / "audit.py").read_text(encoding="utf-8"))
+    first, last = (
+        'twice = source.claim("eq:twice", follows=[energy])',
+        'line_7 = source.claim("line 7", follows=[energy])',
+    )
+    code = code.replace(first, last.replace("follows", 'given=["4 E = 2 m  v^2"], follows')).replace(
+        "\n" + last, "\n" + first
+    )
+    (audit / "audit.py").write_text(
+        code.replace(first, first.replace("[energy]", "[energy, line_7]")), encoding="utf-8"
+    )
+    said = run("lint", audit, "--jobs", 0)
+    assert said.stdout.splitlines() == [
+        "paper.tex:7: 2.1 is assumed for its own proof: 4 E = 2 m v^2",
+        "paper.tex:5: 2 uses 2.1, which is claimed later",
+    ]

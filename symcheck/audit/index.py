@@ -53,8 +53,8 @@ class Index:
     def add_further(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
         """What else there are certificates of."""
         for record in records:
-            item = self.items[record.declaration]
-            if item.question:
+            item = self.items.get(record.declaration)
+            if item and item.question:
                 for each in record.all_certificates():
                     self._add_asked(each, item.question.stated(item, each))
             for hypothesis in record.hypotheses:

@@ -13,6 +13,7 @@ from symcheck.cli.errata import errata
 from symcheck.cli.errors import one_line_errors
 from symcheck.cli.export import export
 from symcheck.cli.generate import generate
+from symcheck.cli.lint import lint
 from symcheck.cli.look import look
 from symcheck.cli.new import new
 from symcheck.cli.notebooks import notebooks
@@ -58,6 +59,7 @@ for command in (
     decide,
     look,
     new,
+    lint,
     show,
     errata,
     papers,

@@ -66,6 +66,11 @@ class Inquiry:
     letters: tuple[tuple[str, str], ...] = ()
     reading: Reading = Reading.AS_PRINTED
 
+    @property
+    def assumed(self) -> tuple[str, ...]:
+        """All that it rests on."""
+        return (*(each.text for each in self.follows), *self.given)
+
     def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         """One for each relation that it prints, or the one that says why it is not read."""
         base = replace(base, reading=self.reading)

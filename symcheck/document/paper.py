@@ -183,10 +183,14 @@ class Document:
         relied = tuple(dict.fromkeys(each for item in follows for each in _relied(item)))
         return {
             "number": self.numbers[k],
-            "source": Source(formula.line, (formula.latex,), file=formula.file),
+            "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
             "question": Inquiry(stated or formula.latex, relied, conditions, letters, reading),
         }
+
+    def _file(self, formula: Printed) -> str:
+        """The file in which a relation stands, if that is another one, or a cell of it."""
+        return f"{self.path.name}#{formula.cell}" if formula.cell else formula.file
 
     def _find(self, place: str) -> int:
         """The relation that is named."""
