@@ -16,6 +16,8 @@ from documents import FAULTY
 from symcheck import papers
 from symcheck.checker.__main__ import main as check_certificates
 from symcheck.cli import cli
+from symcheck.core.verdicts import SymcheckError
+from symcheck.document.rewriting import Rule, rewritten
 
 SHORT = r"""\documentclass{article}
 \begin{document}
@@ -380,3 +382,64 @@ def test_circles_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
         "paper.tex:7: 2.1 is assumed for its own proof: 4 E = 2 m v^2",
         "paper.tex:5: 2 uses 2.1, which is claimed later",
     ]
+
+
+REWRITTEN = [
+    (r"\bm{a}_1^{T}\bm b = 3", r"X^{T} Y -> (X, Y)", r"( \bm {a} _ 1 , \bm b ) = 3"),
+    (r"\leftexp{B}{\omega_1} + 2", r"\leftexp{B}{X} -> X", r"\omega _ 1 + 2"),
+    (r"\frac{\delta\bm{\omega}}{2}", r"\delta\bm\omega -> \epsilon", r"\frac {\epsilon} {2}"),
+    (r"c = (a + b)^T d", "X^TY -> (X, Y)", "c = ( ( a + b ) , d )"),
+    (r"a^T b + b^T a", "X^T Y + Y^T X -> 2 (X, Y)", "2 ( a , b )"),
+    # none of these is a match: what stands beside it would be torn from it
+    (r"a^{T} b^2", "X^T Y -> (X, Y)", None),
+    (r"a^{T} f(b)", "X^T Y -> (X, Y)", None),
+    (r"f(a)^T b", "X^T Y -> (X, Y)", None),
+    (r"\dot a'^T b", "X^T Y -> (X, Y)", None),
+    (r"a^T c + b^T a", "X^T Y + Y^T X -> 2 (X, Y)", None),
+    (r"a^S b", "X^T Y -> (X, Y)", None),
+    (r"a^{T", "X^T Y -> (X, Y)", None),
+]
+
+
+@pytest.mark.parametrize(("latex", "rule", "right"), REWRITTEN)
+def test_rules_rewrite_whole_operands_only(latex: str, rule: str, right: str | None) -> None:
+    assert rewritten(latex, [Rule.of(rule)])[0] == (right or latex)
+
+
+@pytest.mark.parametrize("rule", ["X", "-> a", "a -> b -> c", "a -> X"])
+def test_what_is_no_rule_is_refused(rule: str) -> None:
+    with pytest.raises(SymcheckError, match=re.escape(repr(rule))):
+        Rule.of(rule)
+
+
+ROTATED = r"""$$\fun{B}{E} = \frac{m v^2}{2}$$
+$$2 \fun{B}{E} = m v^2$$
+"""
+
+
+def test_a_form_by_hand_is_never_told_as_printed(tmp_path: Path) -> None:
+    audit = begun(tmp_path, SHORT.replace("2 E = m v^2", "2 E += m v^2"))
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    by_hand = 'twice = source.claim("eq:twice", stated="2 E = m v^2", follows=[energy])  # '
+    (audit / "audit.py").write_text(code.replace("# source.exclusion", by_hand + "source.exclusion"), encoding="utf-8")
+    items = json.loads(run("check", audit, "--jobs", 0, "--json").stdout)["items"]
+    read = {item["id"]: (item["verdict"], item["reading"], item["printed"], item["read"]) for item in items}
+    assert read["audit:2"] == ("proved", "stated by the auditor", "2 E += m v^2", "2 E = m v^2")
+    assert read["audit:2.1"][:2] == ("proved", "as printed")
+
+
+def test_a_misprint_passes_through_the_rules(tmp_path: Path) -> None:
+    """The statement is made of what is printed: by rules it stays so, by hand it would not."""
+    audit = begun(tmp_path, ROTATED)
+    code = (audit / "audit.py").read_text(encoding="utf-8").partition("# source")[0]
+    code = code.replace('"../paper.tex",', r'"../paper.tex", rules=[r"\fun{B}{X} -> X"],')
+    code += 'e = source.definition("line 1")\nt = source.claim("line 2", follows=[e])\n'
+    (audit / "audit.py").write_text(code + 'paper = source.paper(__name__, title="")\n', encoding="utf-8")
+    assert verdicts(audit) == {"0.2": "proved"}
+    (tmp_path / "paper.tex").write_text(ROTATED.replace("= m v^2", "= m v^3"), encoding="utf-8")
+    [item] = [i for i in json.loads(run("check", audit, "--jobs", 0, "--json").stdout)["items"] if i["verdict"]]
+    assert (item["verdict"], item["reading"]) == ("refuted", "rewritten")
+    assert item["reason"].endswith(r"rewritten by \fun{B}{X} -> X")
+    listed = run("errata", audit, "--jobs", 0).stdout
+    assert "1 errata" in listed
+    assert re.search(r"^printed +2 \\fun\{B\}\{E\} = m v\^3$", listed, re.MULTILINE)

@@ -58,6 +58,7 @@ class Inquiry:
     given    conditions of the auditor
     letters  what letters are, as `decide` takes it
     reading  how the text comes from the source
+    told     the same in words, where it is not as printed
     """
 
     text: str
@@ -65,6 +66,7 @@ class Inquiry:
     given: tuple[str, ...] = ()
     letters: tuple[tuple[str, str], ...] = ()
     reading: Reading = Reading.AS_PRINTED
+    told: str = ""
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -73,14 +75,14 @@ class Inquiry:
 
     def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         """One for each relation that it prints, or the one that says why it is not read."""
-        base = replace(base, reading=self.reading)
+        base = replace(base, reading=self.reading, reason=self._said_of(base.reason))
         if item.role is Role.EXCLUSION:
             return (base,)
         try:
             tree = _tree(self.text, self._said(self.text))
         except SymcheckError as error:
             open_ = Verdict.UNDECIDED if isinstance(item, Assertion) else None
-            return (replace(base, verdict=open_, reason=f"not read: {error}"),)
+            return (replace(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
         if not isinstance(item, Assertion):
             return (replace(base, read=to_latex(tree)),)
         return tuple(self._of_links(item, base, tree))
@@ -100,7 +102,7 @@ class Inquiry:
         verdict = VERDICTS.get(answer.verdict, Verdict.UNDECIDED)
         proofs = self._certificates(row.id, asked, answer)
         row = replace(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
-        row = replace(row, hypotheses=tuple(self._hypotheses(verdict, proofs)), reason=_reason(answer))
+        row = replace(row, hypotheses=tuple(self._hypotheses(verdict, proofs)), reason=self._said_of(_reason(answer)))
         if verdict is Verdict.REFUTED:
             row = replace(row, origin=Origin.PAPER, kind="fails")
         return self._corrected(row, link, erratum, answer) if erratum else row
@@ -124,17 +126,21 @@ class Inquiry:
             summary=erratum.summary,
             instead=erratum.instead,
         )
-        reading = Reading.MISPRINT if erratum.corrected else Reading.NEEDS_HYPOTHESIS
+        found = Reading.MISPRINT if erratum.corrected else Reading.NEEDS_HYPOTHESIS
         given = "; ".join(each.words for each in erratum.needs)
         return replace(
             row,
-            reading=reading,
+            reading=found if self.reading is Reading.AS_PRINTED else self.reading,
             kind=erratum.kind,
             origin=erratum.origin,
-            reason=erratum.reason,
+            reason=self._said_of(erratum.reason),
             corrected=erratum.shown or erratum.corrected or f"{link} (given: {given})",
             erratum=correction,
         )
+
+    def _said_of(self, reason: str) -> str:
+        """A reason, with how the text comes from the source."""
+        return "; ".join(filter(None, (reason, self.told)))
 
     def _asked(self, link: str, needs: Sequence[str] = ()) -> Asked:
         """The question as `decide` takes it."""

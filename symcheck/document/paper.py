@@ -33,6 +33,7 @@ from symcheck.document.asked import Inquiry, Relied
 from symcheck.document.letters import shown
 from symcheck.document.lock import LOCK, UPDATE, digest, keys, load, located
 from symcheck.document.printed import Printed
+from symcheck.document.rewriting import Rule, rewritten
 from symcheck.document.sources import source
 from symcheck.papers import key_of
 from symcheck.proof import identity
@@ -88,10 +89,14 @@ class Document:
         The source, as seen from there.
     letters
         What is said of its letters.
+    rules
+        Rules by which all relations are rewritten before they are read: ``r"X^{T} Y -> (X, Y)"``. X, Y and Z stand for
+        letters, groups and brackets. The ledger calls what they change rewritten.
     """
 
-    def __init__(self, audit: str, file: str, letters: Sequence[Said] = ()) -> None:
+    def __init__(self, audit: str, file: str, letters: Sequence[Said] = (), rules: Sequence[str] = ()) -> None:
         self.folder, self.file, self.said = Path(audit).resolve().parent, file, tuple(letters)
+        self.rules = [*map(Rule.of, rules)]
         self.path = Path(os.path.normpath(self.folder / file))
         self.formulas = source(self.path).formulas
         self.keys = keys(self.formulas)
@@ -145,6 +150,7 @@ class Document:
         given: Sequence[str | Hypothesis] = (),
         imposed: str = "",
         stated: str = "",
+        rules: Sequence[str] = (),
         errata: dict[str, Erratum] | None = None,
     ) -> Claim:
         r"""Declare a relation that the source asserts.
@@ -161,10 +167,12 @@ class Document:
             Letters of the links that say what something is: "a" where `E = a + b = c` defines E.
         stated
             The same relation in other words, if what is printed cannot be read. The ledger says that it is yours.
+        rules
+            Rules for this relation, after those of the source.
         errata
             By link letter ("" for the only one): what a wrong relation should be.
         """
-        declared = self._declared(place, follows=follows, given=given, stated=stated)
+        declared = self._declared(place, follows=follows, given=given, stated=stated, rules=rules)
         statement = Statement(imposed=imposed)
         return Claim(statement=statement, plan=Plan(identity), errata=errata or {}, **declared)
 
@@ -175,17 +183,20 @@ class Document:
         follows: Sequence[Declaration] = (),
         given: Sequence[str | Hypothesis] = (),
         stated: str = "",
+        rules: Sequence[str] = (),
     ) -> dict[str, Any]:
         k = self._find(place)
         formula, letters = self.formulas[k], tuple((each.letter, each.phrase) for each in self.said)
         conditions = tuple(each if isinstance(each, str) else each.states for each in given)
-        reading = Reading.STATED if stated else Reading.AS_PRINTED
+        text, applied = rewritten(stated or formula.latex, [] if stated else [*self.rules, *map(Rule.of, rules)])
+        reading = Reading.STATED if stated else Reading.REWRITTEN if applied else Reading.AS_PRINTED
+        told = "; ".join(f"rewritten by {rule.text}" for rule in applied)
         relied = tuple(dict.fromkeys(each for item in follows for each in _relied(item)))
         return {
             "number": self.numbers[k],
             "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
-            "question": Inquiry(stated or formula.latex, relied, conditions, letters, reading),
+            "question": Inquiry(text, relied, conditions, letters, reading, told),
         }
 
     def _file(self, formula: Printed) -> str:
