@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
-from documents import FAULTY
+from documents import FAULTY, SOUND
 
 from symcheck import papers
 from symcheck.checker.__main__ import main as check_certificates
@@ -443,3 +443,16 @@ def test_a_misprint_passes_through_the_rules(tmp_path: Path) -> None:
     listed = run("errata", audit, "--jobs", 0).stdout
     assert "1 errata" in listed
     assert re.search(r"^printed +2 \\fun\{B\}\{E\} = m v\^3$", listed, re.MULTILINE)
+
+
+def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
+    """Cases, equations to be solved and conditions printed elsewhere: what fails may still be meant."""
+    audit = begun(tmp_path, SOUND)
+    found = verdicts(audit)
+    assert {number for number, verdict in found.items() if verdict == "proved"} == {"2", "7", "9"}
+    assert "refuted" not in found.values()
+    told = run("show", f"{audit}:16b", "--jobs", 0).stdout
+    assert "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere" in told
+    code = (audit / "audit.py").read_text(encoding="utf-8").replace('("(16)"', '("(16)", given=[]')
+    (audit / "audit.py").write_text(code, encoding="utf-8")
+    assert verdicts(audit) == {**found, "16b": "refuted"}

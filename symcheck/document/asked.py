@@ -31,9 +31,10 @@ from symcheck.reading import Tree, relations, to_latex
 METHOD = "decide"
 VALUED = "every printed term has a value"
 REPAIRING = 12.0  # seconds for an answer with repairs, before one without is asked for
-POSITIVE = "it holds for some positive numbers: a condition may be printed elsewhere; say it with given="
+SAY = "a condition may be printed elsewhere: say it with follows= or given=, or given=[] if there is none"
 VERDICTS = {Status.PROVED: Verdict.PROVED, Status.REFUTED: Verdict.REFUTED}
 TOLD = {Status.UNREADABLE: "not read: ", Status.AMBIGUOUS: "ambiguous: "}  # before the reason for no verdict
+NUMBERS = ("scalar", "index", "number", "differential")  # kinds of letters of which words hardly say more
 UNSAID = ("index", "differential", "number")  # letters of which the formula itself says what they are
 
 
@@ -59,6 +60,8 @@ class Inquiry:
     letters  what letters are, as `decide` takes it
     reading  how the text comes from the source
     told     the same in words, where it is not as printed
+    near     relations beside it of which nobody claims that they hold, with their places: conditions, perhaps
+    alone    whether the auditor says that there are no other conditions
     """
 
     text: str
@@ -67,6 +70,8 @@ class Inquiry:
     letters: tuple[tuple[str, str], ...] = ()
     reading: Reading = Reading.AS_PRINTED
     told: str = ""
+    near: tuple[tuple[str, str], ...] = ()
+    alone: bool = False
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -99,6 +104,12 @@ class Inquiry:
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
         asked = self._asked(link)
         answer = _answer(asked)
+        if (
+            answer.verdict is Status.REFUTED
+            and not (self.alone or self.given)
+            and (doubt := self._doubt(asked, answer))
+        ):
+            answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
         verdict = VERDICTS.get(answer.verdict, Verdict.UNDECIDED)
         proofs = self._certificates(row.id, asked, answer)
         row = replace(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
@@ -106,6 +117,25 @@ class Inquiry:
         if verdict is Verdict.REFUTED:
             row = replace(row, origin=Origin.PAPER, kind="fails")
         return self._corrected(row, link, erratum, answer) if erratum else row
+
+    def _doubt(self, asked: Asked, answer: Answer) -> str:
+        """Why what fails may hold all the same, under a condition that is printed elsewhere; "" if nothing says so."""
+        names = {x for text in (asked.relation, *asked.where) for x in surveyed_once(text).names}
+        for place, text in self.near:
+            seen = surveyed_once(text)
+            if seen.reason or not seen.names or not seen.names <= names:
+                continue
+            said = self._said(asked.relation, *asked.where, text)
+            with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
+            if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
+                return f"it fails, but perhaps not where {text} ({place}); {SAY}"
+        elsewhere = holds_elsewhere(asked)
+        if elsewhere:
+            return f"it fails, but holds for some positive numbers; {SAY}"
+        of_numbers = all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
+        if not answer.repairs and not (of_numbers and elsewhere is False):
+            return f"it fails, and no slip of the pen would explain it; {SAY}"
+        return ""
 
     def _corrected(self, row: Record, link: str, erratum: Erratum, printed: Answer) -> Record:
         """The same with what is right instead, which is asked as well."""
@@ -247,15 +277,12 @@ def _parts(relied: Relied, letters: tuple[tuple[str, str], ...]) -> list[tuple[s
 
 
 def _answer(asked: Asked) -> Answer:
-    """The answer, with repairs if there is time; what holds for positive numbers is not refuted without conditions."""
+    """The answer, with repairs if there is time."""
     arguments = asked.relation, asked.where, asked.given, dict(asked.letters)
     answer = None
     with suppress(OutOfTime), limited(REPAIRING):
         answer = answered(*arguments)
-    answer = answer or answered(*arguments, wanted=False)
-    if answer.verdict is Status.REFUTED and not asked.given and holds_elsewhere(asked):
-        return Answer(Status.UNDECIDED, reason=POSITIVE, seconds=answer.seconds)
-    return answer
+    return answer or answered(*arguments, wanted=False)
 
 
 def _reason(answer: Answer) -> str:

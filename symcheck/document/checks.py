@@ -127,10 +127,14 @@ class Checks:
         return tuple(found.items())
 
     def is_statement(self, k: int) -> bool:
+        """Is a display printed as something that holds, by the words before it?"""
+        return self.formulas[k].display and self.is_said(k)
+
+    def is_said(self, k: int) -> bool:
         """Is a formula printed as something that holds, by the words before it?"""
         formula, seen = self.formulas[k], self.seen[k]
         words = ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", formula.before)[-SENTENCES:])
-        return formula.display and seen.plain and not seen.reason and not CONDITIONAL.search(words)
+        return seen.plain and not seen.reason and not CONDITIONAL.search(words)
 
     def suspicious(self) -> Iterator[Question]:
         """Relations that ought to hold by what stands before them."""

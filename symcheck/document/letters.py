@@ -92,9 +92,14 @@ def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
     for role in seen.roles:
         phrase = known[role.letter].phrase if role.letter in known else ""
         open_ = not role.sure or not role.phrase
-        if open_ and role.kind not in ("index", "differential", "number") and phrase.split(" ")[0] in _SAYABLE:
+        if open_ and role.kind not in ("index", "differential", "number") and is_sayable(phrase):
             found[role.letter] = phrase
     return found
+
+
+def is_sayable(phrase: str) -> bool:
+    """Does `decide` take a phrase about a letter? Of a function it wants to know of what."""
+    return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
 
 
 _SAYABLE = frozenset({"vector", "matrix", "function", "depends"})  # first words of phrases that `decide` takes

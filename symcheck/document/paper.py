@@ -30,6 +30,7 @@ from symcheck.core.claims import (
 )
 from symcheck.core.verdicts import Reading, SymcheckError
 from symcheck.document.asked import Inquiry, Relied
+from symcheck.document.checks import MOST_CONDITIONS, NEAR
 from symcheck.document.letters import shown
 from symcheck.document.lock import LOCK, UPDATE, digest, keys, load, located
 from symcheck.document.printed import Printed
@@ -147,7 +148,7 @@ class Document:
         place: str,
         *,
         follows: Sequence[Declaration] = (),
-        given: Sequence[str | Hypothesis] = (),
+        given: Sequence[str | Hypothesis] | None = None,
         imposed: str = "",
         stated: str = "",
         rules: Sequence[str] = (),
@@ -162,7 +163,8 @@ class Document:
         follows
             The earlier relations from which it follows; those from which these follow are added.
         given
-            Conditions in LaTeX, such as ``"x > 0"`` or ``r"n \in \mathbb{N}"``.
+            Conditions in LaTeX, such as ``"x > 0"`` or ``r"n \in \mathbb{N}"``. An empty list says that there are none:
+            without it what fails is not refuted where a condition may be printed elsewhere.
         imposed
             Letters of the links that say what something is: "a" where `E = a + b = c` defines E.
         stated
@@ -181,13 +183,13 @@ class Document:
         place: str,
         *,
         follows: Sequence[Declaration] = (),
-        given: Sequence[str | Hypothesis] = (),
+        given: Sequence[str | Hypothesis] | None = None,
         stated: str = "",
         rules: Sequence[str] = (),
     ) -> dict[str, Any]:
         k = self._find(place)
         formula, letters = self.formulas[k], tuple((each.letter, each.phrase) for each in self.said)
-        conditions = tuple(each if isinstance(each, str) else each.states for each in given)
+        conditions = tuple(each if isinstance(each, str) else each.states for each in given or ())
         text, applied = rewritten(stated or formula.latex, [] if stated else [*self.rules, *map(Rule.of, rules)])
         reading = Reading.STATED if stated else Reading.REWRITTEN if applied else Reading.AS_PRINTED
         told = "; ".join(f"rewritten by {rule.text}" for rule in applied)
@@ -196,7 +198,7 @@ class Document:
             "number": self.numbers[k],
             "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
-            "question": Inquiry(text, relied, conditions, letters, reading, told),
+            "question": Inquiry(text, relied, conditions, letters, reading, told, alone=given is not None),
         }
 
     def _file(self, formula: Printed) -> str:
@@ -272,6 +274,8 @@ class Document:
         """What is declared, by the sections of the source; what is not of the source comes last."""
         section = {number: f.scope[0] for number, f in zip(self.numbers, self.formulas, strict=True)}
         declared = {name: item for name, item in names.items() if isinstance(item, Declaration)}
+        claimed = {item.number for item in declared.values() if isinstance(item, Claim | Definition)}
+        declared = {name: self._beside(item, claimed) for name, item in declared.items()}
         last = max(section.values(), default=0)
         for k in range(last + 1):
             module = ModuleType(f"section_{k}")
@@ -279,6 +283,19 @@ class Document:
             vars(module).update(own)
             if own:
                 yield Section(str(k), "", module)
+
+    def _beside(self, item: Declaration, claimed: set[str]) -> Declaration:
+        """A claim with the relations beside it that may be its conditions, the nearest first."""
+        if not isinstance(item.question, Inquiry) or not isinstance(item, Claim):
+            return item
+        k, used = self.numbers.index(item.number), set(item.uses)
+        order = [*range(k + 1, min(k + 1 + NEAR, len(self.formulas))), *range(k - 1, -1, -1)]
+        near = [
+            (self.formulas[m].place, self.formulas[m].latex)
+            for m in order
+            if self.formulas[m].scope[0] == self.formulas[k].scope[0] and self.numbers[m] not in claimed | used
+        ]
+        return replace(item, question=replace(item.question, near=tuple(near[:MOST_CONDITIONS])))
 
 
 def _guessed(said: Said) -> list[Any]:

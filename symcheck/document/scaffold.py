@@ -15,13 +15,13 @@ from pathlib import Path
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.checks import CONDITIONAL, Checks
-from symcheck.document.letters import Letter, letters, shown
+from symcheck.document.checks import AGAIN, CONDITIONAL, SMALLEST, Checks
+from symcheck.document.letters import Letter, is_sayable, letters, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
 from symcheck.document.look import Work
 from symcheck.document.printed import Printed
 from symcheck.document.sources import source
-from symcheck.document.survey import READING, Seen, surveyed
+from symcheck.document.survey import READING, Link, Seen, surveyed
 from symcheck.papers import FILES, key_of
 
 ROLES = ("definition", "claim", "premise", "exclusion")
@@ -75,26 +75,34 @@ def drafted(file: Path, work: Work) -> Draft:
 
 def _guessed(checks: Checks) -> Iterator[Guess]:
     """The role of each relation, and the earlier ones that it seems to follow from."""
-    claimed = {question.number for question in checks.suspicious()}
-    claimed |= {question.number for question in checks.alone()}
     conditions: list[int] = []
     for k, (formula, seen) in enumerate(zip(checks.formulas, checks.seen, strict=True)):
         if not seen.read:
             yield Guess("exclusion", reason=" ".join(seen.reason.split()))
             continue
-        known = checks.definitions(k)
-        guess = _guess(checks, k, known.keys())
-        used = {known[x].number for link in seen.links for x in (link.names[0] | link.names[1]) & known.keys()}
+        guess = _guess(checks, k)
+        used = _defining(checks, k) if guess.role == "claim" else set()
         if guess.role == "claim":
-            used = {known[x].number for x in seen.names & known.keys()}
             used |= {m for m in conditions if checks.seen[m].names <= seen.names and _same_part(checks, m, k)}
-        elif guess.role == "definition":
-            used -= {known[x].number for x in seen.heads if x in known}
-        else:
-            used = set()
         yield Guess(guess.role, tuple(sorted(used)), guess.imposed)
         if not seen.links and seen.plain and not CONDITIONAL.search(formula.before):
             conditions.append(k)
+
+
+def _defining(checks: Checks, k: int) -> set[int]:
+    """The definitions that the letters of a claim need, transitively.
+
+    The links of a chain that goes on with the same letters need none.
+    """
+    seen, known = checks.seen[k], checks.definitions(k)
+    rest = [{*map(seen.names.intersection, link.names)} for link in seen.links if link.chained]
+    goes_on = seen.links and all(link.chained or link.head for link in seen.links)
+    reached: set[str] = set()
+    more = {x for sides in rest if len(sides) > 1 for each in sides for x in each} if goes_on else {*seen.names}
+    while more:
+        reached |= more
+        more = {x for each in more & known.keys() for x in known[each].names} - reached
+    return {known[x].number for x in reached & known.keys()}
 
 
 def _same_part(checks: Checks, m: int, k: int) -> bool:
@@ -103,19 +111,36 @@ def _same_part(checks: Checks, m: int, k: int) -> bool:
     return theirs[0] == section and theirs[1] in (0, local)
 
 
-def _guess(checks: Checks, k: int, known: Iterable[str]) -> Guess:
-    formula, seen = checks.formulas[k], checks.seen[k]
+def _guess(checks: Checks, k: int) -> Guess:
+    seen, known = checks.seen[k], checks.definitions(k)
     heads = {x: link for x, link in seen.heads.items() if x not in known and link.names[1]}
-    chained = any(link.chained for link in seen.links)
-    if heads and checks.is_statement(k):
-        imposed = "".join(chr(ord("a") + link.place) for link in seen.links if link.head in heads)
-        return Guess("claim", imposed=imposed) if chained else Guess("definition")
     values = [link for link in seen.links if link.head and not link.names[1]]
-    if checks.is_statement(k) and seen.links and len(values) < len(seen.links):
-        return Guess("claim")
-    if formula.display and seen.plain and not seen.links and not CONDITIONAL.search(formula.before):
-        return Guess("claim")
-    return Guess("premise")
+    if not checks.is_statement(k):
+        identity = [x for x in seen.links if x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST]
+        return Guess("claim" if checks.is_said(k) and identity and len(identity) == len(seen.links) else "premise")
+    if heads:
+        imposed = "".join(chr(ord("a") + link.place) for link in seen.links if link.head in heads)
+        return Guess("claim", imposed=imposed) if any(x.chained for x in seen.links) else Guess("definition")
+    if any(_is_another(checks, k, x, link) for x, link in seen.heads.items()):
+        return Guess("premise")
+    return Guess("claim" if len(values) < max(len(seen.links), 1) else "premise")
+
+
+def _is_another(checks: Checks, k: int, letter: str, link: Link) -> bool:
+    """Does a relation say what a letter is in another case, and not again what it is?
+
+    It is a claim if it is worded as one, or all of its letters are known from what the letter was said to be.
+    """
+    known = checks.definitions(k)
+    if letter not in known or not link.names[1]:
+        return False
+    if AGAIN.search(checks.formulas[k].before):
+        return False
+    reached = {letter}
+    while more := {x for each in reached & known.keys() for x in known[each].names} - reached:
+        reached |= more
+    own = known[letter].link.names[1]
+    return link.names[1] == own or not link.names[1] <= reached | known.keys()
 
 
 def new(file: Path, folder: Path, work: Work) -> list[Path]:
@@ -179,7 +204,7 @@ def _body(draft: Draft, names: Mapping[int, str]) -> Iterator[str]:
 
 def _letter(each: Letter) -> str:
     """A letter as it is taken, with the evidence."""
-    phrase = f", {_quoted(each.phrase)}" if each.phrase else ""
+    phrase = f", {_quoted(each.phrase)}" if is_sayable(each.phrase) else ""
     told = f"not the same everywhere: {', '.join(each.others)}" if each.others else f"{each.taken}: {each.why}"
     return _commented(f"letter({_quoted(shown(each.letter))}{phrase}),", told)
 
