@@ -129,11 +129,10 @@ class Inquiry:
             with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
             if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
                 return f"it fails, but perhaps not where {text} ({place}); {SAY}"
-        elsewhere = holds_elsewhere(asked)
-        if elsewhere:
+        if holds_elsewhere(asked):
             return f"it fails, but holds for some positive numbers; {SAY}"
         of_numbers = all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
-        if not answer.repairs and not (of_numbers and elsewhere is False):
+        if not answer.repairs and not of_numbers:
             return f"it fails, and no slip of the pen would explain it; {SAY}"
         return ""
 

@@ -96,7 +96,7 @@ def _defining(checks: Checks, k: int) -> set[int]:
     """
     seen, known = checks.seen[k], checks.definitions(k)
     rest = [{*map(seen.names.intersection, link.names)} for link in seen.links if link.chained]
-    goes_on = seen.links and all(link.chained or link.head for link in seen.links)
+    goes_on = any(link.chained for link in seen.links) and all(link.chained or link.head for link in seen.links)
     reached: set[str] = set()
     more = {x for sides in rest if len(sides) > 1 for each in sides for x in each} if goes_on else {*seen.names}
     while more:
