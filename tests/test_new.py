@@ -456,3 +456,16 @@ def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     code = (audit / "audit.py").read_text(encoding="utf-8").replace('("(16)"', '("(16)", given=[]')
     (audit / "audit.py").write_text(code, encoding="utf-8")
     assert verdicts(audit) == {**found, "16b": "refuted"}
+
+
+def test_what_is_wrong_with_the_source_itself_is_told(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text("\\input{gone} $$a = b$$ $$a = c", encoding="utf-8")
+    said = run("new", tmp_path / "paper.tex", "--out", tmp_path / "audit", "--jobs", 0).stdout.splitlines()
+    assert said[0] == f"{tmp_path}/paper.tex: line 1: $$ is never closed"
+    assert said[1].startswith(f"{tmp_path}/paper.tex: left out: ")
+    assert said[2] == f"{tmp_path}/audit/audit.py: written: 1 definition"
+
+
+def test_letters_are_not_defined_in_a_circle(tmp_path: Path) -> None:
+    audit = begun(tmp_path, "$$a = b + c$$\n$$b = a - c$$\n$$c = b - a$$\n", "paper.md")
+    assert verdicts(audit) == {"0.2": "proved", "0.3": "refuted"}

@@ -44,11 +44,7 @@ def new(file: Path, out: Path, update: bool, jobs: int) -> None:
     with progress("reading") as move:
         work = Work(executor(jobs, ["symcheck.document.checks"]), move)
         with _writing():
-            done = (
-                scaffold.update(file, work)
-                if update
-                else [f"{each}: written" for each in scaffold.new(file, out, work)]
-            )
+            done = scaffold.update(file, work) if update else scaffold.new(file, out, work)
     for line in done:
         click.echo(line)
     if not update:

@@ -8,6 +8,7 @@ import keyword
 import os
 import re
 import textwrap
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.checks import AGAIN, CONDITIONAL, SMALLEST, Checks
+from symcheck.document.checks import AGAIN, CONDITIONAL, SMALLEST, Checks, Definition
 from symcheck.document.letters import Letter, is_sayable, letters, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
 from symcheck.document.look import Work
@@ -48,6 +49,7 @@ class Draft:
     formulas: Sequence[Printed]
     letters: Sequence[Letter]
     guesses: Sequence[Guess]
+    said: Sequence[str] = ()  # what is wrong with the source itself, and what is left out of it
     keys: Sequence[str] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -65,12 +67,15 @@ class Draft:
 
 def drafted(file: Path, work: Work) -> Draft:
     """A source, read, with what each relation is taken for."""
-    formulas = source(file).formulas
+    printed = source(file)
+    formulas = printed.formulas
     distinct = [*dict.fromkeys(each.latex for each in formulas)]
     looked_at = work.all(surveyed, distinct, READING, lambda reason: Seen(reason))
     seen = [looked_at[each.latex] for each in formulas]
     every = letters(formulas, seen)
-    return Draft(file, formulas, every, [*_guessed(Checks(formulas, seen, every))])
+    said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
+    said += [f"{file}: left out: {note}" for note in printed.notes]
+    return Draft(file, formulas, every, [*_guessed(Checks(formulas, seen, every))], said)
 
 
 def _guessed(checks: Checks) -> Iterator[Guess]:
@@ -97,12 +102,17 @@ def _defining(checks: Checks, k: int) -> set[int]:
     seen, known = checks.seen[k], checks.definitions(k)
     rest = [{*map(seen.names.intersection, link.names)} for link in seen.links if link.chained]
     goes_on = any(link.chained for link in seen.links) and all(link.chained or link.head for link in seen.links)
-    reached: set[str] = set()
-    more = {x for sides in rest if len(sides) > 1 for each in sides for x in each} if goes_on else {*seen.names}
+    names = {x for sides in rest if len(sides) > 1 for each in sides for x in each} if goes_on else seen.names
+    return {known[x].number for x in _reached(names, known) & known.keys()}
+
+
+def _reached(names: Iterable[str], known: Mapping[str, Definition]) -> set[str]:
+    """Letters, with those of the definitions that they need."""
+    reached, more = set[str](), {*names}
     while more:
         reached |= more
         more = {x for each in more & known.keys() for x in known[each].names} - reached
-    return {known[x].number for x in reached & known.keys()}
+    return reached
 
 
 def _same_part(checks: Checks, m: int, k: int) -> bool:
@@ -113,7 +123,9 @@ def _same_part(checks: Checks, m: int, k: int) -> bool:
 
 def _guess(checks: Checks, k: int) -> Guess:
     seen, known = checks.seen[k], checks.definitions(k)
-    heads = {x: link for x, link in seen.heads.items() if x not in known and link.names[1]}
+    heads = {
+        x for x, link in seen.heads.items() if link.names[1] and x not in known.keys() | _reached(link.names[1], known)
+    }
     values = [link for link in seen.links if link.head and not link.names[1]]
     if not checks.is_statement(k):
         identity = [x for x in seen.links if x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST]
@@ -136,15 +148,12 @@ def _is_another(checks: Checks, k: int, letter: str, link: Link) -> bool:
         return False
     if AGAIN.search(checks.formulas[k].before):
         return False
-    reached = {letter}
-    while more := {x for each in reached & known.keys() for x in known[each].names} - reached:
-        reached |= more
     own = known[letter].link.names[1]
-    return link.names[1] == own or not link.names[1] <= reached | known.keys()
+    return link.names[1] == own or not link.names[1] <= _reached({letter}, known) | known.keys()
 
 
-def new(file: Path, folder: Path, work: Work) -> list[Path]:
-    """Write an audit of a source to a folder that has none; the files that are written."""
+def new(file: Path, folder: Path, work: Work) -> list[str]:
+    """Write an audit of a source to a folder that has none; a line for each thing that is to be said."""
     key_of(folder)
     targets = [folder / FILES[0], folder / LOCK]
     for each in targets:
@@ -152,7 +161,9 @@ def new(file: Path, folder: Path, work: Work) -> list[Path]:
             raise SymcheckError(f"{each} exists; {UPDATE.format(folder)} brings it up to date, --out names another")
     draft = drafted(file, work)
     _both(targets[1], written(accepted(draft.formulas)), targets[0], text(draft, folder).encode())
-    return targets
+    count = Counter("not read" if each.reason else each.role for each in draft.guesses)
+    told = ", ".join(f"{n} {what}" for what, n in count.most_common())
+    return [*draft.said, f"{targets[0]}: written: {told or 'no relations'}", f"{targets[1]}: written"]
 
 
 def _both(lock: Path, accepted: bytes, audit: Path, code: bytes) -> None:
@@ -350,7 +361,7 @@ def update(folder: Path, work: Work) -> list[str]:
     draft = drafted(Path(os.path.normpath(folder / audit.source)), work)
     old = load(lock) if lock.exists() else accepted(draft.formulas)
     where = located(old, draft.formulas)
-    said = [*_changes(old, where, draft, audit)]
+    said = [*draft.said, *_changes(old, where, draft, audit)]
     keys = {each.key: draft.keys[k] for each in old if (k := where.get(each.key)) is not None}
     if moved := audit.renamed(keys):
         said.append(f"{audit.file}: {moved} of the names of relations brought up to date")
@@ -360,7 +371,7 @@ def update(folder: Path, work: Work) -> list[str]:
     said += [f"{audit.file}: new, and to be added to its letters: {_letter(each)}" for each in _new(draft, audit, old)]
     ast.parse(audit.text())
     _both(lock, written(accepted(draft.formulas)), audit.file, audit.text().encode())
-    return [*said, f"{lock}: {'written' if said else 'nothing has changed'}"]
+    return [*said, f"{lock}: {'written' if said[len(draft.said) :] else 'nothing has changed'}"]
 
 
 def _new(draft: Draft, audit: Audit, old: Sequence[Accepted]) -> list[Letter]:

@@ -15,6 +15,7 @@ from symcheck.core.verdicts import Verdict
 from symcheck.ledger import Record, by_paper
 from symcheck.views.model import Relation
 
+LONGEST = 300  # characters of a formula that is shown in one line
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 SAID = {
     Verdict.REFUTED: "The relation fails at a point that satisfies all that it follows from.",
@@ -82,7 +83,8 @@ def near(file: str | Path) -> str:
 
 def _message(record: Record) -> str:
     relation = Relation(record)
-    said = [f"{record.number}: {record.read or relation.statement}"]
+    statement = " ".join((record.read or relation.statement).split())
+    said = [f"{record.number}: {statement if len(statement) <= LONGEST else statement[: LONGEST - 3] + '...'}"]
     if relation.fails_at:
         said.append(f"fails at {relation.fails_at}")
     said += [f"it should be {record.corrected}"] if record.corrected else []
