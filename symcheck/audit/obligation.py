@@ -118,7 +118,11 @@ def _paper_context(key: str) -> str:
 
 
 def fingerprint(obligation: Obligation) -> str:
-    """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions."""
-    key = obligation.paper.key
-    text = _content(obligation.item) + str(places(key).get(obligation.item.number)) + _paper_context(key)
+    """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions.
+
+    What is asked about has all of it in the question.
+    """
+    key, item = obligation.paper.key, obligation.item
+    asked = repr((obligation.section.number, users(key).get(item.number), _digest_of_sources(key)))
+    text = _content(item) + str(places(key).get(item.number)) + (asked if item.question else _paper_context(key))
     return hashlib.sha256(text.encode()).hexdigest()
