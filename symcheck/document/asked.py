@@ -24,6 +24,7 @@ from symcheck.document.survey import surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
+from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings
 from symcheck.reading import Tree, relations, to_latex
@@ -43,10 +44,12 @@ class Relied:
     """What a relation rests on.
 
     text     an earlier relation
+    section  in which it stands
     defines  the letters of the links that define, of a chain that goes on; "" means all
     """
 
     text: str
+    section: int = 0
     defines: str = ""
 
 
@@ -62,6 +65,7 @@ class Inquiry:
     told     the same in words, where it is not as printed
     near     relations beside it of which nobody claims that they hold, with their places: conditions, perhaps
     alone    whether the auditor says that there are no other conditions
+    section  in which it stands
     """
 
     text: str
@@ -72,6 +76,7 @@ class Inquiry:
     told: str = ""
     near: tuple[tuple[str, str], ...] = ()
     alone: bool = False
+    section: int = 0
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -131,7 +136,8 @@ class Inquiry:
                 return f"it fails, but perhaps not where {text} ({place}); {SAY}"
         if holds_elsewhere(asked):
             return f"it fails, but holds for some positive numbers; {SAY}"
-        of_numbers = all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
+        far = any(each.section != self.section for each in self.follows)
+        of_numbers = not far and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
         if not answer.repairs and not of_numbers:
             return f"it fails, and no slip of the pen would explain it; {SAY}"
         return ""
@@ -212,7 +218,8 @@ class Inquiry:
             forms.append(("as corrected", self._asked(erratum.corrected or link, needs)))
         for what, asked in forms:
             names = _names(asked, certificate)
-            for problem in (problem for reading in readings(plainly(asked)) for problem in reading.problems):
+            problems = [problem for reading in readings(plainly(asked)) for problem in reading.problems]
+            for problem in (*problems, *map(with_plain_divisors, problems)):
                 stated = _stated(what, problem, names)
                 if line(problem.claim) == line(certificate["claim"]) and stated.covers(certificate):
                     return stated

@@ -198,7 +198,9 @@ class Document:
             "number": self.numbers[k],
             "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
-            "question": Inquiry(text, relied, conditions, letters, reading, told, alone=given is not None),
+            "question": Inquiry(
+                text, relied, conditions, letters, reading, told, alone=given is not None, section=formula.scope[0]
+            ),
         }
 
     def _file(self, formula: Printed) -> str:
@@ -313,7 +315,8 @@ def _relied(item: Declaration) -> Iterator[Relied]:
     if not isinstance(item.question, Inquiry):
         raise SymcheckError(f"{item.number} is not of a source; follows= names relations of the source")
     yield from item.question.follows
-    yield Relied(item.question.text, item.statement.imposed if isinstance(item, Claim) else "")
+    asked, imposed = item.question, item.statement.imposed if isinstance(item, Claim) else ""
+    yield Relied(asked.text, asked.section, imposed)
 
 
 def _numbers(formulas: Sequence[Printed]) -> Iterator[str]:

@@ -16,29 +16,20 @@ from pathlib import Path
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.checks import AGAIN, CONDITIONAL, SMALLEST, Checks, Definition
+from symcheck.document.checks import Checks
 from symcheck.document.letters import Letter, is_sayable, letters, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
 from symcheck.document.look import Work
 from symcheck.document.printed import Printed
+from symcheck.document.roles import Guess, Roles
 from symcheck.document.sources import source
-from symcheck.document.survey import READING, Link, Seen, surveyed
+from symcheck.document.survey import READING, Seen, surveyed
 from symcheck.papers import FILES, key_of
 
 ROLES = ("definition", "claim", "premise", "exclusion")
 TAKEN = frozenset({"source", "letter", "paper", "Document", "Erratum", "Hypothesis", "Origin"})
 WIDTH = 116  # columns of a comment
 NOT_READ = "not read: "
-
-
-@dataclass(frozen=True)
-class Guess:
-    """What one relation is taken for: its role, what it follows from, the links that define, or why it is not read."""
-
-    role: str
-    follows: tuple[int, ...] = ()
-    imposed: str = ""
-    reason: str = ""
 
 
 @dataclass
@@ -75,81 +66,7 @@ def drafted(file: Path, work: Work) -> Draft:
     every = letters(formulas, seen)
     said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
     said += [f"{file}: left out: {note}" for note in printed.notes]
-    return Draft(file, formulas, every, [*_guessed(Checks(formulas, seen, every))], said)
-
-
-def _guessed(checks: Checks) -> Iterator[Guess]:
-    """The role of each relation, and the earlier ones that it seems to follow from."""
-    conditions: list[int] = []
-    for k, (formula, seen) in enumerate(zip(checks.formulas, checks.seen, strict=True)):
-        if not seen.read:
-            yield Guess("exclusion", reason=" ".join(seen.reason.split()))
-            continue
-        guess = _guess(checks, k)
-        used = _defining(checks, k) if guess.role == "claim" else set()
-        if guess.role == "claim":
-            used |= {m for m in conditions if checks.seen[m].names <= seen.names and _same_part(checks, m, k)}
-        yield Guess(guess.role, tuple(sorted(used)), guess.imposed)
-        if not seen.links and seen.plain and not CONDITIONAL.search(formula.before):
-            conditions.append(k)
-
-
-def _defining(checks: Checks, k: int) -> set[int]:
-    """The definitions that the letters of a claim need, transitively.
-
-    The links of a chain that goes on with the same letters need none.
-    """
-    seen, known = checks.seen[k], checks.definitions(k)
-    rest = [{*map(seen.names.intersection, link.names)} for link in seen.links if link.chained]
-    goes_on = any(link.chained for link in seen.links) and all(link.chained or link.head for link in seen.links)
-    names = {x for sides in rest if len(sides) > 1 for each in sides for x in each} if goes_on else seen.names
-    return {known[x].number for x in _reached(names, known) & known.keys()}
-
-
-def _reached(names: Iterable[str], known: Mapping[str, Definition]) -> set[str]:
-    """Letters, with those of the definitions that they need."""
-    reached, more = set[str](), {*names}
-    while more:
-        reached |= more
-        more = {x for each in more & known.keys() for x in known[each].names} - reached
-    return reached
-
-
-def _same_part(checks: Checks, m: int, k: int) -> bool:
-    """Does a condition stand in the part of the source in which another relation stands?"""
-    (section, local), theirs = checks.formulas[k].scope, checks.formulas[m].scope
-    return theirs[0] == section and theirs[1] in (0, local)
-
-
-def _guess(checks: Checks, k: int) -> Guess:
-    seen, known = checks.seen[k], checks.definitions(k)
-    heads = {
-        x for x, link in seen.heads.items() if link.names[1] and x not in known.keys() | _reached(link.names[1], known)
-    }
-    values = [link for link in seen.links if link.head and not link.names[1]]
-    if not checks.is_statement(k):
-        identity = [x for x in seen.links if x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST]
-        return Guess("claim" if checks.is_said(k) and identity and len(identity) == len(seen.links) else "premise")
-    if heads:
-        imposed = "".join(chr(ord("a") + link.place) for link in seen.links if link.head in heads)
-        return Guess("claim", imposed=imposed) if any(x.chained for x in seen.links) else Guess("definition")
-    if any(_is_another(checks, k, x, link) for x, link in seen.heads.items()):
-        return Guess("premise")
-    return Guess("claim" if len(values) < max(len(seen.links), 1) else "premise")
-
-
-def _is_another(checks: Checks, k: int, letter: str, link: Link) -> bool:
-    """Does a relation say what a letter is in another case, and not again what it is?
-
-    It is a claim if it is worded as one, or all of its letters are known from what the letter was said to be.
-    """
-    known = checks.definitions(k)
-    if letter not in known or not link.names[1]:
-        return False
-    if AGAIN.search(checks.formulas[k].before):
-        return False
-    own = known[letter].link.names[1]
-    return link.names[1] == own or not link.names[1] <= _reached({letter}, known) | known.keys()
+    return Draft(file, formulas, every, Roles(Checks(formulas, seen, every)).guesses(), said)
 
 
 def new(file: Path, folder: Path, work: Work) -> list[str]:
@@ -205,12 +122,16 @@ def text(draft: Draft, folder: Path) -> str:
 
 
 def _body(draft: Draft, names: Mapping[int, str]) -> Iterator[str]:
-    section = draft.formulas[0].scope[0] if draft.formulas else 0
+    """A line for each relation in printed order, but that of a condition before the claims that need it."""
+    section, done = draft.formulas[0].scope[0] if draft.formulas else 0, set[int]()
     for k, formula in enumerate(draft.formulas):
         if formula.scope[0] != section:
             yield ""
         section = formula.scope[0]
-        yield draft.line(k, names)
+        for m in (*draft.guesses[k].follows, k):
+            if m not in done:
+                yield draft.line(m, names)
+        done |= {*draft.guesses[k].follows, k}
 
 
 def _letter(each: Letter) -> str:

@@ -26,6 +26,7 @@ from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
+from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
@@ -42,6 +43,7 @@ from symcheck.reading.notation import SAID
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
+REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
@@ -408,6 +410,8 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
                 verdict, made, used = _decided_as_stated(solved)
                 equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
                 return (verdict, made, (*used, *equations)) if made is not None else found
+    if found[1] is None and found[2][0].startswith(REFUSED) and (plain := with_plain_divisors(problem)) != problem:
+        return _decided_as_stated(plain)
     return found
 
 
@@ -448,7 +452,7 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                 made = certificate(about, outcome)
                 if (fault := check(made)) is None:
                     return outcome.verdict, made, outcome.used
-                reasons.append(f"the certificate was not accepted ({fault})")
+                reasons.append(f"{REFUSED} ({fault})")
         except OutOfTime:
             reasons.append(f"the search was not over after {LIMIT:g} s")
             if (found := _refuted_by_digits(numbers)) is not None:
