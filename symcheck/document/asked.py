@@ -44,12 +44,10 @@ class Relied:
     """What a relation rests on.
 
     text     an earlier relation
-    section  in which it stands
     defines  the letters of the links that define, of a chain that goes on; "" means all
     """
 
     text: str
-    section: int = 0
     defines: str = ""
 
 
@@ -65,7 +63,6 @@ class Inquiry:
     told     the same in words, where it is not as printed
     near     relations beside it of which nobody claims that they hold, with their places: conditions, perhaps
     alone    whether the auditor says that there are no other conditions
-    section  in which it stands
     """
 
     text: str
@@ -76,7 +73,6 @@ class Inquiry:
     told: str = ""
     near: tuple[tuple[str, str], ...] = ()
     alone: bool = False
-    section: int = 0
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -136,9 +132,8 @@ class Inquiry:
                 return f"it fails, but perhaps not where {text} ({place}); {SAY}"
         if holds_elsewhere(asked):
             return f"it fails, but holds for some positive numbers; {SAY}"
-        far = any(each.section != self.section for each in self.follows)
-        of_numbers = not far and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
-        if not answer.repairs and not of_numbers:
+        identity = not asked.where and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
+        if not answer.repairs and not identity:
             return f"it fails, and no slip of the pen would explain it; {SAY}"
         return ""
 

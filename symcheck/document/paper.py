@@ -198,9 +198,7 @@ class Document:
             "number": self.numbers[k],
             "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
-            "question": Inquiry(
-                text, relied, conditions, letters, reading, told, alone=given is not None, section=formula.scope[0]
-            ),
+            "question": Inquiry(text, relied, conditions, letters, reading, told, alone=given is not None),
         }
 
     def _file(self, formula: Printed) -> str:
@@ -316,7 +314,7 @@ def _relied(item: Declaration) -> Iterator[Relied]:
         raise SymcheckError(f"{item.number} is not of a source; follows= names relations of the source")
     yield from item.question.follows
     asked, imposed = item.question, item.statement.imposed if isinstance(item, Claim) else ""
-    yield Relied(asked.text, asked.section, imposed)
+    yield Relied(asked.text, imposed)
 
 
 def _numbers(formulas: Sequence[Printed]) -> Iterator[str]:

@@ -14,6 +14,9 @@ LAWS = re.compile(
     r"\b(law|model\w*|equation\w* of|hypothes\w*|assum\w*|consider\w*|example|sets?|setting|choos\w*|choice)\b", re.I
 )
 
+# words before a relation that make it a condition, unless it speaks of letters that are all known
+OF_KNOWN = re.compile(rf"{LAWS.pattern}|\bsatisf\w*", re.I)
+
 
 @dataclass(frozen=True)
 class Guess:
@@ -89,8 +92,9 @@ class Roles:
 
     def _is_claim(self, k: int) -> bool:
         """Does a relation that defines nothing say something of its letters?"""
-        seen = self.seen[k]
-        if not self.checks.is_said(k):
+        seen, known = self.seen[k], self._known(k)
+        determined = seen.names & known.keys() and seen.names <= self._reached(seen.names & known.keys(), known)
+        if not self.checks.is_said(k, OF_KNOWN if determined else None):
             return False
         if not self.formulas[k].display:
             same = [x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST for x in seen.links]
