@@ -104,7 +104,7 @@ class Inquiry:
 
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
         asked = self._asked(link)
-        answer = _answer(asked)
+        answer = _answer(asked, self.alone)
         if (
             answer.verdict is Status.REFUTED
             and not (self.alone or self.given)
@@ -133,15 +133,15 @@ class Inquiry:
         if holds_elsewhere(asked):
             return f"it fails, but holds for some positive numbers; {SAY}"
         identity = not asked.where and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
-        if not answer.repairs and not identity:
-            return f"it fails, and no slip of the pen would explain it; {SAY}"
-        return ""
+        if answer.repairs or identity or _slips_of_definitions(asked):
+            return ""
+        return f"it fails, and no slip of the pen would explain it; {SAY}"
 
     def _corrected(self, row: Record, link: str, erratum: Erratum, printed: Answer) -> Record:
         """The same with what is right instead, which is asked as well."""
         needs = tuple(each.states for each in erratum.needs)
         asked = self._asked(erratum.corrected or link, needs)
-        answer = _answer(asked)
+        answer = _answer(asked, claimed=True)
         forms = tuple(Repair(**each) for each in printed.repairs)
         correction = Correction(
             verdict=VERDICTS.get(answer.verdict, Verdict.UNDECIDED),
@@ -277,13 +277,23 @@ def _parts(relied: Relied, letters: tuple[tuple[str, str], ...]) -> list[tuple[s
     return [(text, sign == "=") for (letter, text), sign in chosen if not relied.defines or letter in relied.defines]
 
 
-def _answer(asked: Asked) -> Answer:
+def _answer(asked: Asked, claimed: bool = False) -> Answer:
     """The answer, with repairs if there is time."""
     arguments = asked.relation, asked.where, asked.given, dict(asked.letters)
     answer = None
     with suppress(OutOfTime), limited(REPAIRING):
-        answer = answered(*arguments)
-    return answer or answered(*arguments, wanted=False)
+        answer = answered(*arguments, claimed=claimed)
+    return answer or answered(*arguments, wanted=False, claimed=claimed)
+
+
+def _slips_of_definitions(asked: Asked) -> bool:
+    """Whether a slip of the pen in a definition would explain that a relation fails: they change places."""
+    with suppress(OutOfTime), limited(REPAIRING):
+        for k, definition in enumerate(asked.where):
+            others = (*asked.where[:k], asked.relation, *asked.where[k + 1 :])
+            if answered(definition, others, asked.given, dict(asked.letters)).repairs:
+                return True
+    return False
 
 
 def _reason(answer: Answer) -> str:

@@ -107,8 +107,12 @@ def answered(
     letters: Mapping[str, str] | None = None,
     *,
     wanted: bool = True,
+    claimed: bool = False,
 ) -> Answer:
-    """The answer to a question; repairs of what is refuted are looked for if they are wanted."""
+    """The answer to a question; repairs of what is refuted are looked for if they are wanted.
+
+    What is claimed for all values of its letters is neither an equation to be solved nor a condition.
+    """
     started = time.perf_counter()
     asked = None
     try:
@@ -120,7 +124,7 @@ def answered(
         with limited(TOTAL):
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
-            found = [(reading, _decided(reading, asked, wanted)) for reading in several]
+            found = [(reading, _decided(reading, asked, wanted, claimed)) for reading in several]
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
@@ -190,7 +194,7 @@ def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
     return with_brackets(tree), {g.letter.latex: f"{g.taken} ({g.why})" for g in inference.guesses}
 
 
-def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
+def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool = False) -> Answer:
     base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
@@ -228,7 +232,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
-        if verdict is Verdict.REFUTED and (said := _says_otherwise(problem, reading, slips if wanted else None)):
+        said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
+        if said and not (claimed and said == EQUATION):
             status = Status.UNDECIDED
             reasons.append(said)
             continue
