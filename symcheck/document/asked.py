@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-from msgspec.structs import replace
+from msgspec.structs import replace as record_with
 
 from symcheck.audit import differences
 from symcheck.core.certificates import Certificate
@@ -20,7 +20,7 @@ from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import shown
-from symcheck.document.survey import surveyed
+from symcheck.document.survey import Link, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
@@ -31,7 +31,9 @@ from symcheck.reading import Tree, relations, to_latex
 
 METHOD = "decide"
 VALUED = "every printed term has a value"
-REPAIRING = 12.0  # seconds for an answer with repairs, before one without is asked for
+REPAIRING = 8.0  # seconds for an answer with repairs, before one without is asked for
+DOUBTING = 10.0  # seconds for conditions that may save what fails
+PROVING = 5.0  # seconds for a proof with fewer definitions
 SAY = "a condition may be printed elsewhere: say it with follows= or given=, or given=[] if there is none"
 VERDICTS = {Status.PROVED: Verdict.PROVED, Status.REFUTED: Verdict.REFUTED}
 TOLD = {Status.UNREADABLE: "not read: ", Status.AMBIGUOUS: "ambiguous: "}  # before the reason for no verdict
@@ -81,30 +83,30 @@ class Inquiry:
 
     def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         """One for each relation that it prints, or the one that says why it is not read."""
-        base = replace(base, reading=self.reading, reason=self._said_of(base.reason))
+        base = record_with(base, reading=self.reading, reason=self._said_of(base.reason))
         if item.role is Role.EXCLUSION:
             return (base,)
         try:
             tree = _tree(self.text, self._said(self.text))
         except SymcheckError as error:
             open_ = Verdict.UNDECIDED if isinstance(item, Assertion) else None
-            return (replace(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
+            return (record_with(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
         if not isinstance(item, Assertion):
-            return (replace(base, read=to_latex(tree)),)
+            return (record_with(base, read=to_latex(tree)),)
         return tuple(self._of_links(item, base, tree))
 
     def _of_links(self, item: Assertion, base: Record, tree: Tree) -> Iterator[Record]:
         for letter, link in _lettered(tree, self.text):
-            row = replace(base, id=base.id + letter, read=link if letter else to_latex(tree))
-            row = replace(row, line=item.source.lines.get(letter, item.source.line))
+            row = record_with(base, id=base.id + letter, read=link if letter else to_latex(tree))
+            row = record_with(row, line=item.source.lines.get(letter, item.source.line))
             if item.statement.imposes(letter):
-                yield replace(row, role=Role.PREMISE, reason="what the letter is, and no claim")
+                yield record_with(row, role=Role.PREMISE, reason="what the letter is, and no claim")
             else:
                 yield self._decided(row, link, item.erratum(letter))
 
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
         asked = self._asked(link)
-        answer = _answer(asked, self.alone)
+        answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
         if (
             answer.verdict is Status.REFUTED
             and not (self.alone or self.given)
@@ -113,29 +115,36 @@ class Inquiry:
             answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
         verdict = VERDICTS.get(answer.verdict, Verdict.UNDECIDED)
         proofs = self._certificates(row.id, asked, answer)
-        row = replace(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
-        row = replace(row, hypotheses=tuple(self._hypotheses(verdict, proofs)), reason=self._said_of(_reason(answer)))
+        row = record_with(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
+        row = record_with(
+            row, hypotheses=tuple(self._hypotheses(verdict, proofs)), reason=self._said_of(_reason(answer))
+        )
         if verdict is Verdict.REFUTED:
-            row = replace(row, origin=Origin.PAPER, kind="fails")
+            row = record_with(row, origin=Origin.PAPER, kind="fails")
         return self._corrected(row, link, erratum, answer) if erratum else row
 
     def _doubt(self, asked: Asked, answer: Answer) -> str:
         """Why what fails may hold all the same, under a condition that is printed elsewhere; "" if nothing says so."""
+        if holds_elsewhere(asked):
+            return f"it fails, but holds for some positive numbers; {SAY}"
+        with suppress(OutOfTime), limited(DOUBTING):
+            for place, text in self._beside(asked):
+                said = self._said(asked.relation, *asked.where, text)
+                with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
+                if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
+                    return f"it fails, but perhaps not where {text} ({place}); {SAY}"
+        identity = not asked.where and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
+        if answer.repairs or identity or any(_is_explained(each) for each in dict.fromkeys((_fewer(asked), asked))):
+            return ""
+        return f"it fails, and no slip of the pen would explain it; {SAY}"
+
+    def _beside(self, asked: Asked) -> Iterator[tuple[str, str]]:
+        """The relations beside a claim that speak of its letters alone."""
         names = {x for text in (asked.relation, *asked.where) for x in surveyed_once(text).names}
         for place, text in self.near:
             seen = surveyed_once(text)
-            if seen.reason or not seen.names or not seen.names <= names:
-                continue
-            said = self._said(asked.relation, *asked.where, text)
-            with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
-            if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
-                return f"it fails, but perhaps not where {text} ({place}); {SAY}"
-        if holds_elsewhere(asked):
-            return f"it fails, but holds for some positive numbers; {SAY}"
-        identity = not asked.where and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
-        if answer.repairs or identity or _slips_of_definitions(asked):
-            return ""
-        return f"it fails, and no slip of the pen would explain it; {SAY}"
+            if not seen.reason and seen.names and seen.names <= names:
+                yield place, text
 
     def _corrected(self, row: Record, link: str, erratum: Erratum, printed: Answer) -> Record:
         """The same with what is right instead, which is asked as well."""
@@ -158,7 +167,7 @@ class Inquiry:
         )
         found = Reading.MISPRINT if erratum.corrected else Reading.NEEDS_HYPOTHESIS
         given = "; ".join(each.words for each in erratum.needs)
-        return replace(
+        return record_with(
             row,
             reading=found if self.reading is Reading.AS_PRINTED else self.reading,
             kind=erratum.kind,
@@ -286,14 +295,50 @@ def _answer(asked: Asked, claimed: bool = False) -> Answer:
     return answer or answered(*arguments, wanted=False, claimed=claimed)
 
 
-def _slips_of_definitions(asked: Asked) -> bool:
-    """Whether a slip of the pen in a definition would explain that a relation fails: they change places."""
+def _proof(asked: Asked) -> Answer | None:
+    """The answer if it is a proof."""
+    with suppress(OutOfTime), limited(PROVING):
+        answer = answered(asked.relation, asked.where, asked.given, dict(asked.letters), wanted=False)
+        return answer if answer.verdict is Status.PROVED else None
+    return None
+
+
+def _is_explained(asked: Asked) -> bool:
+    """Whether a slip of the pen, in a relation or in a definition, would explain that it fails.
+
+    For a slip in a definition the two change places.
+    """
+    questions = [(asked.relation, asked.where)]
+    for k, definition in enumerate(asked.where):
+        questions.append((definition, (*asked.where[:k], asked.relation, *asked.where[k + 1 :])))
     with suppress(OutOfTime), limited(REPAIRING):
-        for k, definition in enumerate(asked.where):
-            others = (*asked.where[:k], asked.relation, *asked.where[k + 1 :])
-            if answered(definition, others, asked.given, dict(asked.letters)).repairs:
-                return True
+        return any(answered(each, where, asked.given, dict(asked.letters)).repairs for each, where in questions)
     return False
+
+
+def _fewer(asked: Asked) -> Asked:
+    """The question with no more definitions than it takes for the same letters on both sides; all if that fails.
+
+    The letter that is defined last is unfolded first.
+    """
+    seen = surveyed_once(asked.relation)
+    if len(seen.links) != 1:
+        return asked
+    sides = [names & seen.names for names in seen.links[0].names]
+    defined = {x: (n, link.names[1]) for n, text in enumerate(asked.where) for x, link in _heads(text)}
+    used = set[int]()
+    while sides[0] != sides[1]:
+        last = max((sides[0] ^ sides[1]) & defined.keys(), key=lambda x: defined[x][0], default="")
+        if not last:
+            return asked
+        n, names = defined.pop(last)
+        used.add(n)
+        sides = [(side - {last}) | names if last in side else side for side in sides]
+    return replace(asked, where=tuple(text for n, text in enumerate(asked.where) if n in used))
+
+
+def _heads(text: str) -> Iterable[tuple[str, Link]]:
+    return surveyed_once(text).heads.items()
 
 
 def _reason(answer: Answer) -> str:
