@@ -19,7 +19,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
-from symcheck.document.letters import shown
+from symcheck.document.letters import depends_on, shown
 from symcheck.document.survey import Link, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
@@ -192,7 +192,8 @@ class Inquiry:
 
     def _said(self, *texts: str) -> tuple[tuple[str, str], ...]:
         """What is said of letters beyond what each formula alone shows of them."""
-        known = {shown(letter): phrase for letter, phrase in self.letters if phrase}
+        every = {shown(role.letter) for text in texts for role in surveyed_once(text).roles}
+        known = {shown(letter): phrase for letter, phrase in self.letters if phrase and depends_on(phrase) <= every}
         roles = [role for text in texts for role in surveyed_once(text).roles if role.kind not in UNSAID]
         found = {role.letter: known.get(shown(role.letter), "") for role in roles}
         return tuple((x, p) for x, p in found.items() if p and any(r.letter == x and r.phrase != p for r in roles))
