@@ -231,6 +231,16 @@ class Inquiry:
         return None
 
 
+def is_settled(inquiry: Inquiry, imposed: str) -> bool:
+    """Whether each relation of a claim is proved, or a slip of the pen would explain that it fails."""
+    try:
+        links = _lettered(_tree(inquiry.text, inquiry._said(inquiry.text)), inquiry.text)
+        answers = [_answer(inquiry._asked(link)) for letter, link in links if not letter or letter not in imposed]
+    except SymcheckError:
+        return False
+    return all(answer.verdict is Status.PROVED or answer.repairs for answer in answers)
+
+
 @dataclass(frozen=True)
 class Stated:
     """What is stated: what it is, its hypotheses and definitions by name."""

@@ -14,18 +14,23 @@ LAWS = re.compile(
     r"\b(law|model\w*|equation\w* of|hypothes\w*|assum\w*|consider\w*|example|sets?|setting|choos\w*|choice)\b", re.I
 )
 
+BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it
 # words before a relation that make it a condition, unless it speaks of letters that are all known
 OF_KNOWN = re.compile(rf"{LAWS.pattern}|\bsatisf\w*", re.I)
 
 
 @dataclass(frozen=True)
 class Guess:
-    """What one relation is taken for: its role, what it follows from, the links that define, or why it is not read."""
+    """What one relation is taken for: its role, what it follows from, the links that define, or why it is not read.
+
+    `far` are those of what it follows from that stand in another part of the document.
+    """
 
     role: str
     follows: tuple[int, ...] = ()
     imposed: str = ""
     reason: str = ""
+    far: frozenset[int] = frozenset()
 
 
 class Roles:
@@ -55,7 +60,8 @@ class Roles:
         if not heads and (others or not self._is_claim(k)):
             return Guess("premise")
         imposed = "".join(chr(ord("a") + link.place) for x, link in heads.items())
-        return Guess("claim", tuple(sorted(self._needed(k, known))), imposed)
+        needed = tuple(sorted(self._needed(k, known)))
+        return Guess("claim", needed, imposed, far=frozenset(m for m in needed if not self._same_part(m, k)))
 
     def _known(self, k: int) -> dict[str, Definition]:
         """What the letters are in a relation: as is said before it in its part of the document, else once elsewhere."""
@@ -117,7 +123,8 @@ class Roles:
     def _conditions(self, k: int, names: Set[str]) -> Iterator[int]:
         """The inequalities beside the text that speak of these letters alone: those before, and those that follow."""
         behind = range(k + 1, min(k + 1 + NEAR, len(self.formulas)))
-        close = [m for m in behind if not any(self.formulas[n].display for n in range(k + 1, m + 1))]
+        goes_on = behind and BEHIND.match(self.formulas[k + 1].before)
+        close = [m for m in behind if goes_on and not any(self.formulas[n].display for n in range(k + 1, m + 1))]
         for m in (*range(k), *close):
             seen, inline = self.seen[m], not self.formulas[m].display
             if inline and not seen.links and seen.names <= names and self._same_part(m, k) and self.checks.is_said(m):

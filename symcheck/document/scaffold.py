@@ -11,11 +11,12 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
+from symcheck.document.asked import Inquiry, Relied, is_settled
 from symcheck.document.checks import Checks
 from symcheck.document.letters import Letter, is_sayable, letters, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
@@ -25,6 +26,7 @@ from symcheck.document.roles import Guess, Roles
 from symcheck.document.sources import source
 from symcheck.document.survey import READING, Seen, surveyed
 from symcheck.papers import FILES, key_of
+from symcheck.question.ask import TOTAL
 
 ROLES = ("definition", "claim", "premise", "exclusion")
 TAKEN = frozenset({"source", "letter", "paper", "Document", "Erratum", "Hypothesis", "Origin"})
@@ -66,7 +68,29 @@ def drafted(file: Path, work: Work) -> Draft:
     every = letters(formulas, seen)
     said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
     said += [f"{file}: left out: {note}" for note in printed.notes]
-    return Draft(file, formulas, every, Roles(Checks(formulas, seen, every)).guesses(), said)
+    guesses = Roles(Checks(formulas, seen, every)).guesses()
+    return Draft(file, formulas, every, [*_with_what_is_near(guesses, formulas, every, work)], said)
+
+
+def _with_what_is_near(
+    guesses: Sequence[Guess], formulas: Sequence[Printed], letters: Sequence[Letter], work: Work
+) -> Iterator[Guess]:
+    """The same, but a claim that is settled by what stands in its own part of the document needs nothing else."""
+    said = tuple((shown(each.letter), each.phrase) for each in letters if is_sayable(each.phrase))
+    asked: dict[int, tuple[Inquiry, str]] = {}
+    for k, guess in enumerate(guesses):
+        if guess.far:
+            near = (m for m in guess.follows if m not in guess.far)
+            relied = tuple(Relied(formulas[m].latex, guesses[m].imposed) for m in near)
+            asked[k] = Inquiry(formulas[k].latex, relied, letters=said), guess.imposed
+    settled = work.all(_is_settled, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
+    for k, guess in enumerate(guesses):
+        near_ = tuple(m for m in guess.follows if m not in guess.far)
+        yield replace(guess, follows=near_) if k in asked and settled[asked[k]] else guess
+
+
+def _is_settled(task: tuple[Inquiry, str]) -> bool:
+    return is_settled(*task)
 
 
 def new(file: Path, folder: Path, work: Work) -> list[str]:
