@@ -52,7 +52,10 @@ def test_each_erratum_has_its_group(group: Group) -> None:
 
 
 def test_what_is_right_has_no_group() -> None:
-    assert replace(WRONG, corrected="", reading=Reading.AS_PRINTED).group is None
+    right = replace(WRONG, corrected="", reading=Reading.AS_PRINTED, verdict=Verdict.PROVED)
+    assert right.group is None
+    assert replace(right, verdict=Verdict.REFUTED).group is Group.STATEMENT  # nobody knows what is right instead
+    assert replace(right, verdict=Verdict.REFUTED, role=Role.OURS).group is None
 
 
 def test_a_record_with_its_group_is_read_back() -> None:

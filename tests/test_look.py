@@ -118,6 +118,17 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
             (27, "", "", "s=t"),
         ],
     ),
+    "environments between dollars, in a list and in a text": (
+        "a.md",
+        "- text\n    $$\n    \\begin{equation}\n    a = 1\n    \\end{equation}\n    $$\n- more text $b = 2$\n\n"
+        "words $$\\begin{equation} c = 3 \\end{equation}$$\n\n$$\\begin{align} d &= 4 \\\\ e &= 5 \\end{align}$$\n",
+        [
+            (4, "", "", "a = 1"),
+            (7, "", "", "b = 2"),
+            (9, "", "", "c = 3"),
+            *[(11, "", "", x) for x in ("d = 4", "e = 5")],
+        ],
+    ),
     "reStructuredText": (
         "a.rst",
         "A\n=\n\n.. math::\n   :label: ab\n\n   a = b\n\n   c &= d \\\\\n   &= e\n\nText :math:`f = g`, :ref:`ab`.\n\n"

@@ -97,7 +97,9 @@ def test_other_commands_take_it_alike(folder: Path, tmp_path: Path) -> None:
     assert exported.exit_code == 0, exported.output
     assert len(json.loads((tmp_path / "ledger.json").read_text(encoding="utf-8"))["items"]) == 3
     assert run("report", folder, "--output", tmp_path / "page.html", "--jobs", 0).exit_code == 0
-    assert run("errata", folder, "--jobs", 0).exit_code == 0
+    listed = run("errata", folder, "--jobs", 0)
+    assert "my_notes:3  wrong" in listed.stdout
+    assert "1 errata" in listed.stdout
 
 
 def test_workers_know_it(folder: Path) -> None:

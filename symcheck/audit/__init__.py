@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from symcheck.audit.judge import Finding, Unit, equality_claims, units
     from symcheck.audit.library import check, errata
     from symcheck.audit.obligation import Obligation, expand, fingerprint, obligation_of
+    from symcheck.audit.repair import differences
     from symcheck.audit.run import Interrupted
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
     "check",
     "context_of",
     "decide",
+    "differences",
     "equality_claims",
     "errata",
     "expand",
@@ -55,6 +57,7 @@ _HOMES = {
     "judge": ("Finding", "Unit", "equality_claims", "units"),
     "library": ("check", "errata"),
     "obligation": ("Obligation", "expand", "fingerprint", "obligation_of"),
+    "repair": ("differences",),
     "run": ("Interrupted",),
 }
 

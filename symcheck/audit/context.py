@@ -55,6 +55,8 @@ def context_of(obligation: Obligation) -> Context:
     """All that is in force in a declaration that claims something; SymcheckError if it does not."""
     if not isinstance(obligation.item, Assertion):
         raise SymcheckError(f"{obligation.id} is a {obligation.item.role}, of which nothing is decided; name a claim")
+    if obligation.item.question:
+        raise SymcheckError(f"{obligation.id} is decided without the notation of the paper; name a method with by=")
     return Context(obligation.paper, obligation.item)
 
 

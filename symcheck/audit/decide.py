@@ -27,6 +27,8 @@ def decide(id: str) -> tuple[Record, ...]:
     """The records of one declaration: one for each relation it prints."""
     obligation = obligation_of(id)
     paper, item, base = obligation.paper, obligation.item, _base(obligation)
+    if item.question:
+        return item.question.records(item, base)
     if isinstance(item, Assertion):
         return tuple(_claimed(Context(paper, item), base))
     if not item.text:
@@ -38,7 +40,7 @@ def weigh(declared: tuple[str, Sequence[Record]]) -> tuple[Record, ...]:
     """The id of a declaration with its records: these, with which hypotheses are needed, and what shows it."""
     id, records = declared
     obligation = obligation_of(id)
-    if not isinstance(obligation.item, Assertion):
+    if not isinstance(obligation.item, Assertion) or obligation.item.question:
         return tuple(records)
     context = Context(obligation.paper, obligation.item)
     by_id = {id + unit.letter: unit for unit in units(context)} if any(map(proofs, records)) else {}

@@ -14,7 +14,7 @@ from symcheck.audit.context import Context
 from symcheck.audit.judge import equality_claims, units
 from symcheck.audit.obligation import expand
 from symcheck.core.certificates import Certificate
-from symcheck.core.claims import Assertion, Hypothesis, Paper, for_letter
+from symcheck.core.claims import Assertion, Declaration, Hypothesis, Paper, Stated, for_letter
 from symcheck.core.terms import Formula
 from symcheck.ledger import Record
 from symcheck.reading import read
@@ -32,8 +32,10 @@ class Index:
         self.definitions: dict[str, list[Any]] = {}
         self.hypotheses: dict[str, list[Any]] = {}
         self.statements: list[list[Any]] = []
+        self.items: dict[str, Declaration] = {}
         for obligation in expand(paper):
-            if isinstance(obligation.item, Assertion):
+            self.items[obligation.id] = obligation.item
+            if isinstance(obligation.item, Assertion) and not obligation.item.question:
                 self._read(Context(obligation.paper, obligation.item))
 
     def _read(self, context: Context) -> None:
@@ -51,11 +53,28 @@ class Index:
     def add_further(self, records: Iterable[Record], kernels: Iterable[Certificate]) -> None:
         """What else there are certificates of."""
         for record in records:
+            item = self.items.get(record.declaration)
+            if item and item.question:
+                for each in record.all_certificates():
+                    self._add_asked(each, item.question.stated(item, each))
             for hypothesis in record.hypotheses:
                 for each in hypothesis.need.certificates if hypothesis.need else ():
                     self._add_further("a hypothesis left out", each)
         for each in kernels:
             self._add_further("a kernel", each)
+
+    def _add_asked(self, certificate: Certificate, stated: Stated | None) -> None:
+        """What a relation states of which a certificate is one, or the case of it that the certificate states."""
+        if stated is None:
+            self._add_further("a case of what is printed", certificate)
+            return
+        for name, formulas in stated.hypotheses.items():
+            _add(self.hypotheses.setdefault(name, []), [formulas])
+        for name, term in stated.definitions.items():
+            _add(self.definitions.setdefault(name, []), [term])
+        letters = [name for name in stated.definitions if name in dict(certificate["definitions"])]
+        claim, given = certificate["claim"], [*stated.hypotheses]
+        _add(self.statements, [[certificate["id"], stated.what, claim, given, letters]])
 
     def _add_further(self, what: str, certificate: Certificate) -> None:
         letters = [name for name, _ in certificate["definitions"]]

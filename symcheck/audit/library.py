@@ -112,4 +112,4 @@ def errata(selection: Iterable[str] | str = ()) -> list[Record]:
     >>> [record.id for record in errata(["mirer2009:2.12", "mirer2009:2.1.2"])]
     ['mirer2009:2.1.2']
     """
-    return [record for record in check(selection, weigh=False) if record.corrected]
+    return [record for record in check(selection, weigh=False) if record.is_erratum]

@@ -21,6 +21,7 @@ from symcheck.reading import Notation
 
 LIBRARIES = ("sympy", "python-flint", "lark")
 SOURCES = ("reading", "proof", "mechanics", "audit", "ledger", "checker", "core")
+ASKING = ("question", "document")  # besides, of relations that are asked about
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,8 @@ def users(key: str) -> dict[str, tuple[str, ...]]:
 def _digest_of_sources(key: str) -> str:
     root = Path(__file__).parents[1]
     derivation = papers.load().folders.get(key, root / "papers" / key) / "derivation.py"
-    listed = [root / source for source in SOURCES] + [derivation]
+    asked = any(item.question for _, _, item in papers.load()[key].items())
+    listed = [root / source for source in (*SOURCES, *(ASKING if asked else ()))] + [derivation]
     files = [f for path in listed for f in (sorted(path.rglob("*")) if path.is_dir() else [path])]
     digest = hashlib.sha256()
     for file in files:
@@ -116,7 +118,11 @@ def _paper_context(key: str) -> str:
 
 
 def fingerprint(obligation: Obligation) -> str:
-    """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions."""
-    key = obligation.paper.key
-    text = _content(obligation.item) + str(places(key).get(obligation.item.number)) + _paper_context(key)
+    """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions.
+
+    What is asked about has all of it in the question.
+    """
+    key, item = obligation.paper.key, obligation.item
+    asked = repr((obligation.section.number, users(key).get(item.number), _digest_of_sources(key)))
+    text = _content(item) + str(places(key).get(item.number)) + (asked if item.question else _paper_context(key))
     return hashlib.sha256(text.encode()).hexdigest()

@@ -28,7 +28,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
     if erratum.corrected:
         right = unit.reworded(context, read(erratum.corrected, context.notation))
         finding = judge(context.as_corrected(erratum), right, statement.given, erratum.needs)
-        edit = _edit(to_latex(unit.tree), to_latex(right.tree))
+        edit = differences(to_latex(unit.tree), to_latex(right.tree))
     else:
         finding = judge(context, unit, statement.given, erratum.needs)
     searched = bool(erratum.corrected) and not context.item.stated and printed.verdict is Verdict.REFUTED
@@ -48,7 +48,7 @@ def corrected(context: Context, unit: Unit, erratum: Erratum, printed: Finding) 
     )
 
 
-def _edit(before: str, after: str) -> tuple[Edit, ...]:
+def differences(before: str, after: str) -> tuple[Edit, ...]:
     """The places where two LaTeX forms differ, token by token."""
     tokens = re.compile(r"\\[A-Za-z]+|\\.|\d+|\S")
     left, right = tokens.findall(before), tokens.findall(after)

@@ -19,29 +19,45 @@ if TYPE_CHECKING:
 @click.command()
 @SELECTION
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all items instead of the table.")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["table", "plain", "sarif"]),
+    default="table",
+    show_default=True,
+    help="For the list of problems of an editor: `file:line: verdict: message`, or SARIF 2.1.0.",
+)
 @click.option("--verdict", type=click.Choice([str(v) for v in Verdict]), help="Show only rows of this verdict.")
 @audit_options
-def check(selection: Sequence[str], as_json: bool, verdict: str | None, options: AuditOptions) -> None:
+def check(selection: Sequence[str], as_json: bool, form: str, verdict: str | None, options: AuditOptions) -> None:
     """Decide the relations and compare the verdicts with those recorded.
 
     Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
     """
     from symcheck.audit import Interrupted
 
+    if as_json and form != "table":
+        raise click.UsageError("--json is another format; leave one of them out")
+    form = "json" if as_json else form
     try:
         records = audited(selection, options, weigh=as_json)
     except Interrupted as stop:
-        _print_ledger(stop.records, as_json, verdict, partial=True)
+        _print_ledger(stop.records, form, verdict, partial=True)
         raise
-    _print_ledger(records, as_json, verdict)
-    _compare(selection, records, as_json)
+    _print_ledger(records, form, verdict)
+    _compare(selection, records, form != "table")
 
 
-def _print_ledger(records: Sequence[Record], as_json: bool, verdict: str | None, partial: bool = False) -> None:
+def _print_ledger(records: Sequence[Record], form: str, verdict: str | None, partial: bool = False) -> None:
     """The rows of a verdict; a ledger that is partial says so before and after."""
     selected = [record for record in records if verdict is None or record.verdict == verdict]
-    if as_json:
+    if form == "json":
         print_json(selected, partial)
+        return
+    if form != "table":
+        from symcheck.views import diagnostics
+
+        click.echo(diagnostics.FORMATS[form](selected))
         return
     from symcheck.ledger import by_paper
     from symcheck.views import terminal
@@ -61,7 +77,7 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     from symcheck.audit import outputs
     from symcheck.ledger import by_paper, store
 
-    differing = list[str]()
+    differing = [note for key in by_paper(records) for note in papers.load()[key].notes]
     for key, rows in by_paper(records).items():
         complete = not selection or key in selection
         differing += store.disagreements(rows, store.expected(outputs.folder(key), key), complete)

@@ -55,7 +55,7 @@ def errata(
         raise click.UsageError("--json is another form than a letter; leave one of them out")
     if kind == "text" and (form or output):
         raise click.UsageError("--as and --output are of a letter; add --format letter")
-    records = [record for record in audited(selection, options, weigh=as_json) if record.corrected]
+    records = [record for record in audited(selection, options, weigh=as_json) if record.is_erratum]
     if as_json:
         print_json(records)
     elif kind == "letter":

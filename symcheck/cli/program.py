@@ -13,7 +13,9 @@ from symcheck.cli.errata import errata
 from symcheck.cli.errors import one_line_errors
 from symcheck.cli.export import export
 from symcheck.cli.generate import generate
+from symcheck.cli.lint import lint
 from symcheck.cli.look import look
+from symcheck.cli.new import new
 from symcheck.cli.notebooks import notebooks
 from symcheck.cli.papers import papers
 from symcheck.cli.plot import plot
@@ -52,7 +54,23 @@ def cli() -> None:
     """
 
 
-for command in (check, decide, look, show, errata, papers, generate, plot, sweep, notebooks, selftest, report, export):
+for command in (
+    check,
+    decide,
+    look,
+    new,
+    lint,
+    show,
+    errata,
+    papers,
+    generate,
+    plot,
+    sweep,
+    notebooks,
+    selftest,
+    report,
+    export,
+):
     cli.add_command(command)
 
 

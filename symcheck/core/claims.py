@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
-from typing import TYPE_CHECKING, ClassVar, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, ClassVar, Protocol, TypeAlias, TypeVar
 
 from symcheck.core.ids import Id
 from symcheck.core.problems import Method
 from symcheck.core.verdicts import Origin, Role, SymcheckError
 
 if TYPE_CHECKING:
+    from symcheck.core.certificates import Certificate
+    from symcheck.core.terms import Formula, Term
+    from symcheck.ledger import Record
     from symcheck.reading import Notation
 
 T = TypeVar("T", str, Method)
@@ -111,6 +114,7 @@ class Source:
     words    what the paper says in words, in our English
     damage   what to read instead of the printed form
     lines    by link letter: the line of a link that begins further on
+    file     the file, if it is another one than that of the paper
     """
 
     line: int
@@ -118,6 +122,7 @@ class Source:
     words: str = ""
     damage: Damage | None = None
     lines: Mapping[str, int] = field(default_factory=dict)
+    file: str = ""
 
     @property
     def text(self) -> str | tuple[str, ...]:
@@ -172,6 +177,31 @@ class Plan:
         return tuple(self.by.values()) if isinstance(self.by, Mapping) else (self.by,)
 
 
+class Stated(Protocol):
+    """A statement: what it is, its hypotheses and definitions by name."""
+
+    @property
+    def what(self) -> str: ...
+
+    @property
+    def hypotheses(self) -> Mapping[str, list[Formula]]: ...
+
+    @property
+    def definitions(self) -> Mapping[str, Term]: ...
+
+
+class Question(Protocol):
+    """How a declaration is read and decided whose letters nobody has declared one by one."""
+
+    def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
+        """One for each relation that it prints."""
+        ...
+
+    def stated(self, item: Declaration, certificate: Certificate) -> Stated | None:
+        """What is printed, read anew: that of which a certificate is one; None if it is none."""
+        ...
+
+
 @dataclass(frozen=True, kw_only=True)
 class Declaration:
     """Anything declared of a paper.
@@ -188,6 +218,8 @@ class Declaration:
         Letters that mean something else here.
     name
         The variable it is bound to.
+    question
+        How it is read and decided, if not in the notation of the paper and by a method of its own.
     """
 
     role: ClassVar[Role]
@@ -196,6 +228,7 @@ class Declaration:
     uses: tuple[str, ...] = ()
     notation: Notation | None = None
     name: str = ""
+    question: Question | None = None
 
     @property
     def stated(self) -> tuple[str, ...]:
@@ -344,6 +377,8 @@ class Paper:
         Its sections in printed order.
     excerpt
         Whether only some pages are there, so that the printed numbers begin anywhere.
+    notes
+        What a reader of its ledger has to know of the source, such as that it has changed.
     """
 
     key: str
@@ -352,6 +387,7 @@ class Paper:
     notation: Notation
     sections: tuple[Section, ...]
     excerpt: bool = False
+    notes: tuple[str, ...] = ()
 
     def items(self) -> Iterator[tuple[Section, str, Declaration]]:
         """Every declaration in printed order (by line), with the section and the variable it is bound to."""

@@ -53,6 +53,8 @@ class Reading(StrEnum):
     MISPRINT = "misprint"
     NEEDS_HYPOTHESIS = "needs hypothesis"
     DAMAGED = "damaged source"
+    STATED = "stated by the auditor"
+    REWRITTEN = "rewritten"
 
 
 class Group(StrEnum):

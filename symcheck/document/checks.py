@@ -19,13 +19,14 @@ from symcheck.question.prepare import Asked
 
 # words before a formula that make it a condition, an equation to be solved, or a case, and no statement
 CONDITIONAL = re.compile(
-    r"\b(if|when|whenever|unless|suppos\w*|assum\w*|such that|so that|solv\w*|requir\w*|condition\w*|constrain\w*|"
+    r"\b(if|when|whenever|unless|suppos\w*|assum\w*|such that|solv\w*|requir\w*|condition\w*|constrain\w*|"
     r"constraint|satisf\w*|choos\w*|choice|set|sets|setting|find|for which|impos\w*|subject to|provided|case|cases|"
     r"equation\w* of|unknown\w*|roots?|initial|boundary|minimi[sz]\w*|maximi[sz]\w*|example|consider\w*|approximat\w*|"
     r"neglect\w*|small|limit\w*|equilibri\w*|wrong|false|incorrect|not true|mistake\w*|naive\w*|instead|replac\w*|"
     r"substitut\w*|modulo|mod|model\w*|law|hypothes\w*|contradict\w*|iterat\w*|updat\w*|assign\w*)\b",
     re.IGNORECASE,
 )
+PURPOSE = re.compile(r"\bso that\b", re.IGNORECASE)  # or a consequence
 # words before a formula that say that it holds for all values of its letters
 IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|expand\w*|simplif\w*)\b", re.IGNORECASE)
 AGAIN = re.compile(
@@ -127,10 +128,16 @@ class Checks:
         return tuple(found.items())
 
     def is_statement(self, k: int) -> bool:
-        """Is a formula printed as something that holds, by the words before it?"""
-        formula, seen = self.formulas[k], self.seen[k]
-        words = ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", formula.before)[-SENTENCES:])
-        return formula.display and seen.plain and not seen.reason and not CONDITIONAL.search(words)
+        """Is a display printed as something that holds, by the words before it?"""
+        return self.formulas[k].display and self.is_said(k) and not PURPOSE.search(self._words(k))
+
+    def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
+        """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
+        words = aside.sub("", self._words(k)) if aside else self._words(k)
+        return self.seen[k].plain and not self.seen[k].reason and not CONDITIONAL.search(words)
+
+    def _words(self, k: int) -> str:
+        return ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)[-SENTENCES:])
 
     def suspicious(self) -> Iterator[Question]:
         """Relations that ought to hold by what stands before them."""
@@ -172,7 +179,7 @@ class Checks:
 
     def _defined(self, k: int, link: Link) -> Question | None:
         """A relation between letters that are all defined before it, or free in these definitions."""
-        known = self._definitions(k)
+        known = self.definitions(k)
         names = link.names[0] | link.names[1]
         used: dict[str, Definition] = {}
         more = {x for x in names if x in known}
@@ -199,7 +206,7 @@ class Checks:
             sure=True,
         )
 
-    def _definitions(self, k: int) -> dict[str, Definition]:
+    def definitions(self, k: int) -> dict[str, Definition]:
         """The letters that are defined before a formula, once, in the same part of the document."""
         section, local = self.formulas[k].scope
         found: dict[str, Definition] = {}

@@ -52,9 +52,10 @@ def _at(sides: list[tuple[Expr, Expr]], seed: int) -> bool | None:
     """Whether all components hold at one point; None if one of them has no value there."""
     symbols = sorted({x for pair in sides for side in pair for x in side.free_symbols}, key=str)
     numbers = random.Random(seed)
+    whole = numbers.sample(range(2, 7 + len(symbols)), len(symbols))  # different ones: equal ones are a case
     values = {
-        x: numbers.randint(2, 6) if x.name.partition("_")[0] in COUNTING else numbers.uniform(0.2, 1.0 + seed)
-        for x in symbols
+        x: n if x.name.partition("_")[0] in COUNTING else numbers.uniform(0.2, 1.0 + seed)
+        for x, n in zip(symbols, whole, strict=True)
     }
     for pair in sides:
         left, right = (side.subs(values).evalf(15) for side in pair)

@@ -89,12 +89,25 @@ def _letter(letter: str, places: Sequence[tuple[Role, Printed]]) -> Letter:
 def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
     """What the document says of letters of which a formula alone does not tell what they are."""
     found = {}
+    own = {shown(role.letter) for role in seen.roles}
     for role in seen.roles:
         phrase = known[role.letter].phrase if role.letter in known else ""
+        phrase = phrase if depends_on(phrase) <= own else ""
         open_ = not role.sure or not role.phrase
-        if open_ and role.kind not in ("index", "differential", "number") and phrase.split(" ")[0] in _SAYABLE:
+        if open_ and role.kind not in ("index", "differential", "number") and is_sayable(phrase):
             found[role.letter] = phrase
     return found
+
+
+def depends_on(phrase: str) -> set[str]:
+    """The letters on which a letter depends by what is said of it."""
+    kind, _, variables = phrase.partition(" on " if phrase.startswith("depends") else " of ")
+    return {each.strip() for each in variables.split(",")} if kind in ("depends", "function") else set()
+
+
+def is_sayable(phrase: str) -> bool:
+    """Does `decide` take a phrase about a letter? Of a function it wants to know of what."""
+    return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
 
 
 _SAYABLE = frozenset({"vector", "matrix", "function", "depends"})  # first words of phrases that `decide` takes

@@ -23,12 +23,18 @@ _OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top
 _LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
 _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
 
+# an environment of displays between double dollars, as MathJax wants it: the dollars say nothing more
+_ENVIRONMENT = re.compile(
+    r"^([^\S\n]*)\$\$(\s*\\begin\{((?:equation|align|gather|multline|eqnarray)\*?)\}.*?\\end\{\3\}\s*)\$\$",
+    re.DOTALL | re.MULTILINE,
+)
+
 
 def markdown(text: str, scanner: Scanner) -> None:
     """The formulas of Markdown."""
     lines = text.split("\n")
     at = 0
-    for token in _parser().parse(_DIRECTIVES.sub("", text)):
+    for token in _parser().parse(_ENVIRONMENT.sub(r"\1  \2  ", _DIRECTIVES.sub("", text))):
         at = token.map[0] if token.map else at
         if token.type == "heading_open":
             scanner.heading({"h1": "section", "h2": "section"}.get(token.tag, "subsection"))

@@ -40,9 +40,14 @@ class Printed:
     scope: tuple[int, int]
 
     @property
+    def position(self) -> str:
+        """Where it is, in words, without its number: `line 12`."""
+        return place(self.file, self.line, self.cell)
+
+    @property
     def place(self) -> str:
         """Where it is, in words: `line 12 (3.4)`."""
-        return place(self.file, self.line, self.cell) + (f" ({self.number})" if self.number else "")
+        return self.position + (f" ({self.number})" if self.number else "")
 
 
 @dataclass(frozen=True)

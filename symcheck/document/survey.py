@@ -39,6 +39,7 @@ class Link:
     sizes: tuple[int, int]
     chained: bool  # does it stand behind another one?
     head: str = ""  # the letter that it may define
+    place: int = 0  # among all relations of the formula
 
     @property
     def latex(self) -> str:
@@ -106,14 +107,14 @@ def _surveyed(latex: str) -> Seen:
 def _links(tree: Tree) -> Iterator[Link]:
     """The equations of a formula, in printed order."""
     before: Tree | None = None
-    for relation in relations(tree):
+    for place, relation in enumerate(relations(tree)):
         left, right = relation.left, relation.right
         if left is not None and right is not None and relation.sign == "=":
             names = frozenset(_names(left)), frozenset(_names(right))
             sides = to_latex(left), to_latex(right)
             chained = before is left
             head = "" if chained else next(iter(definitions([" = ".join(sides)])[0]), "")
-            yield Link(*sides, names, (_size(left), _size(right)), chained, head)
+            yield Link(*sides, names, (_size(left), _size(right)), chained, head, place)
         before = right
 
 

@@ -159,9 +159,14 @@ class Record(_Part, frozen=True):
         return Id.parse(self.id).link
 
     @property
+    def is_erratum(self) -> bool:
+        """Whether it is wrong as printed, or read otherwise: every refutation, corrected or not."""
+        return bool(self.corrected) or (self.verdict is Verdict.REFUTED and self.role is not Role.OURS)
+
+    @property
     def group(self) -> Group | None:
         """Which errata it belongs to, if it is one."""
-        if not self.corrected:
+        if not self.is_erratum:
             return None
         if self.reading is Reading.DAMAGED:
             return Group.DAMAGED

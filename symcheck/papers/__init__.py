@@ -98,7 +98,8 @@ def _of_folder(folder: Path, key: str) -> Paper:
             raise SymcheckError(f"{error.filename}:{error.lineno}: {error.msg}") from error
         except Exception as error:
             del sys.modules[name]
-            raise SymcheckError(f"{_line(error, folder) or file}: {type(error).__name__}: {error}") from error
+            kind = "" if isinstance(error, SymcheckError) else f"{type(error).__name__}: "
+            raise SymcheckError(f"{_line(error, folder) or file}: {kind}{error}") from error
     paper = getattr(sys.modules[name], "paper", None)
     if not isinstance(paper, Paper) or paper.key != key:
         found = f"its key is {paper.key!r}" if isinstance(paper, Paper) else "it binds none"

@@ -26,6 +26,7 @@ from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
+from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
@@ -54,6 +55,7 @@ from symcheck.reading.notation import SAID
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
+REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
@@ -117,8 +119,14 @@ def answered(
     letters: Mapping[str, str] | None = None,
     *,
     wanted: bool = True,
+    claimed: bool = False,
+    all_sizes: bool = True,
 ) -> Answer:
-    """The answer to a question; repairs of what is refuted are looked for if they are wanted."""
+    """The answer to a question; repairs of what is refuted are looked for if they are wanted.
+
+    What is claimed for all values of its letters is neither an equation to be solved nor a condition. Proofs for
+    matrices of all sizes are not written out by components, as those of a ledger are.
+    """
     started = time.perf_counter()
     asked = None
     try:
@@ -128,12 +136,13 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
-        if general := _of_any_size(asked):
-            return replace(general, seconds=time.perf_counter() - started)
+        if all_sizes and (general := _of_any_size(asked)):
+            used = tuple(spelled.get(text, text) for text in general.used)
+            return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
-            found = [(reading, _decided(reading, asked, wanted)) for reading in several]
+            found = [(each, _general(each, all_sizes) or _decided(each, asked, wanted, claimed)) for each in several]
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
@@ -174,11 +183,14 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 def _of_any_size(asked: Asked) -> Answer | None:
     """Proved for matrices of all sizes in all readings, though it cannot be written out by components."""
     with suppress(SymcheckError, OutOfTime), limited(LIMIT):
-        several = unlowered(asked)
-        found = [general for reading in several if (general := of_any_size(reading)) is not None]
-        if found and len(found) == len(several):
-            return _in_general(several[0], found[0])
+        found = [_general(reading, True) for reading in unlowered(asked)]
+        return found[0] if found and all(found) else None
     return None
+
+
+def _general(reading: Reading, wanted: bool) -> Answer | None:
+    found = of_any_size(reading) if wanted else None
+    return found and _in_general(reading, found)
 
 
 def _in_general(reading: Reading, found: OfAnySize) -> Answer:
@@ -224,9 +236,7 @@ def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
     return with_brackets(tree), {g.letter.latex: f"{g.taken} ({g.why})" for g in inference.guesses}
 
 
-def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
-    if (general := of_any_size(reading)) is not None:
-        return _in_general(reading, general)
+def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool = False) -> Answer:
     base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
@@ -264,7 +274,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True) -> Answer:
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
-        if verdict is Verdict.REFUTED and (said := _says_otherwise(problem, reading, slips if wanted else None)):
+        said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
+        if said and not (claimed and said == EQUATION):
             status = Status.UNDECIDED
             reasons.append(said)
             continue
@@ -446,6 +457,8 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
                 verdict, made, used = _decided_as_stated(solved)
                 equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
                 return (verdict, made, (*used, *equations)) if made is not None else found
+    if found[1] is None and found[2][0].startswith(REFUSED) and (plain := with_plain_divisors(problem)) != problem:
+        return _decided_as_stated(plain)
     return found
 
 
@@ -486,7 +499,7 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                 made = certificate(about, outcome)
                 if (fault := check(made)) is None:
                     return outcome.verdict, made, outcome.used
-                reasons.append(f"the certificate was not accepted ({fault})")
+                reasons.append(f"{REFUSED} ({fault})")
         except OutOfTime:
             reasons.append(f"the search was not over after {LIMIT:g} s")
             if (found := _refuted_by_digits(numbers)) is not None:

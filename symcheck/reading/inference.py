@@ -51,7 +51,7 @@ class Inference:
     @cached_property
     def notation(self) -> Notation:
         """All letters; made when it is asked for, because most readings are never tried."""
-        return _notation(self.guesses, **dict(self.habits))
+        return notation_of(self.guesses, **dict(self.habits))
 
 
 HABITS = {  # what a sign may mean of which a formula itself does not say which, by what shows that it stands there
@@ -301,7 +301,7 @@ def _inferred(
     return found
 
 
-def _notation(guesses: Iterable[Guess], **habits: str) -> Notation:
+def notation_of(guesses: Iterable[Guess], **habits: str) -> Notation:
     """The notation of these letters; no two are lowered to one variable."""
     taken: set[str] = set()
     found = []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 _ENVIRONMENT = re.compile(r"\\begin\{(\w+)\}.*?\\end\{\1\}", re.DOTALL)  # within which rows may break
 _ROWS = re.compile(r"(?<!\\)&|\\\\")  # an alignment mark or the end of a row
@@ -54,6 +55,12 @@ def split_at_formulas(sentence: str) -> list[str]:
     ['for ', 'k = 1', ' only']
     """
     return _WITHIN.split(sentence)
+
+
+def sentence(text: str, words: Callable[[str], str]) -> str:
+    """A sentence on one line, its formulas between dollars as they are, its words as another markup writes them."""
+    pieces = enumerate(split_at_formulas(" ".join(text.split())))
+    return "".join(f"${each}$" if n % 2 else words(each) for n, each in pieces)
 
 
 def formulas_of(sentence: str) -> list[str]:

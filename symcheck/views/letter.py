@@ -34,6 +34,9 @@ _MARKUP = re.compile(r"[\\${}]")  # the first or last word is a piece of a formu
 _MARKS = re.compile(r"[\\*_<>`|\[\]]")  # what Markdown takes for its own
 
 
+UNKNOWN = "(what is right is left to the authors)"
+
+
 class Form(StrEnum):
     """How a letter is written."""
 
@@ -90,7 +93,7 @@ def letter(records: Iterable[Record]) -> Letter:
     wrong = [
         record
         for record in records
-        if record.corrected and record.origin is not Origin.OCR and not _is_whole_list(record)
+        if record.is_erratum and record.origin is not Origin.OCR and not _is_whole_list(record)
     ]
     keys = list(dict.fromkeys(record.paper for record in wrong))
     if not keys:
@@ -128,7 +131,7 @@ def _correction(paper: Paper, fault: Fault) -> Correction:
     return Correction(
         _where(record),
         _printed(record, fault, lines),
-        instead or _correct(fault),
+        instead or _correct(fault) or UNKNOWN,
         (summary or short) + (" (It may have come with the digitisation.)" if _may_be_ocr(record) else ""),
         " ".join(filter(None, evidence)),
     )

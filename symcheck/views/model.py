@@ -205,11 +205,12 @@ class Relation:
 
 
 class Fact(NamedTuple):
-    """One labelled thing to say of a fault; a formula in LaTeX, or words."""
+    """One labelled thing to say of a fault: a formula in LaTeX, or words; of ours, with formulas between dollars."""
 
     label: str
     text: str
     is_formula: bool = False
+    is_ours: bool = False
 
 
 @dataclass(frozen=True)
@@ -250,7 +251,7 @@ class Fault:
         yield Fact("correct", self.correct, True)
         yield Fact("given", "; ".join(self.first.added))
         yield Fact("fails at", "" if record.is_row else self.first.fails_at)
-        yield Fact("why", record.reason)
+        yield Fact("why", record.reason, is_ours=True)
 
 
 @dataclass(frozen=True)
@@ -287,7 +288,7 @@ class FaultList:
 
 def errata(records: Iterable[Record]) -> Iterator[tuple[Group, tuple[FaultList, ...]]]:
     """The groups that have errata, the weightiest first."""
-    wrong = [Relation(record) for record in records if record.corrected]
+    wrong = [Relation(record) for record in records if record.is_erratum]
     for group in Group:
         if members := [each for each in wrong if each.record.group is group]:
             yield group, tuple(_lists(members))

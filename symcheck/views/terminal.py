@@ -117,7 +117,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     yield "stands on", record.place
     yield "read as", record.read
     if not as_erratum:
-        yield "reason", record.reason
+        yield "reason", record.reason.replace("$", "")
         for each in relation.conditions:
             yield "hypothesis", f"{each.line}; without it {each.without}" if each.without else each.line
         yield "shown where", relation.nonzero
@@ -127,7 +127,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     yield "fails at", relation.fails_at
     yield "corrected", record.corrected
     yield "kind", record.kind
-    yield "origin", f"{relation.whose}: {record.reason}" if record.origin else ""
+    yield "origin", f"{relation.whose}: {record.reason}".replace("$", "") if record.origin else ""
     if erratum:
         yield "edit", "\n".join(f"{before}  →  {after}" for before, after in relation.edits)
         if erratum.edit and relation.repairs:

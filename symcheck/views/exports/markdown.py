@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from symcheck.core.verdicts import Group
 from symcheck.ledger import Record, by_paper
 from symcheck.views.exports import Format
-from symcheck.views.latex import is_formula, standing_alone
-from symcheck.views.model import Fault, FaultList, Relation, counted, errata
+from symcheck.views.latex import is_formula, sentence, standing_alone
+from symcheck.views.model import Fact, Fault, FaultList, Relation, counted, errata
 
 _MARKUP = re.compile(r"([\\`*_{}\[\]<>#|$])")  # signs that mean something in Markdown
 
@@ -35,8 +35,14 @@ def _lines(records: Sequence[Record]) -> Iterator[str]:
 
 def _fault(fault: Fault) -> str:
     record = fault.first.record
-    facts = (f"\n- {label}: {(_formula if formula else _plain)(said)}" for label, said, formula in fault.facts if said)
+    facts = (f"\n- {each.label}: {_said(each)}" for each in fault.facts if each.text)
     return f"\n### {record.id}: {_plain(record.kind)}\n{''.join(facts)}"
+
+
+def _said(fact: Fact) -> str:
+    return (
+        _formula(fact.text) if fact.is_formula else sentence(fact.text, _escaped) if fact.is_ours else _plain(fact.text)
+    )
 
 
 def _table(faults: FaultList) -> Iterator[str]:
@@ -55,7 +61,11 @@ def _formula(text: str) -> str:
 
 
 def _plain(text: str) -> str:
-    return _MARKUP.sub(r"\\\1", " ".join(text.split()))
+    return _escaped(" ".join(text.split()))
+
+
+def _escaped(text: str) -> str:
+    return _MARKUP.sub(r"\\\1", text)
 
 
 FORMAT = Format("errata and ledger as Markdown", text)

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from symcheck.ledger import Record, by_paper
 from symcheck.views.exports import Format
-from symcheck.views.latex import is_formula, standing_alone
-from symcheck.views.model import Fault, Relation, counted, errata
+from symcheck.views.latex import is_formula, sentence, standing_alone
+from symcheck.views.model import Fact, Fault, Relation, counted, errata
 
 HEAD = r"""\documentclass[10pt,a4paper]{article}
 \usepackage[utf8]{inputenc}
@@ -53,12 +53,14 @@ def _lines(records: Sequence[Record]) -> Iterator[str]:
 def _fault(fault: Fault) -> str:
     record = fault.first.record
     title, kind = _plain(f"{record.paper}:{fault.number}"), _plain(f"{record.kind}, line {record.line}")
-    facts = (
-        rf"\said{{{label}}}{{{_formula(said, record.line) if formula else _plain(said)}}}"
-        for label, said, formula in fault.facts
-        if said
-    )
+    facts = (rf"\said{{{each.label}}}{{{_said(each, record.line)}}}" for each in fault.facts if each.text)
     return "\n".join((rf"\entry{{{title}}}{{{kind}}}", *facts))
+
+
+def _said(fact: Fact, line: int) -> str:
+    if fact.is_formula:
+        return _formula(fact.text, line)
+    return sentence(fact.text, _escaped) if fact.is_ours else _plain(fact.text)
 
 
 def _formula(text: str, line: int) -> str:
@@ -68,7 +70,11 @@ def _formula(text: str, line: int) -> str:
 
 
 def _plain(text: str) -> str:
-    return _SPECIAL.sub(lambda found: _ESCAPED.get(found[0], f"\\{found[0]}"), " ".join(text.split()))
+    return _escaped(" ".join(text.split()))
+
+
+def _escaped(text: str) -> str:
+    return _SPECIAL.sub(lambda found: _ESCAPED.get(found[0], f"\\{found[0]}"), text)
 
 
 FORMAT = Format("errata and ledger as a LaTeX document", text)

@@ -43,7 +43,7 @@ def slips(key: str) -> Output:
 def erratum(id: str) -> Output:
     """A wrong relation: as printed, both sides at an exact point, the right form with its proof, whose the fault is."""
     [record] = records(id)
-    if not record.corrected:
+    if not record.is_erratum:
         raise SymcheckError(f"{id} is not an erratum; `symcheck errata` lists them")
     return Output(tuple(_erratum(record)))
 

@@ -8,6 +8,7 @@ import re
 import shlex
 import subprocess
 import sys
+from itertools import groupby, pairwise
 from pathlib import Path
 from shutil import copytree, ignore_patterns, rmtree
 from tempfile import mkdtemp
@@ -50,12 +51,34 @@ def _bound(text: str, file: str, names: tuple[str, ...]) -> str:
     return "\n\n".join(found[name] for name in names)
 
 
-class Checkout:
-    """A copy of the package in a temporary folder. Its only paper is the example; nothing is generated there yet."""
+class _Place:
+    """A temporary folder in which commands run; `_package` is where they find the package."""
 
     def __init__(self) -> None:
         self._root = Path(mkdtemp(prefix="symcheck-guide-")).resolve()
         finalize(self, rmtree, self._root, ignore_errors=True)
+        self._package = self._root
+
+    def run(self, command: str) -> Output:
+        """What a command of symcheck or Python prints there; times are left out, as they differ from run to run."""
+        program, *arguments = shlex.split(command)
+        started = [sys.executable, *(["-m", "symcheck"] if program == "symcheck" else []), *arguments]
+        places = {"SYMCHECK_CACHE": "cache", "XDG_CONFIG_HOME": "config"}
+        environment = {name: value for name, value in os.environ.items() if name not in COLOURED}
+        environment |= {name: str(self._root / place) for name, place in places.items()}
+        environment |= {"PYTHONPATH": str(self._package), "COLUMNS": WIDTH, "PYTHONDONTWRITEBYTECODE": "1"}
+        done = subprocess.run(
+            started, cwd=self._root, env=environment, capture_output=True, text=True, check=False, timeout=SECONDS
+        )
+        said = f"{done.stdout}\n{done.stderr}".replace(f"{self._root}{os.sep}", "")
+        return Output((Verbatim(f"$ {command}", _SPACES.sub("", _TIMES.sub("", said)).strip()),))
+
+
+class Checkout(_Place):
+    """A copy of the package in a temporary folder. Its only paper is the example; nothing is generated there yet."""
+
+    def __init__(self) -> None:
+        super().__init__()
         others = ignore_patterns("__pycache__", "generated", *papers.load())
         copytree(Path(symcheck.__file__).parent, self._root / "symcheck", ignore=others)
         copytree(_example(), self._root / "symcheck" / "papers" / EXAMPLE, ignore=ignore_patterns("__pycache__"))
@@ -72,16 +95,39 @@ class Checkout:
         table.write_text(f"{before}{start}{line}{after}", encoding="utf-8")
         return Output((Verbatim("one line of STATEMENTS in symcheck/checker/theorems.py", line.strip()),))
 
-    def run(self, command: str) -> Output:
-        """What a command of symcheck or Python prints there; times are left out, as they differ from run to run."""
-        program, *arguments = shlex.split(command)
-        started = [sys.executable, *(["-m", "symcheck"] if program == "symcheck" else []), *arguments]
-        places = {"SYMCHECK_CACHE": "cache", "XDG_CONFIG_HOME": "config"}
-        environment = {name: value for name, value in os.environ.items() if name not in COLOURED}
-        environment |= {name: str(self._root / place) for name, place in places.items()}
-        environment |= {"PYTHONPATH": str(self._root), "COLUMNS": WIDTH, "PYTHONDONTWRITEBYTECODE": "1"}
-        done = subprocess.run(
-            started, cwd=self._root, env=environment, capture_output=True, text=True, check=False, timeout=SECONDS
-        )
-        said = f"{done.stdout}\n{done.stderr}".replace(f"{self._root}{os.sep}", "")
-        return Output((Verbatim(f"$ {command}", _SPACES.sub("", _TIMES.sub("", said)).strip()),))
+
+class Desk(_Place):
+    """A temporary folder with a document of the guide, and nothing else."""
+
+    def __init__(self, example: str) -> None:
+        super().__init__()
+        self._package = Path(symcheck.__file__).parents[1]
+        copytree(folder() / "guide" / example, self._root, dirs_exist_ok=True)
+
+    def show(self, file: str, first: str = "", last: str = "") -> Output:
+        """A file, or its lines from the first that has one text to the last that has another."""
+        lines = self._text(file).splitlines()
+        start, end = (next(iter(_having(lines, first)), -1), next(iter(_having(lines, last)[::-1]), -1))
+        if min(start, end) < 0:
+            raise SymcheckError(f"{file} has no lines from {first!r} to {last!r}")
+        return Output((Verbatim(file, "\n".join(lines[start : end + 1])),))
+
+    def edit(self, name: str) -> Output:
+        """Edit a file as `edits/NAME.diff` says: lines with a minus become those with a plus behind them."""
+        file, *changes = self._text(f"edits/{name}.diff").splitlines()
+        text = f"\n{self._text(file)}"
+        for removed, added in pairwise([[*part] for _, part in groupby(changes, lambda line: line[:1])]):
+            if removed[0][0] == "-":
+                before, after = ("".join(f"\n{line[1:]}" for line in part) for part in (removed, added))
+                if text.count(f"{before}\n") != 1:
+                    raise SymcheckError(f"{file} does not have the lines of edits/{name}.diff once")
+                text = text.replace(f"{before}\n", f"{after}\n")
+        (self._root / file).write_text(text[1:], encoding="utf-8")
+        return Output((Verbatim(f"{file}, edited", "\n".join(changes)),))
+
+    def _text(self, file: str) -> str:
+        return (self._root / file).read_text(encoding="utf-8")
+
+
+def _having(lines: list[str], text: str) -> list[int]:
+    return [k for k, line in enumerate(lines) if text in line]

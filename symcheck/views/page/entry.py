@@ -32,6 +32,7 @@ def texts(records: Iterable[Record]) -> Iterator[str]:
     """All that may be typeset."""
     for record in records:
         yield from (record.printed, record.read, Fault((Relation(record),)).correct)
+        yield from formulas_of(record.reason)
         yield from (hypothesis.states for hypothesis in record.hypotheses)
         yield from (each.relation for each in (record.erratum and record.erratum.repairs) or ())
         if record.erratum:

@@ -1,0 +1,399 @@
+"""How a relation of a source is decided: as `symcheck.decide` does it, with the relations from which it follows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any, cast
+
+from msgspec.structs import replace as record_with
+
+from symcheck.audit import differences
+from symcheck.core.certificates import Certificate
+from symcheck.core.claims import Assertion, Declaration, Erratum
+from symcheck.core.formulas import conjuncts
+from symcheck.core.ids import Id
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Formula, Term
+from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.document.conditions import holds_elsewhere
+from symcheck.document.letters import depends_on, shown
+from symcheck.document.survey import Link, surveyed
+from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
+from symcheck.question import Answer, Status
+from symcheck.question.ask import answered
+from symcheck.question.divisors import with_plain_divisors
+from symcheck.question.limit import OutOfTime, limited
+from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings
+from symcheck.reading import Tree, relations, to_latex
+
+METHOD = "decide"
+VALUED = "every printed term has a value"
+REPAIRING = 8.0  # seconds for an answer with repairs, before one without is asked for
+DOUBTING = 10.0  # seconds for conditions that may save what fails
+PROVING = 5.0  # seconds for a proof with fewer definitions
+SAY = "a condition may be printed elsewhere: say it with follows= or given=, or given=[] if there is none"
+VERDICTS = {Status.PROVED: Verdict.PROVED, Status.REFUTED: Verdict.REFUTED}
+TOLD = {Status.UNREADABLE: "not read: ", Status.AMBIGUOUS: "ambiguous: "}  # before the reason for no verdict
+NUMBERS = ("scalar", "index", "number", "differential")  # kinds of letters of which words hardly say more
+UNSAID = ("index", "differential", "number")  # letters of which the formula itself says what they are
+
+
+@dataclass(frozen=True)
+class Relied:
+    """What a relation rests on.
+
+    text     an earlier relation
+    defines  the letters of the links that define, of a chain that goes on; "" means all
+    """
+
+    text: str
+    defines: str = ""
+
+
+@dataclass(frozen=True)
+class Inquiry:
+    """A relation with all that is said before it is decided.
+
+    text     the LaTeX that is read
+    follows  the relations it follows from
+    given    conditions of the auditor
+    letters  what letters are, as `decide` takes it
+    reading  how the text comes from the source
+    told     the same in words, where it is not as printed
+    near     relations beside it of which nobody claims that they hold, with their places: conditions, perhaps
+    alone    whether the auditor says that there are no other conditions
+    """
+
+    text: str
+    follows: tuple[Relied, ...] = ()
+    given: tuple[str, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
+    reading: Reading = Reading.AS_PRINTED
+    told: str = ""
+    near: tuple[tuple[str, str], ...] = ()
+    alone: bool = False
+
+    @property
+    def assumed(self) -> tuple[str, ...]:
+        """All that it rests on."""
+        return (*(each.text for each in self.follows), *self.given)
+
+    def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
+        """One for each relation that it prints, or the one that says why it is not read."""
+        base = record_with(base, reading=self.reading, reason=self._said_of(base.reason))
+        if item.role is Role.EXCLUSION:
+            return (base,)
+        try:
+            tree = _tree(self.text, self._said(self.text))
+        except SymcheckError as error:
+            open_ = Verdict.UNDECIDED if isinstance(item, Assertion) else None
+            return (record_with(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
+        if not isinstance(item, Assertion):
+            return (record_with(base, read=to_latex(tree)),)
+        return tuple(self._of_links(item, base, tree))
+
+    def _of_links(self, item: Assertion, base: Record, tree: Tree) -> Iterator[Record]:
+        for letter, link in _lettered(tree, self.text):
+            row = record_with(base, id=base.id + letter, read=link if letter else to_latex(tree))
+            row = record_with(row, line=item.source.lines.get(letter, item.source.line))
+            if item.statement.imposes(letter):
+                yield record_with(row, role=Role.PREMISE, reason="what the letter is, and no claim")
+            else:
+                yield self._decided(row, link, item.erratum(letter))
+
+    def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
+        asked = self._asked(link)
+        answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
+        if (
+            answer.verdict is Status.REFUTED
+            and not (self.alone or self.given)
+            and (doubt := self._doubt(asked, answer))
+        ):
+            answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
+        verdict = VERDICTS.get(answer.verdict, Verdict.UNDECIDED)
+        proofs = self._certificates(row.id, asked, answer)
+        row = record_with(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
+        row = record_with(
+            row, hypotheses=tuple(self._hypotheses(verdict, proofs)), reason=self._said_of(_reason(answer))
+        )
+        if verdict is Verdict.REFUTED:
+            row = record_with(row, origin=Origin.PAPER, kind="fails")
+        return self._corrected(row, link, erratum, answer) if erratum else row
+
+    def _doubt(self, asked: Asked, answer: Answer) -> str:
+        """Why what fails may hold all the same, under a condition that is printed elsewhere; "" if nothing says so."""
+        if holds_elsewhere(asked):
+            return f"it fails, but holds for some positive numbers; {SAY}"
+        with suppress(OutOfTime), limited(DOUBTING):
+            for place, text in self._beside(asked):
+                said = self._said(asked.relation, *asked.where, text)
+                with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
+                if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
+                    return f"it fails, but perhaps not where {text} ({place}); {SAY}"
+        identity = not asked.where and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
+        if answer.repairs or identity or any(_is_explained(each) for each in dict.fromkeys((_fewer(asked), asked))):
+            return ""
+        return f"it fails, and no slip of the pen would explain it; {SAY}"
+
+    def _beside(self, asked: Asked) -> Iterator[tuple[str, str]]:
+        """The relations beside a claim that speak of its letters alone."""
+        names = {x for text in (asked.relation, *asked.where) for x in surveyed_once(text).names}
+        for place, text in self.near:
+            seen = surveyed_once(text)
+            if not seen.reason and seen.names and seen.names <= names:
+                yield place, text
+
+    def _corrected(self, row: Record, link: str, erratum: Erratum, printed: Answer) -> Record:
+        """The same with what is right instead, which is asked as well."""
+        needs = tuple(each.states for each in erratum.needs)
+        asked = self._asked(erratum.corrected or link, needs)
+        answer = _answer(asked, claimed=True)
+        forms = tuple(Repair(**each) for each in printed.repairs)
+        correction = Correction(
+            verdict=VERDICTS.get(answer.verdict, Verdict.UNDECIDED),
+            reason=answer.reason,
+            certificates=self._certificates(row.id, asked, answer),
+            edit=differences(link, erratum.corrected) if erratum.corrected else (),
+            added=tuple(each.words for each in erratum.needs),
+            repairs=forms,
+            unique=len(forms) == 1,
+            empty=False,
+            row=bool(erratum.shown),
+            summary=erratum.summary,
+            instead=erratum.instead,
+        )
+        found = Reading.MISPRINT if erratum.corrected else Reading.NEEDS_HYPOTHESIS
+        given = "; ".join(each.words for each in erratum.needs)
+        return record_with(
+            row,
+            reading=found if self.reading is Reading.AS_PRINTED else self.reading,
+            kind=erratum.kind,
+            origin=erratum.origin,
+            reason=self._said_of(erratum.reason),
+            corrected=erratum.shown or erratum.corrected or f"{link} (given: {given})",
+            erratum=correction,
+        )
+
+    def _said_of(self, reason: str) -> str:
+        """A reason, with how the text comes from the source."""
+        return "; ".join(filter(None, (reason, self.told)))
+
+    def _asked(self, link: str, needs: Sequence[str] = ()) -> Asked:
+        """The question as `decide` takes it."""
+        where, given = list[str](), [*self.given, *needs]
+        for each in self.follows:
+            for part, is_equation in _parts(each, self.letters):
+                (where if is_equation else given).append(part)
+        said = self._said(link, *where, *given)
+        return Asked(link, tuple(dict.fromkeys(where)), tuple(dict.fromkeys(given)), said)
+
+    def _said(self, *texts: str) -> tuple[tuple[str, str], ...]:
+        """What is said of letters beyond what each formula alone shows of them."""
+        every = {shown(role.letter) for text in texts for role in surveyed_once(text).roles}
+        known = {shown(letter): phrase for letter, phrase in self.letters if phrase and depends_on(phrase) <= every}
+        roles = [role for text in texts for role in surveyed_once(text).roles if role.kind not in UNSAID]
+        found = {role.letter: known.get(shown(role.letter), "") for role in roles}
+        return tuple((x, p) for x, p in found.items() if p and any(r.letter == x and r.phrase != p for r in roles))
+
+    def _certificates(self, id: str, asked: Asked, answer: Answer) -> tuple[Certificate, ...]:
+        if answer.verdict not in VERDICTS:
+            return ()
+        made = cast(tuple[Certificate, ...], answer.certificate)  # none is about all sizes: see `answered` below
+        return tuple(_renamed(each, id, _names(asked, each)) for each in made)
+
+    def _hypotheses(self, verdict: Verdict, proofs: Sequence[Certificate]) -> Iterator[HypothesisRow]:
+        used = {name for proof in proofs for name in proof["hypotheses"]}
+        for text in dict.fromkeys((*self.given, *sorted(used))):
+            needless = verdict is Verdict.PROVED and text not in used
+            need = Need(needed=False if needless else None)
+            yield HypothesisRow(name=text, words=text, states=text, given="printed", need=need)
+
+    def stated(self, item: Declaration, certificate: Certificate) -> Stated | None:
+        """What is printed, or put in its place, read anew: that of which a certificate is one; None if it is none."""
+        assert isinstance(item, Assertion)
+        letter = Id.parse(certificate["id"]).link
+        link = dict(_lettered(_tree(self.text, self._said(self.text)), self.text)).get(letter)
+        if link is None:
+            return None
+        forms = [("as printed", self._asked(link))]
+        if erratum := item.erratum(letter):
+            needs = [each.states for each in erratum.needs]
+            forms.append(("as corrected", self._asked(erratum.corrected or link, needs)))
+        for what, asked in forms:
+            names = _names(asked, certificate)
+            problems = [problem for reading in readings(plainly(asked)) for problem in reading.problems]
+            for problem in (*problems, *map(with_plain_divisors, problems)):
+                stated = _stated(what, problem, names)
+                if line(problem.claim) == line(certificate["claim"]) and stated.covers(certificate):
+                    return stated
+        return None
+
+
+def is_settled(inquiry: Inquiry, imposed: str) -> bool:
+    """Whether each relation of a claim is proved, or a slip of the pen would explain that it fails."""
+    try:
+        links = _lettered(_tree(inquiry.text, inquiry._said(inquiry.text)), inquiry.text)
+        answers = [_answer(inquiry._asked(link)) for letter, link in links if not letter or letter not in imposed]
+    except SymcheckError:
+        return False
+    return all(answer.verdict is Status.PROVED or answer.repairs for answer in answers)
+
+
+@dataclass(frozen=True)
+class Stated:
+    """What is stated: what it is, its hypotheses and definitions by name."""
+
+    what: str
+    hypotheses: dict[str, list[Formula]]
+    definitions: dict[str, Term]
+
+    def covers(self, certificate: Certificate) -> bool:
+        """Whether a certificate rests on nothing else; one that refutes keeps to all hypotheses."""
+        own = {name: {*map(line, formulas)} for name, formulas in self.hypotheses.items()}
+        theirs = {name: {*map(line, formulas)} for name, formulas in certificate["hypotheses"].items()}
+        defined = {name: line(term) for name, term in self.definitions.items()}
+        if certificate["verdict"] == Verdict.REFUTED and own != theirs:
+            return False
+        known = all(formulas <= own.get(name, set()) for name, formulas in theirs.items())
+        return known and all(defined.get(name) == line(term) for name, term in certificate["definitions"])
+
+
+def _stated(what: str, problem: Problem, names: Mapping[str, str]) -> Stated:
+    hypotheses = {names.get(name, name): [*_parted(formulas)] for name, formulas in problem.hypotheses}
+    return Stated(what, hypotheses, dict(problem.definitions))
+
+
+surveyed_once = cache(surveyed)
+
+
+@cache
+def _tree(text: str, said: tuple[tuple[str, str], ...]) -> Tree:
+    """A relation as it is read alone."""
+    try:
+        return readings(plainly(Asked(text, letters=said)))[0].tree
+    except Understood as error:
+        return error.tree
+
+
+def _lettered(tree: Tree, text: str) -> list[tuple[str, str]]:
+    """The relations of a formula with the letters of their links; one alone is asked as it is printed."""
+    links = relations(tree)
+    if len(links) < 2:
+        return [("", text)]
+    return [(chr(ord("a") + n), link.latex) for n, link in enumerate(links)]
+
+
+def _parts(relied: Relied, letters: tuple[tuple[str, str], ...]) -> list[tuple[str, bool]]:
+    """The relations of one that is relied on, and whether each is an equation."""
+    said = Inquiry(relied.text, letters=letters)._said(relied.text)
+    try:
+        tree = _tree(relied.text, said)
+    except SymcheckError:
+        return [(relied.text, False)]  # told where it is asked
+    links, signs = _lettered(tree, relied.text), [link.sign for link in relations(tree)]
+    chosen = zip(links, signs or [""], strict=False)
+    return [(text, sign == "=") for (letter, text), sign in chosen if not relied.defines or letter in relied.defines]
+
+
+def _answer(asked: Asked, claimed: bool = False) -> Answer:
+    """The answer, with repairs if there is time."""
+    arguments = asked.relation, asked.where, asked.given, dict(asked.letters)
+    answer = None
+    with suppress(OutOfTime), limited(REPAIRING):
+        answer = answered(*arguments, claimed=claimed, all_sizes=False)
+    return answer or answered(*arguments, wanted=False, claimed=claimed, all_sizes=False)
+
+
+def _proof(asked: Asked) -> Answer | None:
+    """The answer if it is a proof."""
+    with suppress(OutOfTime), limited(PROVING):
+        said = dict(asked.letters)
+        answer = answered(asked.relation, asked.where, asked.given, said, wanted=False, all_sizes=False)
+        return answer if answer.verdict is Status.PROVED else None
+    return None
+
+
+def _is_explained(asked: Asked) -> bool:
+    """Whether a slip of the pen, in a relation or in a definition, would explain that it fails.
+
+    For a slip in a definition the two change places.
+    """
+    questions = [(asked.relation, asked.where)]
+    for k, definition in enumerate(asked.where):
+        questions.append((definition, (*asked.where[:k], asked.relation, *asked.where[k + 1 :])))
+    with suppress(OutOfTime), limited(REPAIRING):
+        return any(answered(each, where, asked.given, dict(asked.letters)).repairs for each, where in questions)
+    return False
+
+
+def _fewer(asked: Asked) -> Asked:
+    """The question with no more definitions than it takes for the same letters on both sides; all if that fails.
+
+    The letter that is defined last is unfolded first.
+    """
+    seen = surveyed_once(asked.relation)
+    if len(seen.links) != 1:
+        return asked
+    sides = [names & seen.names for names in seen.links[0].names]
+    defined = {x: (n, link.names[1]) for n, text in enumerate(asked.where) for x, link in _heads(text)}
+    used = set[int]()
+    while sides[0] != sides[1]:
+        last = max((sides[0] ^ sides[1]) & defined.keys(), key=lambda x: defined[x][0], default="")
+        if not last:
+            return asked
+        n, names = defined.pop(last)
+        used.add(n)
+        sides = [(side - {last}) | names if last in side else side for side in sides]
+    return replace(asked, where=tuple(text for n, text in enumerate(asked.where) if n in used))
+
+
+def _heads(text: str) -> Iterable[tuple[str, Link]]:
+    return surveyed_once(text).heads.items()
+
+
+def _reason(answer: Answer) -> str:
+    if answer.repairs:
+        return "one slip away holds: " + " or ".join(f"${each['relation']}$" for each in answer.repairs[:2])
+    if answer.verdict is Status.VACUOUS:
+        return answer.reason or "what it follows from contradicts itself, so that anything follows"
+    return TOLD.get(answer.verdict, "") + answer.reason
+
+
+def _parted(formulas: Sequence[Formula]) -> Iterator[Formula]:
+    return (part for formula in formulas for part in conjuncts(formula))
+
+
+def _names(asked: Asked, certificate: Certificate) -> dict[str, str]:
+    """What the hypotheses of a certificate are called in print, by their names in the problems."""
+    for reading in readings(plainly(asked)):
+        printed = {**reading.stated, DEFINED: VALUED}
+        names = {name: _printed(name, printed) for problem in reading.problems for name, _ in problem.hypotheses}
+        if {*certificate["hypotheses"]} <= {*names, *names.values()}:
+            return names
+    return {}
+
+
+def _printed(name: str, stated: Mapping[str, str]) -> str:
+    words, _, last = name.rpartition(" ")
+    return f"{words} {stated.get(last, last)}".lstrip() if name not in stated else stated[name]
+
+
+def _renamed(certificate: Certificate, id: str, names: Mapping[str, str]) -> Certificate:
+    """The certificate of a question as that of a relation, with its hypotheses by what they say."""
+
+    def changed(part: Any) -> Any:
+        match part:
+            case ["hyp", str(name), number]:
+                return ["hyp", names.get(name, name), number]
+            case list():
+                return [changed(each) for each in part]
+            case dict():
+                return {key: changed(each) for key, each in part.items()}
+        return part
+
+    new: Certificate = changed(certificate)
+    new["id"], new["hypotheses"] = id, {names.get(n, n): formulas for n, formulas in new["hypotheses"].items()}
+    return new

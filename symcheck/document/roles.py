@@ -1,0 +1,140 @@
+"""What each relation of a document is taken for in an audit: its role, and the earlier ones from which it follows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Set
+from dataclasses import dataclass
+
+from symcheck.document.checks import AGAIN, NEAR, SMALLEST, Checks, Definition
+from symcheck.document.survey import Link
+
+# words before an equation that make it a law, which says what a letter is all the same
+LAWS = re.compile(
+    r"\b(law|model\w*|equation\w* of|hypothes\w*|assum\w*|consider\w*|example|sets?|setting|choos\w*|choice)\b", re.I
+)
+
+BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it
+# words before a relation that make it a condition, unless it speaks of letters that are all known
+OF_KNOWN = re.compile(rf"{LAWS.pattern}|\bsatisf\w*", re.I)
+
+
+@dataclass(frozen=True)
+class Guess:
+    """What one relation is taken for: its role, what it follows from, the links that define, or why it is not read.
+
+    `far` are those of what it follows from that stand in another part of the document.
+    """
+
+    role: str
+    follows: tuple[int, ...] = ()
+    imposed: str = ""
+    reason: str = ""
+    far: frozenset[int] = frozenset()
+
+
+class Roles:
+    """The roles of the relations of a document, in printed order."""
+
+    def __init__(self, checks: Checks) -> None:
+        self.checks, self.formulas, self.seen = checks, checks.formulas, checks.seen
+        self.defined: dict[str, list[Definition]] = {}  # by letter: where it is said what it is
+        self.otherwise: dict[str, list[int]] = {}  # by letter: where it is something else
+
+    def guesses(self) -> list[Guess]:
+        """The role of each relation, and the earlier ones that it seems to follow from."""
+        return [self._guess(k) for k in range(len(self.formulas))]
+
+    def _guess(self, k: int) -> Guess:
+        seen, known = self.seen[k], self._known(k)
+        if not seen.read:
+            return Guess("exclusion", reason=" ".join(seen.reason.split()))
+        heads = {x: link for x, link in seen.heads.items() if self._is_new(k, x, link, known)}
+        for x, link in heads.items():
+            self.defined.setdefault(x, []).append(Definition(k, link))
+        chained = any(link.chained for link in seen.links)
+        if heads and not chained:
+            return Guess("definition")
+        for x in (others := [x for x, link in seen.heads.items() if self._is_another(k, x, link, known)]):
+            self.otherwise.setdefault(x, []).append(k)
+        if not heads and (others or not self._is_claim(k)):
+            return Guess("premise")
+        imposed = "".join(chr(ord("a") + link.place) for x, link in heads.items())
+        needed = tuple(sorted(self._needed(k, known)))
+        return Guess("claim", needed, imposed, far=frozenset(m for m in needed if not self._same_part(m, k)))
+
+    def _known(self, k: int) -> dict[str, Definition]:
+        """What the letters are in a relation: as is said before it in its part of the document, else once elsewhere."""
+        found = {}
+        for letter, every in self.defined.items():
+            own = [each for each in every if self._same_part(each.number, k)]
+            others = [m for m in self.otherwise.get(letter, ()) if self._same_part(m, k)]
+            if len(own) == 1 and not others:
+                found[letter] = own[0]
+            elif not own and not others and len(every) == 1 and not self.formulas[every[0].number].scope[1]:
+                found[letter] = every[0]
+        return found
+
+    def _same_part(self, m: int, k: int) -> bool:
+        (section, local), theirs = self.formulas[k].scope, self.formulas[m].scope
+        return theirs[0] == section and theirs[1] in (0, local)
+
+    def _is_new(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
+        """Does a display say what a letter is of which nothing was said before?"""
+        here = letter in known and self._same_part(known[letter].number, k)
+        if not self.formulas[k].display or not link.names[1] or here:
+            return False
+        return self.checks.is_said(k, LAWS) and letter not in self._reached(link.names[1], known)
+
+    def _is_another(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
+        """Does a relation say what a letter is in another case, and not again what it is?
+
+        It is a claim if it is worded as one, or all of its letters are known from what the letter was said to be.
+        """
+        if letter not in known or not link.names[1] or AGAIN.search(self.formulas[k].before):
+            return False
+        own = known[letter].link.names[1]
+        return link.names[1] == own or not link.names[1] <= self._reached({letter}, known) | known.keys()
+
+    def _is_claim(self, k: int) -> bool:
+        """Does a relation that defines nothing say something of its letters?"""
+        seen, known = self.seen[k], self._known(k)
+        determined = seen.names & known.keys() and seen.names <= self._reached(seen.names & known.keys(), known)
+        if not self.checks.is_said(k, OF_KNOWN if determined else None):
+            return False
+        if not self.formulas[k].display:
+            same = [x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST for x in seen.links]
+            return bool(same) and all(same)
+        return not seen.links or any(not link.head or link.names[1] for link in seen.links)
+
+    def _needed(self, k: int, known: Mapping[str, Definition]) -> set[int]:
+        """The definitions that the letters of a claim need, transitively, and the conditions on all of these letters.
+
+        The links of a chain that goes on with the same letters need no definitions.
+        """
+        seen = self.seen[k]
+        rest = [{*map(seen.names.intersection, link.names)} for link in seen.links if link.chained]
+        goes_on = bool(rest) and all(link.chained or link.head for link in seen.links)
+        names = {x for sides in rest if len(sides) > 1 for each in sides for x in each} if goes_on else seen.names
+        reached = self._reached(names, known)
+        used = {known[x].number for x in reached & known.keys()} - {k}
+        return used | {*self._conditions(k, reached | seen.names)}
+
+    def _conditions(self, k: int, names: Set[str]) -> Iterator[int]:
+        """The inequalities beside the text that speak of these letters alone: those before, and those that follow."""
+        behind = range(k + 1, min(k + 1 + NEAR, len(self.formulas)))
+        goes_on = behind and BEHIND.match(self.formulas[k + 1].before)
+        close = [m for m in behind if goes_on and not any(self.formulas[n].display for n in range(k + 1, m + 1))]
+        for m in (*range(k), *close):
+            seen, inline = self.seen[m], not self.formulas[m].display
+            if inline and not seen.links and seen.names <= names and self._same_part(m, k) and self.checks.is_said(m):
+                yield m
+
+    def _reached(self, names: Iterable[str], known: Mapping[str, Definition]) -> set[str]:
+        """Letters, with those of the definitions that they need."""
+        reached, more = set[str](), {*names}
+        while more:
+            reached |= more
+            used = [known[each] for each in more & known.keys()]
+            more = {x for each in used for x in each.names & self.seen[each.number].names} - reached
+        return reached
