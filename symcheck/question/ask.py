@@ -190,7 +190,7 @@ def _of_any_size(asked: Asked) -> Answer | None:
 
 def _general(reading: Reading, wanted: bool) -> Answer | None:
     found = of_any_size(reading) if wanted else None
-    return found and _in_general(reading, found)
+    return None if found is None else _in_general(reading, found)
 
 
 def _in_general(reading: Reading, found: OfAnySize) -> Answer:
