@@ -298,7 +298,9 @@ def attempt(data: object, checked: dict[bytes, Certificate | MatrixCertificate])
         step = Fields(data)
         name, written = step.take("id", text), key(step.data)
         if written not in checked:
-            found = of_matrices(step) if "matrices" in step.data else Certificate(step)
+            if "matrices" in step.data:  # for which there are modules that other certificates do not need
+                from symcheck.checker.matrices import MatrixCertificate
+            found = MatrixCertificate(step) if "matrices" in step.data else Certificate(step)
             found.check()
             checked[written] = found
     except (Reject, Unknown, Malformed) as error:
@@ -306,13 +308,6 @@ def attempt(data: object, checked: dict[bytes, Certificate | MatrixCertificate])
     except MALFORMED as error:
         return name, f"malformed ({type(error).__name__}: {error})"
     return name, checked[written]
-
-
-def of_matrices(step: Fields) -> MatrixCertificate:
-    """A certificate about matrices of all sizes, which needs modules that others do not."""
-    from symcheck.checker.matrices import MatrixCertificate
-
-    return MatrixCertificate(step)
 
 
 def check(certificate: object) -> str | None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from symcheck.checker.residues import require
 from symcheck.core.fields import Fields, by_key, listed, raw, text
-from symcheck.core.matrices import Matrix, Shape, Shapes, Size
+from symcheck.core.matrices import Matrix, Shapes, Size
 from symcheck.core.terms import JSON, Malformed, Reader
 
 FACT = "fact"
@@ -24,7 +24,7 @@ class MatrixCertificate:
     def __init__(self, step: Fields) -> None:
         self.step = step
         require(step.take("verdict", text) == "proved", "of matrices of all sizes there are proofs alone")
-        shapes = step.take("matrices", by_key(_shape))
+        shapes = {x: (n, m) for x, (n, m) in step.take("matrices", by_key(listed(_size, 2))).items()}
         require(FACT not in shapes and all(map(Reader.letter, shapes)), "the letter {} stands for facts", FACT)
         self.of = Shapes(shapes)
         self.hypotheses = step.take("hypotheses", by_key(listed(raw, 2)), {})
@@ -71,11 +71,6 @@ class MatrixCertificate:
         require(self.of.shapes.keys() == numbers.keys(), "no witness, or of other letters")
         for equation in (*self.hypotheses.values(), *inverses):
             require(not at.value(_minus(equation)).parts, "the witness is none of {}", equation)
-
-
-def _shape(data: JSON) -> Shape:
-    rows, columns = listed(_size, 2)(data)
-    return rows, columns
 
 
 def _size(data: JSON) -> Size:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import NamedTuple, TypeAlias
 
 from symcheck.core.terms import JSON, Malformed
@@ -57,13 +58,9 @@ class Shapes:
             case ["number", int(p), int(q)] if q:
                 return Matrix(NUMBER, _nonzero([(((), ()), Fraction(p, q))]))
             case ["+" | "*" as tag, first, *rest]:
-                found = self.value(first)
-                for each in rest:
-                    found = (self.plus if tag == "+" else self.times)(found, self.value(each))
-                return found
+                return reduce(self.plus if tag == "+" else self.times, map(self.value, rest), self.value(first))
             case ["-", x]:
-                shape, parts = self.value(x)
-                return Matrix(shape, {part: -c for part, c in parts.items()})
+                return self.value(["*", ["number", -1, 1], x])
             case ["transpose", x]:
                 (n, m), parts = self.value(x)
                 return Matrix((m, n), {(numbers, flipped(word)): c for (numbers, word), c in parts.items()})
