@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+from collections import Counter
 from copy import deepcopy
 from fractions import Fraction
 from typing import Any
@@ -14,6 +15,7 @@ from symcheck import decide
 from symcheck.checker import check
 from symcheck.core.matrices import Matrix, Shape, Shapes, Size, Word
 from symcheck.core.terms import JSON, Malformed
+from symcheck.proof.matrices import Statement, proved
 from symcheck.question.answer import Status
 
 LETTERS: dict[str, Shape] = {
@@ -103,16 +105,56 @@ def test_a_normal_form_has_the_value_of_its_term_for_all_sizes() -> None:
     for k in range(1500):
         shape = draw.choice([("n", "n"), ("n", "m"), (1, 1), ("n", 1), (1, "m"), ("k", "k")])
         term, sizes = drawn(draw, shape, 4), {size: draw.randint(1, 3) for size in "nmk"}
-        values: dict[str, Rows] = {
-            x: [
-                [Fraction(draw.randint(-3, 3)) for _ in range(sizes.get(str(m), 1))]
-                for _ in range(sizes.get(str(n), 1))
-            ]
-            for x, (n, m) in LETTERS.items()
-        }
+        values = {x: drawn_rows(draw, own, sizes) for x, own in LETTERS.items()}
         found = Shapes(LETTERS).value(term)
         assert found.shape == shape
         assert at(written(found), sizes, values) == at(term, sizes, values), (k, term)
+
+
+def put(term: JSON, x: str, new: JSON) -> JSON:
+    """A term with another in the place of a letter."""
+    return [put(part, x, new) for part in term] if isinstance(term, list) else new if term == x else term
+
+
+def altered(draw: random.Random, tree: Any) -> Any:
+    """A tree with a number or a word in it changed."""
+    if isinstance(tree, list) and tree:
+        k = draw.randrange(len(tree))
+        return [*tree[:k], altered(draw, tree[k]), *tree[k + 1 :]]
+    if isinstance(tree, dict) and tree:
+        key = draw.choice([*tree])
+        return {**tree, key: altered(draw, tree[key])}
+    return draw.choice([*LETTERS, "+", "*", "-", "fact", "left", "h"]) if isinstance(tree, str) else draw.randint(-2, 2)
+
+
+def test_what_is_accepted_of_a_sample_is_so() -> None:
+    draw, accepted = random.Random(3), Counter[bool]()
+    for _ in range(250):
+        defined = drawn(draw, ("n", "n"), 2)
+        if any(part == "D" for part in json.dumps(defined).split('"')):
+            continue
+        left = drawn(draw, ("n", "n"), 3)
+        right = put(left, "D", defined) if draw.random() < 0.7 else drawn(draw, ("n", "n"), 3)
+        made = proved(Statement(LETTERS, (left, right), {"h": ("D", defined)}, {}))
+        for certificate in [made, *(altered(draw, json.loads(json.dumps(made))) for _ in range(20))] if made else ():
+            if check(certificate) is not None:
+                accepted[False] += 1
+                continue
+            accepted[True] += 1
+            sizes = {size: draw.randint(1, 3) for size in "nmk"}
+            values = {x: drawn_rows(draw, shape, sizes) for x, shape in LETTERS.items()}
+            for name, (head, term) in certificate["hypotheses"].items():
+                assert (name, head) == ("h", "D"), certificate
+                values["D"] = at(term, sizes, values)
+            one, other = certificate["claim"]
+            assert at(one, sizes, values) == at(other, sizes, values), certificate
+    assert accepted[True] > 150
+    assert accepted[False] > 1000
+
+
+def drawn_rows(draw: random.Random, shape: Shape, sizes: dict[str, int]) -> Rows:
+    n, m = (sizes.get(str(size), 1) for size in shape)
+    return [[Fraction(draw.randint(-3, 3)) for _ in range(m)] for _ in range(n)]
 
 
 def test_terms_that_do_not_fit_together_are_refused() -> None:
