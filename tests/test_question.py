@@ -188,6 +188,9 @@ NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about n
     "f(0) = 1": ("f'(x) = f(x)", ""),
     "0 = 1": ("", ""),
 }
+OPEN = (  # what no point refutes: an integral over what is not printed
+    r"I(a) = \int f(x) g(x) dx", r"G(a, b) = \int Z_a(\Omega) Z_b(\Omega) d\Omega", r"\int |\psi(x)|^2 dx = 1",
+)  # fmt: skip
 DEFINITIONS = (
     r"E = m c^2", r"\vec F = m \vec a", "a = b", r"\dot{x} = v", r"x_{n+1} = x_n + h", r"x = a \pm b",
     r"\mathbf{F}_{12} = -\mathbf{F}_{21}", r"F = 9.81 \,\text{N}", "x = y = z",
@@ -240,6 +243,11 @@ def test_a_false_formula_is_refuted_at_a_point(relation: str) -> None:
     assert answer.verdict == "refuted", answer.reason
     assert certified(answer)
     assert answer.values or "proof" in answer.certificate[0]["point"]
+
+
+@pytest.mark.parametrize("relation", OPEN)
+def test_what_leaves_open_over_what_it_integrates_is_undecided(relation: str) -> None:
+    assert decide(relation).verdict == "undecided"
 
 
 @pytest.mark.parametrize("relation", DEFINITIONS)
