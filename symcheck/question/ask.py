@@ -30,7 +30,7 @@ from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, of_any_size
+from symcheck.question.matrices import OfAnySize, covers, of_any_size
 from symcheck.question.prepare import (
     DEFINED,
     VARIABLES,
@@ -55,6 +55,7 @@ from symcheck.reading.notation import SAID
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
 TOTAL = 15.0  # seconds for all of them
+ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that are found take less than one
 REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
@@ -142,7 +143,7 @@ def answered(
         with limited(TOTAL):
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
-            found = [(each, _general(each, all_sizes) or _decided(each, asked, wanted, claimed)) for each in several]
+            found = [(reading, _decided(reading, asked, wanted, claimed)) for reading in several]
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
@@ -182,15 +183,15 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 
 def _of_any_size(asked: Asked) -> Answer | None:
     """Proved for matrices of all sizes in all readings, though it cannot be written out by components."""
-    with suppress(SymcheckError, OutOfTime), limited(LIMIT):
-        found = [_general(reading, True) for reading in unlowered(asked)]
-        return found[0] if found and all(found) else None
+    with suppress(SymcheckError, OutOfTime), limited(ALL_SIZES):
+        found = list[tuple[Reading, OfAnySize]]()
+        for reading in unlowered(asked):
+            if not any(covers(proved.inference, reading.inference) for proved, _ in found):
+                if (general := of_any_size(reading)) is None:
+                    return None
+                found.append((reading, general))
+        return _in_general(*found[0]) if found else None
     return None
-
-
-def _general(reading: Reading, wanted: bool) -> Answer | None:
-    found = of_any_size(reading) if wanted else None
-    return None if found is None else _in_general(reading, found)
 
 
 def _in_general(reading: Reading, found: OfAnySize) -> Answer:

@@ -17,6 +17,7 @@ from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.proof.matrices import Statement, proved
 from symcheck.question.prepare import Reading, declared_sizes
 from symcheck.reading import Notation, Tree, read, with_brackets
+from symcheck.reading.inference import Inference
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.tree import (
@@ -77,6 +78,15 @@ def of_any_size(reading: Reading) -> OfAnySize | None:
         except (SymcheckError, Malformed, RecursionError):
             return None
     return None
+
+
+def covers(general: Inference, other: Inference) -> bool:
+    """Whether what holds in one reading holds in another, in which some matrices are vectors, of one column."""
+    kinds = [(one.letter, two.letter) for one, two in zip(general.guesses, other.guesses, strict=True)]
+    return all(
+        (one.kind, one.identity) == (two.kind, two.identity) or (one.kind, two.kind) == ("matrix", "vector")
+        for one, two in kinds
+    )
 
 
 class Mismatch(NoForm):
