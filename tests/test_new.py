@@ -361,6 +361,9 @@ def test_what_an_audit_leaves_open_is_told(tmp_path: Path, monkeypatch: pytest.M
     (audit / "audit.py").write_text(head + code, encoding="utf-8")
     said = run("lint", audit, "--jobs", 0)
     assert (said.exit_code, said.stdout) == (0, "")
+    ruled = code.replace('"../paper.tex",', '"../paper.tex", rules=["m v -> p", "m w -> p"],')
+    (audit / "audit.py").write_text(head + ruled, encoding="utf-8")
+    assert run("lint", audit, "--jobs", 0).stdout == "audit/audit.py:1: nothing is rewritten by m w -> p\n"
 
 
 def test_circles_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -469,3 +472,18 @@ def test_what_is_wrong_with_the_source_itself_is_told(tmp_path: Path) -> None:
 def test_letters_are_not_defined_in_a_circle(tmp_path: Path) -> None:
     audit = begun(tmp_path, "$$a = b + c$$\n$$b = a - c$$\n$$c = b - a$$\n", "paper.md")
     assert verdicts(audit) == {"0.2": "proved", "0.3": "refuted"}
+
+
+def test_a_letter_of_another_section_is_another_one(tmp_path: Path) -> None:
+    """E is an energy first, then an angle: what is said of the one is nothing of the other."""
+    text = (
+        "# A\n$$E = m v^2 - k/r$$\n# B\n$$r = a (1 - e \\cos E)$$\n$$\\frac{d}{dE} (E - e \\sin E) = \\frac{r}{a}$$\n"
+    )
+    audit = begun(tmp_path, text, "paper.md")
+    assert 'line_5 = source.claim("line 5", follows=[line_4])' in (audit / "audit.py").read_text(encoding="utf-8")
+    assert verdicts(audit) == {"0.3": "proved"}
+
+
+def test_definitions_of_another_section_are_used_where_they_are_needed(tmp_path: Path) -> None:
+    text = "# A\n$$p = u + w$$\n$$q = u - w$$\n# B\nThus\n$$p q = u^2 - w^2.$$\nand\n$$p + q = 3 u.$$\n"
+    assert verdicts(begun(tmp_path, text, "paper.md")) == {"0.3": "proved", "0.4": "refuted"}
