@@ -145,6 +145,28 @@ def test_a_lock_that_is_none_is_one_line(case: str, tmp_path: Path) -> None:
         assert failed.stderr.count("\n") == 1
 
 
+EDITS = {
+    ('letter("v")', 'letter("v", "functon of t")'): "letter v: v is said to be 'functon of t', which is not understood",
+    ('letter("v")', 'letter("v"), letter("v")'): "letter v is declared twice",
+    ('"eq:twice"', '"eq:twise"'): "paper.tex has no relation 'eq:twise'; did you mean 'eq:twice'?",
+    ("follows=[energy]", "folows=[energy]"): "unexpected keyword argument 'folows'",
+    ("follows=[energy])\nline", "follows=[energie])\nline"): "name 'energie' is not defined",
+    ("twice =", "again = source.premise('eq:twice')\ntwice ="): "is declared twice, as again and twice",
+}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_a_slip_of_the_user_is_one_line(edit: tuple[str, str], tmp_path: Path) -> None:
+    audit = begun(tmp_path, SHORT)
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    assert edit[0] in code
+    (audit / "audit.py").write_text(code.replace(*edit), encoding="utf-8")
+    failed = run("check", audit, "--jobs", 0)
+    assert failed.exit_code == 2
+    assert EDITS[edit] in failed.stderr
+    assert failed.stderr.count("\n") == 1
+
+
 def test_what_is_gone_is_one_line(tmp_path: Path) -> None:
     audit, paper = begun(tmp_path, SHORT), tmp_path / "paper.tex"
     paper.write_text(re.sub(r"Then.*?Moreover", "", SHORT, flags=re.DOTALL), encoding="utf-8")
