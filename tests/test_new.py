@@ -478,9 +478,12 @@ def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     assert "refuted" not in found.values()
     told = run("show", f"{audit}:16b", "--jobs", 0).stdout
     assert "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere" in told
-    code = (audit / "audit.py").read_text(encoding="utf-8").replace('("(16)"', '("(16)", given=[]')
-    (audit / "audit.py").write_text(code, encoding="utf-8")
-    assert verdicts(audit) == {**found, "16b": "refuted"}
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    head = "from symcheck.core.claims import Erratum\nfrom symcheck.core.verdicts import Origin\n"
+    wrong = 'errata={"b": Erratum("u^2 + w^2 = G", "number", Origin.PAPER, "as it was defined")}'
+    for said in ("given=[]", wrong):  # the auditor says that there is no condition, or that it is an error
+        (audit / "audit.py").write_text(head + code.replace('("(16)"', f'("(16)", {said}'), encoding="utf-8")
+        assert verdicts(audit) == {**found, "16b": "refuted"}
 
 
 def test_what_is_wrong_with_the_source_itself_is_told(tmp_path: Path) -> None:
