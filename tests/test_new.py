@@ -512,3 +512,11 @@ def test_a_letter_of_another_section_is_another_one(tmp_path: Path) -> None:
 def test_definitions_of_another_section_are_used_where_they_are_needed(tmp_path: Path) -> None:
     text = "# A\n$$p = u + w$$\n$$q = u - w$$\n# B\nThus\n$$p q = u^2 - w^2.$$\nand\n$$p + q = 3 u.$$\n"
     assert verdicts(begun(tmp_path, text, "paper.md")) == {"0.3": "proved", "0.4": "refuted"}
+
+
+def test_what_is_read_after_an_edit_is_offered(tmp_path: Path) -> None:
+    audit, paper = begun(tmp_path, NOTES, "paper.md"), tmp_path / "paper.md"
+    paper.write_text(NOTES.replace("a += 3", "a = 3 v"), encoding="utf-8")
+    done = run("new", "--update", audit, "--jobs", 0)
+    assert f'{audit}/audit.py:21: it is read now; in its place: line_8 = source.definition("line 8")' in done.stdout
+    assert "it is read now" not in run("new", "--update", audit, "--jobs", 0).stdout
