@@ -477,7 +477,9 @@ def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     assert {number for number, verdict in found.items() if verdict == "proved"} == {"2", "7", "9"}
     assert "refuted" not in found.values()
     told = run("show", f"{audit}:16b", "--jobs", 0).stdout
-    assert "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere" in told
+    open_ = "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere"
+    assert open_ in told
+    assert f"paper.tex:34: 16b: {open_}" in run("lint", audit, "--jobs", 0).stdout
     code = (audit / "audit.py").read_text(encoding="utf-8")
     head = "from symcheck.core.claims import Erratum\nfrom symcheck.core.verdicts import Origin\n"
     wrong = 'errata={"b": Erratum("u^2 + w^2 = G", "number", Origin.PAPER, "as it was defined")}'

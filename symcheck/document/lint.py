@@ -10,6 +10,7 @@ from pathlib import Path
 from symcheck.core.claims import Assertion, Declaration, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Role, Verdict
+from symcheck.document.asked import SAY
 from symcheck.document.lock import digest
 from symcheck.document.paper import Document
 from symcheck.document.rewriting import rewritten
@@ -55,8 +56,11 @@ def _module(paper: Paper) -> object:
 
 
 def _uncorrected(items: Sequence[Declaration], records: Sequence[Record]) -> Iterator[Fault]:
+    """Refutations without what is right, and what fails of which nobody says whether a condition is missing."""
     by_number = {item.number: item for item in items}
     for record in records:
+        if record.verdict is Verdict.UNDECIDED and record.reason.endswith(SAY):
+            yield by_number[Id.parse(record.id).number], "", 0, f"{record.number}: {record.reason}"
         if record.verdict is Verdict.REFUTED and not record.corrected:
             number = Id.parse(record.id).number
             yield by_number[number], "", 0, f"{record.number} is refuted, and nothing is said of what is right"
