@@ -522,3 +522,13 @@ def test_what_is_read_after_an_edit_is_offered(tmp_path: Path) -> None:
     done = run("new", "--update", audit, "--jobs", 0)
     assert f'{audit}/audit.py:21: it is read now; in its place: line_8 = source.definition("line 8")' in done.stdout
     assert "it is read now" not in run("new", "--update", audit, "--jobs", 0).stdout
+
+
+def test_who_checks_a_document_is_told_how_to_begin(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(SHORT, encoding="utf-8")
+    failed = run("check", tmp_path / "paper.tex", "--jobs", 0)
+    assert failed.exit_code == 2
+    assert (
+        failed.stderr
+        == f"symcheck: {tmp_path}/paper.tex is no audit; `symcheck new paper.tex` begins one of a document\n"
+    )
