@@ -145,6 +145,28 @@ def test_a_lock_that_is_none_is_one_line(case: str, tmp_path: Path) -> None:
         assert failed.stderr.count("\n") == 1
 
 
+EDITS = {
+    ('letter("v")', 'letter("v", "functon of t")'): "letter v: v is said to be 'functon of t', which is not understood",
+    ('letter("v")', 'letter("v"), letter("v")'): "letter v is declared twice",
+    ('"eq:twice"', '"eq:twise"'): "paper.tex has no relation 'eq:twise'; did you mean 'eq:twice'?",
+    ("follows=[energy]", "folows=[energy]"): "unexpected keyword argument 'folows'",
+    ("follows=[energy])\nline", "follows=[energie])\nline"): "name 'energie' is not defined",
+    ("twice =", "again = source.premise('eq:twice')\ntwice ="): "is declared twice, as again and twice",
+}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_a_slip_of_the_user_is_one_line(edit: tuple[str, str], tmp_path: Path) -> None:
+    audit = begun(tmp_path, SHORT)
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    assert edit[0] in code
+    (audit / "audit.py").write_text(code.replace(*edit), encoding="utf-8")
+    failed = run("check", audit, "--jobs", 0)
+    assert failed.exit_code == 2
+    assert EDITS[edit] in failed.stderr
+    assert failed.stderr.count("\n") == 1
+
+
 def test_what_is_gone_is_one_line(tmp_path: Path) -> None:
     audit, paper = begun(tmp_path, SHORT), tmp_path / "paper.tex"
     paper.write_text(re.sub(r"Then.*?Moreover", "", SHORT, flags=re.DOTALL), encoding="utf-8")
@@ -361,6 +383,9 @@ def test_what_an_audit_leaves_open_is_told(tmp_path: Path, monkeypatch: pytest.M
     (audit / "audit.py").write_text(head + code, encoding="utf-8")
     said = run("lint", audit, "--jobs", 0)
     assert (said.exit_code, said.stdout) == (0, "")
+    ruled = code.replace('"../paper.tex",', '"../paper.tex", rules=["m v -> p", "m w -> p"],')
+    (audit / "audit.py").write_text(head + ruled, encoding="utf-8")
+    assert run("lint", audit, "--jobs", 0).stdout == "audit/audit.py:1: nothing is rewritten by m w -> p\n"
 
 
 def test_circles_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -452,10 +477,15 @@ def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     assert {number for number, verdict in found.items() if verdict == "proved"} == {"2", "7", "9"}
     assert "refuted" not in found.values()
     told = run("show", f"{audit}:16b", "--jobs", 0).stdout
-    assert "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere" in told
-    code = (audit / "audit.py").read_text(encoding="utf-8").replace('("(16)"', '("(16)", given=[]')
-    (audit / "audit.py").write_text(code, encoding="utf-8")
-    assert verdicts(audit) == {**found, "16b": "refuted"}
+    open_ = "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere"
+    assert open_ in told
+    assert f"paper.tex:34: 16b: {open_}" in run("lint", audit, "--jobs", 0).stdout
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    head = "from symcheck.core.claims import Erratum\nfrom symcheck.core.verdicts import Origin\n"
+    wrong = 'errata={"b": Erratum("u^2 + w^2 = G", "number", Origin.PAPER, "as it was defined")}'
+    for said in ("given=[]", wrong):  # the auditor says that there is no condition, or that it is an error
+        (audit / "audit.py").write_text(head + code.replace('("(16)"', f'("(16)", {said}'), encoding="utf-8")
+        assert verdicts(audit) == {**found, "16b": "refuted"}
 
 
 def test_what_is_wrong_with_the_source_itself_is_told(tmp_path: Path) -> None:
@@ -469,3 +499,36 @@ def test_what_is_wrong_with_the_source_itself_is_told(tmp_path: Path) -> None:
 def test_letters_are_not_defined_in_a_circle(tmp_path: Path) -> None:
     audit = begun(tmp_path, "$$a = b + c$$\n$$b = a - c$$\n$$c = b - a$$\n", "paper.md")
     assert verdicts(audit) == {"0.2": "proved", "0.3": "refuted"}
+
+
+def test_a_letter_of_another_section_is_another_one(tmp_path: Path) -> None:
+    """E is an energy first, then an angle: what is said of the one is nothing of the other."""
+    text = (
+        "# A\n$$E = m v^2 - k/r$$\n# B\n$$r = a (1 - e \\cos E)$$\n$$\\frac{d}{dE} (E - e \\sin E) = \\frac{r}{a}$$\n"
+    )
+    audit = begun(tmp_path, text, "paper.md")
+    assert 'line_5 = source.claim("line 5", follows=[line_4])' in (audit / "audit.py").read_text(encoding="utf-8")
+    assert verdicts(audit) == {"0.3": "proved"}
+
+
+def test_definitions_of_another_section_are_used_where_they_are_needed(tmp_path: Path) -> None:
+    text = "# A\n$$p = u + w$$\n$$q = u - w$$\n# B\nThus\n$$p q = u^2 - w^2.$$\nand\n$$p + q = 3 u.$$\n"
+    assert verdicts(begun(tmp_path, text, "paper.md")) == {"0.3": "proved", "0.4": "refuted"}
+
+
+def test_what_is_read_after_an_edit_is_offered(tmp_path: Path) -> None:
+    audit, paper = begun(tmp_path, NOTES, "paper.md"), tmp_path / "paper.md"
+    paper.write_text(NOTES.replace("a += 3", "a = 3 v"), encoding="utf-8")
+    done = run("new", "--update", audit, "--jobs", 0)
+    assert f'{audit}/audit.py:21: it is read now; in its place: line_8 = source.definition("line 8")' in done.stdout
+    assert "it is read now" not in run("new", "--update", audit, "--jobs", 0).stdout
+
+
+def test_who_checks_a_document_is_told_how_to_begin(tmp_path: Path) -> None:
+    (tmp_path / "paper.tex").write_text(SHORT, encoding="utf-8")
+    failed = run("check", tmp_path / "paper.tex", "--jobs", 0)
+    assert failed.exit_code == 2
+    assert (
+        failed.stderr
+        == f"symcheck: {tmp_path}/paper.tex is no audit; `symcheck new paper.tex` begins one of a document\n"
+    )

@@ -17,8 +17,9 @@ from symcheck.cli.records import audited
 def lint(selection: Sequence[str], options: AuditOptions) -> None:
     """Tell what an audit leaves open: one line each, `file:line: message`.
 
-    Relations without a role, refutations without a correction, claims that are assumed for their own proof or use a
-    later one, letters without a unit. Exit codes: 0 nothing, 1 something, 2 bad input.
+    Relations without a role, refutations without a correction, claims that fail unless a condition is missing, claims
+    that are assumed for their own proof or use a later one, letters without a unit. Exit codes: 0 nothing, 1 something,
+    2 bad input.
     """
     from symcheck import papers
     from symcheck.document.lint import faults

@@ -109,7 +109,7 @@ class Inquiry:
         answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
         if (
             answer.verdict is Status.REFUTED
-            and not (self.alone or self.given)
+            and not (self.alone or self.given or erratum)
             and (doubt := self._doubt(asked, answer))
         ):
             answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)

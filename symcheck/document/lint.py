@@ -10,9 +10,12 @@ from pathlib import Path
 from symcheck.core.claims import Assertion, Declaration, Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Role, Verdict
+from symcheck.document.asked import SAY
 from symcheck.document.lock import digest
 from symcheck.document.paper import Document
+from symcheck.document.rewriting import rewritten
 from symcheck.ledger import Record
+from symcheck.papers import FILES
 
 Fault = tuple[Declaration | None, str, int, str]  # where: a declaration, else file and line; what
 
@@ -36,9 +39,12 @@ def faults(paper: Paper, records: Sequence[Record]) -> Iterator[Fault]:
 
 
 def _without_role(paper: Paper, items: Sequence[Declaration]) -> Iterator[Fault]:
-    """The relations of the source that no line of the audit names."""
+    """The relations of the source that no line of the audit names, and rules that change none of them."""
     named = {item.number for item in items}
     for document in (each for each in vars(_module(paper)).values() if isinstance(each, Document)):
+        for rule in document.rules:
+            if not any(rewritten(each.latex, [rule])[1] for each in document.formulas):
+                yield None, str(document.folder / FILES[0]), 1, f"nothing is rewritten by {rule.text}"
         for number, formula in zip(document.numbers, document.formulas, strict=True):
             if number not in named:
                 file = document.path.parent / formula.file if formula.file else document.path
@@ -50,8 +56,11 @@ def _module(paper: Paper) -> object:
 
 
 def _uncorrected(items: Sequence[Declaration], records: Sequence[Record]) -> Iterator[Fault]:
+    """Refutations without what is right, and what fails of which nobody says whether a condition is missing."""
     by_number = {item.number: item for item in items}
     for record in records:
+        if record.verdict is Verdict.UNDECIDED and record.reason.endswith(SAY):
+            yield by_number[Id.parse(record.id).number], "", 0, f"{record.number}: {record.reason}"
         if record.verdict is Verdict.REFUTED and not record.corrected:
             number = Id.parse(record.id).number
             yield by_number[number], "", 0, f"{record.number} is refuted, and nothing is said of what is right"

@@ -299,10 +299,12 @@ class Document:
 
 
 def _guessed(said: Said) -> list[Any]:
-    """What one letter is taken for; nothing if its name alone cannot be read."""
+    """What one letter is taken for; nothing if its name alone cannot be read. SymcheckError for what is said of it."""
     try:
         found = inferred([said.letter], {said.letter: said.phrase} if said.phrase else {}, {})[0].guesses
-    except SymcheckError:
+    except SymcheckError as error:
+        if said.phrase and _guessed(replace(said, phrase="")):
+            raise SymcheckError(f"letter {said.letter}: {error}") from error
         return []
     own = [guess for guess in found if shown(guess.letter.latex) == said.letter]
     return [replace(g, letter=replace(g.letter, meaning=said.meaning, unit=said.unit)) for g in own]

@@ -81,10 +81,10 @@ class Roles:
 
     def _is_new(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
         """Does a display say what a letter is of which nothing was said before?"""
-        here = letter in known and self._same_part(known[letter].number, k)
-        if not self.formulas[k].display or not link.names[1] or here:
+        here = {x: each for x, each in known.items() if self._same_part(each.number, k)}
+        if not self.formulas[k].display or not link.names[1] or letter in here:
             return False
-        return self.checks.is_said(k, LAWS) and letter not in self._reached(link.names[1], known)
+        return self.checks.is_said(k, LAWS) and letter not in self._reached(link.names[1], here)
 
     def _is_another(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
         """Does a relation say what a letter is in another case, and not again what it is?

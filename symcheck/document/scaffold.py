@@ -223,7 +223,8 @@ class Audit:
         except (SyntaxError, ValueError) as error:
             raise SymcheckError(f"{file}:{getattr(error, 'lineno', 1)}: {error}; mend this first") from error
         self.lines = self.code.split("\n")
-        self.named = [*self._calls(), *self._comments()]
+        self.comments = [*self._comments()]
+        self.named = [*self._calls(), *self.comments]
 
     @property
     def source(self) -> str:
@@ -336,3 +337,6 @@ def _changes(old: Sequence[Accepted], where: Mapping[str, int], draft: Draft, au
         elif digest(draft.formulas[k].latex) != each.digest:
             formula = draft.formulas[k]
             yield f"{draft.file}:{formula.line}: {formula.place} has changed: was {each.latex}, is {formula.latex}"
+            if each.key in {comment.key for comment in audit.comments} and not draft.guesses[k].reason:
+                names = named(draft.formulas, draft.keys)
+                yield f"{audit.file}:{lines[each.key]}: it is read now; in its place: {draft.line(k, names)}"

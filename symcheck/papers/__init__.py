@@ -85,6 +85,8 @@ def _of_folder(folder: Path, key: str) -> Paper:
     """The paper that a user's file declares; SymcheckError with file and line where it fails."""
     name, file = f"{__name__}.{key}", next((folder / each for each in FILES if (folder / each).is_file()), None)
     if file is None:
+        if folder.is_file():
+            raise SymcheckError(f"{folder} is no audit; `symcheck new {folder.name}` begins one of a document")
         raise SymcheckError(f"{folder} has no {FILES[0]}; name the folder of an audit")
     if name not in sys.modules:
         spec = spec_from_file_location(name, file, submodule_search_locations=[str(folder)])
