@@ -14,6 +14,9 @@ LAWS = re.compile(
     r"\b(law|model\w*|equation\w* of|hypothes\w*|assum\w*|consider\w*|example|sets?|setting|choos\w*|choice)\b", re.I
 )
 
+# words before a relation within the text that make it a definition, and those that make it a place
+INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
+AT = re.compile(r"\b(?:at|for|if|when|near|until|unless|on|from|to|as|in)\W*$", re.I)
 BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it
 # words before a relation that make it a condition, unless it speaks of letters that are all known
 OF_KNOWN = re.compile(rf"{LAWS.pattern}|\bsatisf\w*", re.I)
@@ -80,11 +83,19 @@ class Roles:
         return theirs[0] == section and theirs[1] in (0, local)
 
     def _is_new(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
-        """Does a display say what a letter is of which nothing was said before?"""
+        """Does a relation say what a letter is of which nothing was said before?"""
         here = {x: each for x, each in known.items() if self._same_part(each.number, k)}
-        if not self.formulas[k].display or not link.names[1] or letter in here:
+        if not link.names[1] or letter in here:
+            return False
+        if not self.formulas[k].display and not self._is_introduced(k, letter):
             return False
         return self.checks.is_said(k, LAWS) and letter not in self._reached(link.names[1], here)
+
+    def _is_introduced(self, k: int, letter: str) -> bool:
+        """Does a relation within the text say what a letter is, which is new there, or by its words?"""
+        before = self.formulas[k].before
+        new = not any(letter in self.seen[m].names for m in range(k) if self._same_part(m, k))
+        return bool(INTRODUCED.search(before)) or (new and not AT.search(before))
 
     def _is_another(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
         """Does a relation say what a letter is in another case, and not again what it is?
@@ -93,8 +104,8 @@ class Roles:
         """
         if letter not in known or not link.names[1] or AGAIN.search(self.formulas[k].before):
             return False
-        own = known[letter].link.names[1]
-        return link.names[1] == own or not link.names[1] <= self._reached({letter}, known) | known.keys()
+        own, names = known[letter].link.names[1], link.names[1] & self.seen[k].names
+        return link.names[1] == own or not names <= self._reached({letter}, known) | known.keys()
 
     def _is_claim(self, k: int) -> bool:
         """Does a relation that defines nothing say something of its letters?"""

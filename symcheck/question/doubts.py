@@ -221,7 +221,7 @@ def doubt_of_proofs(reading: Reading) -> str:
     asked, inference = reading.source[0], reading.inference
     said = {letter for letter, _ in asked.letters}
     names = {part.letter for _, part in walk(reading.tree) if isinstance(part, Name)}
-    if names & {"d", r"\text{d}"} - said and not names >= {"a", "b", "c", "d"}:
+    if names & {"d", r"\text{d}"} - said - reading.source[2].keys() and not names >= {"a", "b", "c", "d"}:
         return "d: a letter, or the sign of a differential? say what it is"
     factors = {part.letter for _, part in walk(reading.tree) if isinstance(part, Name)}
     for _, part in walk(reading.tree):
