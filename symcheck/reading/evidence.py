@@ -11,7 +11,7 @@ from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
-from symcheck.reading.names import INDEX_IN_NAME, NO_FACTORS, names_of_several_tokens
+from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, NO_FACTORS, names_of_several_tokens
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
@@ -175,6 +175,10 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 
 _TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
 _SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
+# all that is integrated, and by what
+_ALONE = re.compile(
+    r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) (?:\\[,;:] )?d (\w|\\\w+)"
+)
 # capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
 # three capitals or more behind the sign or as a part of a fraction, or two where other factors have a dot between them
@@ -204,6 +208,9 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
             found |= dict.fromkeys(letters, told)
+    for letter, by in (alone for formula in formulas for alone in _ALONE.findall(formula)):
+        if bare.count(letter) == 1 and letter != "d":
+            found[letter] = f"{INTEGRATED} {by}: a constant, or a function of it? say what it is"
     for diameter in {x for text in formulas for x in _SMALL_O.findall(text)}:
         found["o"] = f"one name {diameter}o, or a product? say what its letters are, or write {diameter}_o"
     return found
