@@ -122,7 +122,7 @@ def test_forms_are_never_decided(latex: str) -> None:
 
 
 TWO_WAYS = (
-    r"u = \pi(\theta, \dot{\theta})",
+    r"u = 2 \pi(\theta, \dot{\theta})",
     r"\mathcal{L} \{t\} = \mathbf{s}",
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
@@ -244,6 +244,12 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"\bm{L} = \bm{r} \times \bm{\dot{r}}", {r"\bm{r}": ("vector", "t")}),
     (r"\vec{0} = (A - 2 I) \vec{v}", {"A": ("matrix", ""), "I": ("matrix", None)}),
     (r"G(s) = C (s I - A)^{-1} B + D", {"A": ("matrix", ""), "B": ("matrix", ""), "C": ("matrix", "")}),
+    (r"A = Q \Lambda Q^{-1}", {"A": ("matrix", ""), "Q": ("matrix", ""), r"\Lambda": ("matrix", "")}),
+    (r"D = P^{-1} A P", {"A": ("matrix", ""), "P": ("matrix", "")}),
+    (r"y = Q A^{-1} Q", {"A": ("scalar", ""), "Q": ("scalar", "")}),
+    (r"\pi(q) = p q - c", {r"\pi": ("function", "q")}),
+    (r"u = \pi(\theta, \dot{\theta})", {r"\theta": ("scalar", "t")}),
+    (r"A = \pi (r)^2", {r"\pi": ("scalar", None)}),
     (r"V = (E - r I) R", {"E": ("scalar", ""), "I": ("scalar", "")}),
     (r"\vec{p} = \vec{q} + t \cdot \vec{d}", {"t": ("scalar", "")}),
     (r"W = \mathbf{F} \cdot \mathbf{s}", {r"\mathbf{F}": ("vector", "")}),

@@ -26,6 +26,10 @@ _ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
 # `(A - \lambda I)` and `(\lambda I - A)`, by their tokens
 _MULTIPLE = r"(?:\d |\\[a-z]+ |\\[a-z]+ _ (?:\w|\{ \w+ \}) |[sz] )*I"
 _RESOLVENT = re.compile(rf"\( (?:([A-Z]) - {_MULTIPLE}|{_MULTIPLE} - ([A-Z])) (?:\\right )?\)")
+_INNER = r"([A-Z]|\\[A-Z][a-z]+)"
+_CONJUGATED = re.compile(  # `Q A Q^{-1}` and `Q^{-1} A Q`
+    rf"(?<![A-Za-z\\])([A-Z]) {_INNER} \1 \^ \{{ - 1 \}}|([A-Z]) \^ \{{ - 1 \}} {_INNER} \3(?![A-Za-z])"
+)
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
 _CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
@@ -46,7 +50,7 @@ class Evidence:
     running: bool = False
     orbital: bool = False
     below: bool = False  # does it stand in a subscript anywhere?
-    square: bool = False  # is a multiple of the identity subtracted from it: A - \lambda I?
+    square: bool = False  # does A - \lambda I, or Q A Q^{-1}, show that it is a matrix?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -134,7 +138,13 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
     initials = _initials(formulas) | _forms(formulas)
-    square = {x for formula in formulas for found in _RESOLVENT.finditer(formula) for x in found.groups()}
+    square = {
+        x
+        for formula in formulas
+        for each in (_RESOLVENT, _CONJUGATED)
+        for m in each.finditer(formula)
+        for x in m.groups()
+    }
     for place in places:
         if place.role == "subscript":
             continue

@@ -364,6 +364,9 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     """What e, i, j and pi may be."""
     latex = of.spelling
     derived = any(p.role == "derived" and p.before in ("d", r"\partial") and p.superscript is None for p in of.places)
+    alone = all(place.before in ("", "=", "&", r"\\") and not place.powered for place in of.places)
+    if latex == r"\pi" and alone and not of.bare and _common_arguments(of):
+        return []  # a profit, or a policy
     if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":
