@@ -176,7 +176,6 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"dE = m v\,dv", [r"E = \frac12 m v^2"]),
         (r"p\,dV + V\,dp = n R\,dT", ["pV = n R T"]),
         ("d_1 + d x = d_1 + x d", []),
-        (r"I = \int r^2 dm", []),
         (r"x_1 + x_2 = -\frac{b}{a}", ["ax^2 + bx + c = a(x - x_1)(x - x_2)"]),
         (r"A = \frac12", [r"\frac{1}{x^2 - 1} = \frac{A}{x - 1} + \frac{B}{x + 1}"]),
         ("AB = BA", []),
@@ -198,6 +197,7 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"dx\,dy = r\,dr\,d\theta", [r"x = r\cos\theta", r"y = r\sin\theta"]),
         (r"x^\mu x_\mu = s^2 + 1", []),
         (r"\sigma^2 = E[X^2] - \mu^2", []),
+        (r"I = \int r^2 dm", []),
     ],
     "undecided": [
         (r"\int_0^1 f(t)^2 \,dt = \left(\int_0^1 f(t) \,dt\right)^2", []),
@@ -396,7 +396,6 @@ UNSAID = [
     (r"\boldsymbol p = \boldsymbol p(t)", []),
     (r"\mathbf{r} = \begin{bmatrix} r_x \\ r_y \\ r_z \end{bmatrix}", []),
     ("f(b + c) = fb + fc", []),
-    (r"\dot x = x'", []),
     ("e^{A + B} = e^A e^B", []),
     ("|z|^2 = z^2", []),
     (r"\mathbf{x}^T A \mathbf{y} = \mathbf{y}^T A \mathbf{x}", []),
@@ -416,10 +415,12 @@ UNSAID = [
         [],
     ),
 ]
-# letters before brackets that nobody writes around a factor, and that stand without them too; a sign that may be a sum
+# letters before brackets that nobody writes around a factor, and that stand without them too; a sign that may be a sum;
+# primes beside dots
 APPLIED = [
     (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
     ("E[XY] = E[X] Y", []),
+    (r"\dot x = x'", []),
     (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
     (r"m\text{-}P = P\text{-}m", []),
     ("v(t) = v t", []),

@@ -102,6 +102,7 @@ OPEN = (  # of letters of which too little is known, beside another relation tha
     (r"y \approx \sum_{i=1}^n w_i f_i", r"y \approx \sum_{i=0}^n w_i f_i"),
     (r"L = \sum_{i=1}^n m_i \mathbf{v}_i \mathbf{w}_i", r"L = \sum_{i=1}^n m_i \mathbf{w}_i \mathbf{v}_i"),
     (r"Q = Q^T \succeq 0", r"Q = Q^T \preceq 0"),
+    (r"W = \int_a^b p \, dV", r"W = \int_a^b p \, dU"),
     (r"a_1 + \dots + a_n = b", r"a_1 - \dots + a_n = b"),
     (r"\mathbb{E}[X] = \sum_{i=1}^n p_i x_i", r"\mathbb{E}[X] = \sum_{i=0}^n p_i x_i"),
     (r"J = E\left[ \int_0^1 x \, dt \right]", r"J = E\left[ \int_0^1 t \, dt \right]"),
@@ -121,7 +122,7 @@ def test_forms_are_never_decided(latex: str) -> None:
 
 
 TWO_WAYS = (
-    r"u = \pi(\theta, \dot{\theta})",
+    r"u = 2 \pi(\theta, \dot{\theta})",
     r"\mathcal{L} \{t\} = \mathbf{s}",
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
@@ -242,6 +243,13 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"\rho = [HN](r - s)", {"[ H N ]": ("matrix", "")}),
     (r"\bm{L} = \bm{r} \times \bm{\dot{r}}", {r"\bm{r}": ("vector", "t")}),
     (r"\vec{0} = (A - 2 I) \vec{v}", {"A": ("matrix", ""), "I": ("matrix", None)}),
+    (r"G(s) = C (s I - A)^{-1} B + D", {"A": ("matrix", ""), "B": ("matrix", ""), "C": ("matrix", "")}),
+    (r"A = Q \Lambda Q^{-1}", {"A": ("matrix", ""), "Q": ("matrix", ""), r"\Lambda": ("matrix", "")}),
+    (r"D = P^{-1} A P", {"A": ("matrix", ""), "P": ("matrix", "")}),
+    (r"y = Q A^{-1} Q", {"A": ("scalar", ""), "Q": ("scalar", "")}),
+    (r"\pi(q) = p q - c", {r"\pi": ("function", "q")}),
+    (r"u = \pi(\theta, \dot{\theta})", {r"\theta": ("scalar", "t")}),
+    (r"A = \pi (r)^2", {r"\pi": ("scalar", None)}),
     (r"V = (E - r I) R", {"E": ("scalar", ""), "I": ("scalar", "")}),
     (r"\vec{p} = \vec{q} + t \cdot \vec{d}", {"t": ("scalar", "")}),
     (r"W = \mathbf{F} \cdot \mathbf{s}", {r"\mathbf{F}": ("vector", "")}),
@@ -299,6 +307,8 @@ READ = (  # beside what is not read: one thing is meant
     r"u = v \wedge 1 \le n",
     r"\mathcal{E} = I R + \mathcal{L}",
     r"u = \int k \, dx + k x",
+    r"W = \int_a^b p \, dV = p (b - a)",
+    r"m = \int_{V} \rho \, dV",
 )
 
 
@@ -329,6 +339,7 @@ def test_what_looks_alike_reads_apart(latex: str) -> None:
 
 IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"A = 1 \le n \wedge p < q": "a chain, or what",
+    r"\delta \int_0^1 L \, dt = 0": "the sign of a variation",
     r"x = (\mathcal{L} \bar{y})": "applied to what follows",
     r"u = K \int C (x - y) dt": "which letters depend on t",
     r"Re = \frac{v L}{\nu}": "Reynolds number, or R times e",

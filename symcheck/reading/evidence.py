@@ -11,7 +11,7 @@ from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
-from symcheck.reading.names import INDEX_IN_NAME, NO_FACTORS, names_of_several_tokens
+from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, NO_FACTORS, names_of_several_tokens
 from symcheck.reading.occurrences import Occurrence, occurrences, words
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
@@ -26,6 +26,10 @@ _ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
 # `(A - \lambda I)` and `(\lambda I - A)`, by their tokens
 _MULTIPLE = r"(?:\d |\\[a-z]+ |\\[a-z]+ _ (?:\w|\{ \w+ \}) |[sz] )*I"
 _RESOLVENT = re.compile(rf"\( (?:([A-Z]) - {_MULTIPLE}|{_MULTIPLE} - ([A-Z])) (?:\\right )?\)")
+_INNER = r"([A-Z]|\\[A-Z][a-z]+)"
+_CONJUGATED = re.compile(  # `Q A Q^{-1}` and `Q^{-1} A Q`
+    rf"(?<![A-Za-z\\])([A-Z]) {_INNER} \1 \^ \{{ - 1 \}}|([A-Z]) \^ \{{ - 1 \}} {_INNER} \3(?![A-Za-z])"
+)
 _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by its tokens
 # The letter itself, behind the two groups of scripts at its left; what follows it are scripts at its right.
 _CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
@@ -46,7 +50,7 @@ class Evidence:
     running: bool = False
     orbital: bool = False
     below: bool = False  # does it stand in a subscript anywhere?
-    square: bool = False  # is a multiple of the identity subtracted from it: A - \lambda I?
+    square: bool = False  # does A - \lambda I, or Q A Q^{-1}, show that it is a matrix?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -134,7 +138,13 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
     initials = _initials(formulas) | _forms(formulas)
-    square = {x for formula in formulas for found in _RESOLVENT.finditer(formula) for x in found.groups()}
+    square = {
+        x
+        for formula in formulas
+        for each in (_RESOLVENT, _CONJUGATED)
+        for m in each.finditer(formula)
+        for x in m.groups()
+    }
     for place in places:
         if place.role == "subscript":
             continue
@@ -175,6 +185,10 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 
 _TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
 _SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
+# all that is integrated, and by what
+_ALONE = re.compile(
+    r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) (?:\\[,;:] )?d (\w|\\\w+)"
+)
 # capitals that an equation begins with, which may be one name, and its subscript
 _INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
 # three capitals or more behind the sign or as a part of a fraction, or two where other factors have a dot between them
@@ -204,6 +218,9 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
             found |= dict.fromkeys(letters, told)
+    for letter, by in (alone for formula in formulas for alone in _ALONE.findall(formula)):
+        if bare.count(letter) == 1 and letter != "d":
+            found[letter] = f"{INTEGRATED} {by}: a constant, or a function of it? say what it is"
     for diameter in {x for text in formulas for x in _SMALL_O.findall(text)}:
         found["o"] = f"one name {diameter}o, or a product? say what its letters are, or write {diameter}_o"
     return found

@@ -14,7 +14,7 @@ from dataclasses import fields
 
 from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import SymcheckError, Unsaid
-from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, KINDS_OPEN
+from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, INTEGRATED, KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation
@@ -43,7 +43,7 @@ from symcheck.reading.tree import (
     nodes,
 )
 
-_LEFT_OPEN = (INDEX_IN_NAME, KINDS_OPEN)  # doubts without a second way to read what is printed
+_LEFT_OPEN = (INDEX_IN_NAME, INTEGRATED, KINDS_OPEN)  # doubts without a second way to read what is printed
 _CHANGES = (r"\Delta", r"\delta", r"\nabla", "d", r"\text{d}")  # signs of changes and of derivatives
 _WORDS = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among words
 _OPERATORS = (r"\mathbb", r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of expectations, transforms and sets

@@ -16,7 +16,7 @@ from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
-from symcheck.reading.occurrences import Occurrence
+from symcheck.reading.occurrences import INTEGRALS, Occurrence
 
 _MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
 _TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
@@ -54,7 +54,8 @@ _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with th
 def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> list[Guess]:
     """All that a letter may be, marked if it may be a function of what stands in brackets behind it, or a factor."""
     found = [*_options(of, every, defined)]
-    if of.spelling == r"\delta" and not of.said and any(x != of.spelling and _VARIED.match(x) for x in every):
+    varied = any(x != of.spelling and _VARIED.match(x) for x in every) or any(p.after in INTEGRALS for p in of.places)
+    if of.spelling == r"\delta" and not of.said and varied:
         return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
@@ -154,7 +155,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif arguments and not bare and not of.dotted and _is_function(of, every):
         yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
     elif arguments and not bare and not of.dotted and not face(latex):
-        yield from _before_sums(of)
+        yield from _before_sums(of, every)
     elif bare and not of.dotted and not of.derived and any(map(is_lone, of.places)):
         by = _primed_by(of, every)
         taken = f"a function{by and f' of {by}'}"
@@ -191,7 +192,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
     elif face(latex):
         yield from _styled(of)
-    elif of.square:
+    elif of.square or (of.spelling.isupper() and any(each.square for each in every.values()) and not arguments):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "a multiple of the identity stands beside it")
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
@@ -224,14 +225,18 @@ def _equals_itself(of: Evidence) -> bool:
     )
 
 
-def _before_sums(of: Evidence) -> Iterator[Guess]:
+def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]:
     """A letter that stands before brackets only, of which some hold sums: a factor, or a function."""
     product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
     function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
     crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
     factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
+    matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets, or beside matrices")
+    if of.spelling.isupper() and any(each.square for each in every.values()):
+        yield matrix
+        return
     if of.spelling.startswith("["):
-        product = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
+        product = matrix
     constant = of.spelling in ("g", "G") and not any(map(is_shift, of.arguments))  # of gravity
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
@@ -368,6 +373,9 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     """What e, i, j and pi may be."""
     latex = of.spelling
     derived = any(p.role == "derived" and p.before in ("d", r"\partial") and p.superscript is None for p in of.places)
+    alone = all(place.before in ("", "=", "&", r"\\") and not place.powered for place in of.places)
+    if latex == r"\pi" and alone and not of.bare and _common_arguments(of):
+        return []  # a profit, or a policy
     if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":

@@ -40,6 +40,7 @@ PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh"
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
 EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before square brackets is an expectation
 KINDS_OPEN = "too many of these may be vectors or matrices"
+INTEGRATED = "all that is integrated by"
 INDEX_IN_NAME = "an index of a name is not summed over"
 POWER_OR_LABEL = "a power, or a label? say what {} is, or write brackets around the base of the power"
 
