@@ -14,8 +14,9 @@ LAWS = re.compile(
     r"\b(law|model\w*|equation\w* of|hypothes\w*|assum\w*|consider\w*|example|sets?|setting|choos\w*|choice)\b", re.I
 )
 
-# words before a relation within the text that make it a definition, and those that make it a place
+# words before a relation within the text that make it a definition
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
+# words before a relation within the text that make it a place or a case
 AT = re.compile(r"\b(?:at|for|if|when|near|until|unless|on|from|to|as|in)\W*$", re.I)
 BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it
 # words before a relation that make it a condition, unless it speaks of letters that are all known
@@ -94,6 +95,8 @@ class Roles:
     def _is_introduced(self, k: int, letter: str) -> bool:
         """Does a relation within the text say what a letter is, which is new there, or by its words?"""
         before = self.formulas[k].before
+        if max(self.seen[k].heads[letter].sizes) == 1:
+            return False  # one letter is another one there: a case
         new = not any(letter in self.seen[m].names for m in range(k) if self._same_part(m, k))
         return bool(INTRODUCED.search(before)) or (new and not AT.search(before))
 

@@ -23,8 +23,9 @@ _INCLINED = re.compile(
     r"\\(?:sin|cos|tan|cot)\s*(?:\^\s*(?:\w|\{[^{}]*\})\s*)?(?:\(\s*|\{\s*)?i(?![A-Za-z])\s*(?![\w\\(])"
 )
 _ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
-# `(A - \lambda I)` and `(\lambda I - A)`, by their tokens
+# a multiple of the identity, by its tokens
 _MULTIPLE = r"(?:\d |\\[a-z]+ |\\[a-z]+ _ (?:\w|\{ \w+ \}) |[sz] )*I"
+# `(A - \lambda I)` and `(\lambda I - A)`
 _RESOLVENT = re.compile(rf"\( (?:([A-Z]) - {_MULTIPLE}|{_MULTIPLE} - ([A-Z])) (?:\\right )?\)")
 _INNER = r"([A-Z]|\\[A-Z][a-z]+)"
 _CONJUGATED = re.compile(  # `Q A Q^{-1}` and `Q^{-1} A Q`
@@ -196,6 +197,7 @@ _CAPITALS = re.compile(
     r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])"
     r"|\{ ([A-Z](?: [A-Z]){2,}) \}"
 )
+# capitals in a row: a product of matrices, or a name
 _RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 

@@ -931,18 +931,18 @@ class Lowering:
         if sign != "=" or len(variables) != 1:
             raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: an integral without bounds stands in equations")
         (by,) = variables
-        for side in (left, right):
-            if any(
-                isinstance(p, Antiderivative) or (isinstance(p, Name) and p.letter in self.defined) for p in nodes(side)
-            ):
-                continue
-            if by not in letters(self.scalar(side, env)):
-                raise NoForm(f"{to_latex(found[0])}: over what? the other side does not depend on {by}")
         parts = [node for side in (left, right) for node in nodes(side)]
         if parts.count(found[0].variable) == len(found) and not any(
             isinstance(part, Call) and not part.arguments for part in parts
         ):
             raise SymcheckError(f"{to_latex(found[0])}: which letters depend on {to_latex(found[0].variable)}?")
+        for side in (left, right):
+            own = [*nodes(side)]
+            known = any(
+                isinstance(p, Antiderivative) or (isinstance(p, Name) and p.letter in self.defined) for p in own
+            )
+            if not known and by not in letters(self.scalar(side, env)):
+                raise NoForm(f"{to_latex(found[0])}: over what? the other side does not depend on {by}")
         return [node("=", self.rate(left, by, env), self.rate(right, by, env))]
 
     def rate(self, tree: Tree, by: str, env: Env) -> Term:

@@ -117,8 +117,8 @@ _VALUE = re.compile(
 )
 
 
-_DEFINED = re.compile(r"\s*&?\s*=")
-_ONE = re.compile("[1-9]")
+_DEFINED = re.compile(r"\s*&?\s*=")  # behind a name that is defined there
+_ONE = re.compile("[1-9]")  # at the end of a subscript that is an index
 
 
 def _values(formulas: Sequence[str]) -> Iterator[str]:
