@@ -8,6 +8,14 @@ from __future__ import annotations
 import pytest
 
 from symcheck import decide
+from symcheck.question import repairs
+
+
+@pytest.fixture(autouse=True)
+def _little_time_for_repairs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Most verdicts do not depend on repairs, which take up to six seconds for each formula that is refuted."""
+    monkeypatch.setattr(repairs, "SECONDS", 1.0)
+
 
 LAGRANGE = [r"L = \frac12 m \dot q^2 - V(q)"]
 PENDULUM = [r"L = \frac12 m l^2 \dot\theta^2 + m g l \cos\theta"]

@@ -13,7 +13,14 @@ from click.testing import CliRunner
 from symcheck import decide
 from symcheck.checker import check
 from symcheck.cli import cli
-from symcheck.question import Answer
+from symcheck.question import Answer, repairs
+
+
+@pytest.fixture(autouse=True)
+def _little_time_for_repairs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Most verdicts do not depend on repairs, which take up to six seconds for each formula that is refuted."""
+    monkeypatch.setattr(repairs, "SECONDS", 1.0)
+
 
 NATURAL, WHOLE = r"n \in \mathbb{N}", r"n \in \mathbb{Z}"
 SQUARE = (r"A \in \mathbb{R}^{2 \times 2}", r"B \in \mathbb{R}^{2 \times 2}")
