@@ -6,6 +6,7 @@ Each of these was once decided wrongly, or is the counterpart of one that was.
 from __future__ import annotations
 
 import pytest
+from _pytest.mark import ParameterSet
 
 from symcheck import decide
 from symcheck.question import repairs
@@ -227,8 +228,21 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
 }
 
 
+# what takes several seconds
+LONG = (
+    r"\mathbf{R}^T\mathbf{R} = \mathbf{R}^{-1}\mathbf{R} = \mathbf{I}_3",
+    r"\boldsymbol{A} = \boldsymbol{B}^{-1} = \boldsymbol{B}^T",
+    r"\frac{d}{dt}\frac{\partial L}{\partial\dot\theta} - \frac{\partial L}{\partial\theta}"
+    r" = m l^2 \ddot\theta - m g l \sin\theta",
+)  # fmt: skip
+
+
+def case(verdict: str, relation: str, where: list[str]) -> ParameterSet:
+    return pytest.param(verdict, relation, where, marks=[pytest.mark.slow] * (relation in LONG))
+
+
 @pytest.mark.parametrize(
-    ("verdict", "relation", "where"), [(v, *each) for v, several in VERDICTS.items() for each in several]
+    ("verdict", "relation", "where"), [case(v, *each) for v, several in VERDICTS.items() for each in several]
 )
 def test_what_authors_mean_is_decided(verdict: str, relation: str, where: list[str]) -> None:
     assert decide(relation, where=where).verdict == verdict
@@ -440,7 +454,7 @@ APPLIED = [
 @pytest.mark.parametrize(
     ("verdict", "relation", "where"),
     [
-        (verdict, *each)
+        case(verdict, *each)
         for verdict, several in (
             ("undecided", EQUATIONS),
             ("refuted", SLIPS),

@@ -644,6 +644,7 @@ def test_stubs_list_the_kernels_with_their_arguments() -> None:
             assert [each.arg for each in arguments.args] == [each.name for each in said.arguments]
 
 
+@pytest.mark.slow
 def test_a_renamed_kernel_is_a_type_error(tmp_path: Path) -> None:
     pytest.importorskip("mypy", reason="mypy is not installed")
     program = tmp_path / "program.py"

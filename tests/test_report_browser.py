@@ -101,7 +101,7 @@ def test_nothing_reaches_beyond_the_window(opened: Callable[..., Page], place: s
     assert page.evaluate("document.documentElement.scrollWidth") == size["width"]
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("place", VIEWS)
 def test_there_is_no_serious_obstacle_for_anybody(opened: Callable[..., Page], place: str, scheme: str) -> None:
     from axe_playwright_python.sync_playwright import Axe
