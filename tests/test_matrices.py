@@ -161,7 +161,9 @@ def test_terms_that_do_not_fit_together_are_refused() -> None:
     of = Shapes(LETTERS)
     for term in (
         ["*", "B", "B"], ["+", "A", "B"], ["trace", "B"], ["unit"], "X", ["number", 1, 0], ["number", 0.5, 1], 3, ["*"],
-        ["+", "A", "s"], ["*", "u", "v"],
+        ["+", "A", "s"], ["*", "u", "v"], ["number", True, 1], ["unit", 3], ["unit", True], ["zero", 0, 1],
+        ["unit", "3"],
+        ["*", *[["+", "A", "D"]] * 30],
     ):  # fmt: skip
         with pytest.raises(Malformed):
             of.value(term)
@@ -289,6 +291,7 @@ PROVED: list[tuple[str, dict[str, Any]]] = [
 ]  # fmt: skip
 NOT_PROVED: list[tuple[str, dict[str, Any]]] = [
     (r"AB = BA", {"letters": {"A": M, "B": M}}),
+    (r"\operatorname{tr}(\mathbf{A}\mathbf{A}^{-1}) = n", {"given": R_N}),  # which says nothing of A
     (r"(AB)^T = A^TB^T", {"letters": {"A": M, "B": M}}),
     (r"\operatorname{tr}(ABC) = \operatorname{tr}(ACB)", {"letters": dict.fromkeys("ABC", M)}),
     (r"\mathbf{x}^T\mathbf{A}\mathbf{y} = \mathbf{y}^T\mathbf{A}\mathbf{x}", {}),

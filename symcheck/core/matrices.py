@@ -15,7 +15,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import NamedTuple, TypeAlias
 
-from symcheck.core.terms import JSON, Malformed
+from symcheck.core.terms import JSON, Malformed, Reader
 
 Size: TypeAlias = "int | str"
 Shape: TypeAlias = "tuple[Size, Size]"
@@ -23,6 +23,8 @@ Word: TypeAlias = "tuple[tuple[str, bool], ...]"  # letters in the order of a pr
 Factor: TypeAlias = "tuple[str, Word]"  # a number: a "word" of that shape, the "trace" of one, or a "size"
 Monomial: TypeAlias = "tuple[tuple[Factor, ...], Word]"  # numbers in alphabetic order, and the rest of a product
 NUMBER: Shape = (1, 1)
+FACT = "fact"  # the letter that stands for a fact in a step of a proof
+MOST = 10_000  # products in a normal form: a certificate with more would take minutes
 
 
 class Matrix(NamedTuple):
@@ -30,6 +32,20 @@ class Matrix(NamedTuple):
 
     shape: Shape
     parts: dict[Monomial, Fraction]
+
+
+def size(data: JSON) -> Size:
+    """A number of rows or columns, a letter or 1; Malformed if it is none."""
+    if isinstance(data, str):
+        return Reader.letter(data)
+    if type(data) is not int or data != 1:
+        raise Malformed(f"{data!r} is no number of rows or columns: a letter, or 1")
+    return 1
+
+
+def words(term: JSON) -> set[str]:
+    """All words of a term, its letters among them."""
+    return set().union(*map(words, term)) if isinstance(term, list) else {term} if isinstance(term, str) else set()
 
 
 def flipped(word: Word) -> Word:
@@ -51,11 +67,11 @@ class Shapes:
         if isinstance(term, str):
             return self.values[term] if term in self.values else self._letter(term)
         match term:
-            case ["unit", int() | str() as n]:
-                return Matrix(NUMBER if self.single else (n, n), {((), ()): Fraction(1)})
-            case ["zero", int() | str() as n, int() | str() as m]:
-                return Matrix(NUMBER if self.single else (n, m), {})
-            case ["number", int(p), int(q)] if q:
+            case ["unit", n]:
+                return Matrix(NUMBER if self.single else (size(n), size(n)), {((), ()): Fraction(1)})
+            case ["zero", n, m]:
+                return Matrix(NUMBER if self.single else (size(n), size(m)), {})
+            case ["number", int(p), int(q)] if q and type(p) is type(q) is int:
                 return Matrix(NUMBER, _nonzero([(((), ()), Fraction(p, q))]))
             case ["+" | "*" as tag, first, *rest]:
                 return reduce(self.plus if tag == "+" else self.times, map(self.value, rest), self.value(first))
@@ -67,6 +83,10 @@ class Shapes:
             case ["trace", x]:
                 return self._trace(self.value(x))
         raise Malformed(f"{str(term)[:80]} is no term of matrices")
+
+    def difference(self, left: JSON, right: JSON) -> Matrix:
+        """The normal form of the difference of both sides of an equation."""
+        return self.value(["+", left, ["-", right]])
 
     def plus(self, x: Matrix, y: Matrix) -> Matrix:
         """The sum of two matrices of one shape."""
@@ -82,6 +102,8 @@ class Shapes:
             shape = x.shape[0], y.shape[1]
         else:
             raise Malformed(f"a product of matrices of the shapes {x.shape} and {y.shape}")
+        if len(x.parts) * len(y.parts) > MOST:
+            raise Malformed(f"a sum of more than {MOST} products")
         products = (
             (self._monomial((*numbers, *others), (*word, *rest)), c * d)
             for (numbers, word), c in x.parts.items()

@@ -10,10 +10,9 @@ from fractions import Fraction
 from itertools import count, islice, product
 
 from symcheck.core.certificates import MatrixProof
-from symcheck.core.matrices import NUMBER, Factor, Matrix, Monomial, Shape, Shapes, Word, flipped
+from symcheck.core.matrices import FACT, NUMBER, Factor, Matrix, Monomial, Shape, Shapes, Word, flipped, words
 from symcheck.core.terms import JSON
 
-FACT = "fact"  # the letter that stands for a fact in a step of a proof
 LONGEST = 10  # letters of a product of which two leading parts overlap
 MOST = 120  # rules: the identities that are printed need a dozen
 VALUES = (1, 0, 2, -1, 3)  # of the witness
@@ -55,7 +54,7 @@ class Rule:
 def proved(statement: Statement) -> MatrixProof | None:
     """The certificate that a claim about matrices of all sizes follows, if a proof is found."""
     search = Search(statement)
-    claim = search.of.value(["+", statement.claim[0], ["-", statement.claim[1]]])
+    claim = search.of.difference(*statement.claim)
     for _ in search.completed():
         if (steps := search.vanishing(claim)) is not None:
             return search.certificate(steps)
@@ -76,14 +75,14 @@ class Search:
     def facts(self) -> Iterator[tuple[JSON, Matrix]]:
         """All that is known, with how it is named in a proof."""
         for name, (left, right) in self.statement.hypotheses.items():
-            yield ["hypothesis", name], self.of.value(["+", left, ["-", right]])
+            yield ["hypothesis", name], self.of.difference(left, right)
             match left, right:
                 case ["*", x, y], ["unit", n] if self.of.value(x).shape == self.of.value(y).shape == (n, n):
-                    yield ["turned", name], self.of.value(["+", ["*", y, x], ["-", right]])
+                    yield ["turned", name], self.of.difference(["*", y, x], right)
         for name, x in self.statement.inverses.items():
-            unit: JSON = ["-", ["unit", self.of.value(x).shape[0]]]
-            yield ["left", name], self.of.value(["+", ["*", name, x], unit])
-            yield ["right", name], self.of.value(["+", ["*", x, name], unit])
+            unit: JSON = ["unit", self.of.value(x).shape[0]]
+            yield ["left", name], self.of.difference(["*", name, x], unit)
+            yield ["right", name], self.of.difference(["*", x, name], unit)
 
     def at(self, term: JSON, fact: Matrix) -> Matrix:
         """The value of a term in which a fact stands."""
@@ -148,7 +147,7 @@ class Search:
             return
         for k, (kind, own) in enumerate(others or [("word", rest)]):
             factors = [_factor(each) for j, each in enumerate(others) if j != k]
-            for start in {own, flipped(own)} if others and kind == "word" else {rest}:
+            for start in dict.fromkeys((own, flipped(own)) if others and kind == "word" else (rest,)):
                 for n in range(1, min(len(word), len(start) + bool(others))):
                     if word[-n:] == start[:n] and len(word) + len(start) - n <= LONGEST:
                         self.follow(one, _product(*factors, FACT, *_terms(start[n:])), other, _terms(word[:-n]))
@@ -166,9 +165,9 @@ class Search:
         used = {str(reference[1]) for _, reference, _ in steps if isinstance(reference, list)}
         statement, total = self.statement, dict[str, tuple[JSON, JSON, Fraction]]()
         hypotheses = {name: both for name, both in statement.hypotheses.items() if name in used}
-        printed = _words([*statement.claim, *(side for both in hypotheses.values() for side in both)])
-        while more := {x for x in statement.inverses if x in printed and not _words(statement.inverses[x]) <= printed}:
-            printed |= _words([statement.inverses[x] for x in more])
+        printed = words([*statement.claim, *(side for both in hypotheses.values() for side in both)])
+        while more := {x for x in statement.inverses if x in printed and not words(statement.inverses[x]) <= printed}:
+            printed |= words([statement.inverses[x] for x in more])
         inverses = {x: term for x, term in statement.inverses.items() if x in printed}
         for c, reference, term in steps:
             key = f"{reference} {term}"
@@ -196,19 +195,13 @@ def _definitions(hypotheses: Mapping[str, tuple[JSON, JSON]]) -> dict[str, JSON]
             match head:
                 case ["-", str(x)]:
                     head, rest = x, ["-", rest]
-            if isinstance(head, str) and head not in needs and head not in _words(rest):
+            if isinstance(head, str) and head not in needs and head not in words(rest):
                 needs[head] = rest
                 break
     found: dict[str, JSON] = {}
-    while ready := [
-        x for x, rest in needs.items() if x not in found and not _words(rest) & needs.keys() - found.keys()
-    ]:
+    while ready := [x for x, rest in needs.items() if x not in found and not words(rest) & needs.keys() - found.keys()]:
         found |= {x: needs[x] for x in ready}
     return found
-
-
-def _words(term: JSON) -> set[str]:
-    return set().union(*map(_words, term)) if isinstance(term, list) else {term} if isinstance(term, str) else set()
 
 
 def _places(lead: Monomial, part: Monomial) -> Iterator[JSON]:
@@ -271,7 +264,7 @@ def _witness(statement: Statement) -> dict[str, Fraction] | None:
     for numbers in islice(product(VALUES, repeat=len(free)), TRIED):
         values = {x: Fraction(n) for x, n in zip(free, numbers, strict=True)}
         with suppress(ZeroDivisionError):
-            while ready := [x for x in defined if x not in values and _words(defined[x]) & known <= values.keys()]:
+            while ready := [x for x in defined if x not in values and words(defined[x]) & known <= values.keys()]:
                 found = {x: _number_of(defined[x], values) for x in ready}
                 values |= {x: 1 / value if x in inverses else value for x, value in found.items()}
             sides = (["+", left, ["-", right]] for left, right in hypotheses.values())

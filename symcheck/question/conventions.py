@@ -15,7 +15,6 @@ from symcheck.reading.tree import Add, Bars, Call, Chain, Cross, Derivative, Mat
 
 APPLIED = frozenset({"f", "g", "h", "F", "G", "H", r"\phi", r"\varphi", r"\psi"})  # letters that are usually functions
 OPERATIONS = frozenset({"+", "-", "/", "^", r"\times", r"\cdot"})  # brackets around these are those of a factor
-# the sign of a sum as a letter, before another letter
 # a unit in square brackets: "\mathrm{[dBW]}"
 _UNIT = re.compile(r"\\(?:text|mathrm|mbox|textrm|rm)\s*\{\s*\[")
 # a hyphen as text, which is neither a letter nor a minus

@@ -82,8 +82,8 @@ def of_any_size(reading: Reading) -> OfAnySize | None:
 
 def covers(general: Inference, other: Inference) -> bool:
     """Whether what holds in one reading holds in another, in which some matrices are vectors, of one column."""
-    kinds = [(one.letter, two.letter) for one, two in zip(general.guesses, other.guesses, strict=True)]
-    return all(
+    kinds = [(one.letter, two.letter) for one, two in zip(general.guesses, other.guesses, strict=False)]
+    return len(general.guesses) == len(other.guesses) and all(
         (one.kind, one.identity) == (two.kind, two.identity) or (one.kind, two.kind) == ("matrix", "vector")
         for one, two in kinds
     )
@@ -407,7 +407,7 @@ class Lowering:
         for key, x in self.names.items():
             if isinstance(key, tuple) and 1 in found[x][: {"vector": 1, "matrix": 2}.get(self._kind(key), 0)]:
                 raise NoForm(f"{key[0]} would have one row or column")
-        taken = {size for shape in found.values() for size in shape}
+        taken = {size for shape in (*found.values(), *self.declared.values()) for size in shape}
         free = iter([x for x in SIZE_NAMES if x not in taken])
         names: dict[Size, Size] = {}
         for size in dict.fromkeys(size for shape in found.values() for size in shape):
