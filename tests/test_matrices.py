@@ -201,19 +201,21 @@ def changed(certificate: dict[str, Any], *path: Any, to: Any) -> dict[str, Any]:
 FORGED = {
     "another claim": (changed(INVERSE, "claim", to=["b", "a"]), "is not the sum"),
     "matrices commute": (
-        changed(changed(INVERSE, "claim", to=[["*", "A", "b"], ["*", "b", "A"]]), "inverses", to={}), ""),
+        {**TURNED, "matrices": {"A": N, "R": N}, "hypotheses": {}, "claim": [["*", "A", "R"], ["*", "R", "A"]],
+         "proof": [], "witness": {"A": ONE, "R": ONE}}, "is not the sum"),
     "nothing is shown": (changed(INVERSE, "proof", to=[]), "is not the sum"),
     "no verdict but proved": (changed(INVERSE, "verdict", to="refuted"), "proofs alone"),
     "a step that does not vanish": (
         changed(INVERSE, "proof", to=[[["left", "b"], ["+", "fact", "b", ["-", ["transpose", "a"]]]]]), "not vanish"),
-    "an inverse without a witness": (
-        changed(changed(INVERSE, "inverses", "a", to=["zero", "n", "n"]), "claim", to=["a", "a"]), ""),
+    "an inverse of zero": (
+        {**INVERSE, "matrices": {"a": N}, "inverses": {"a": ["zero", "n", "n"]}, "claim": ["a", "a"], "proof": [],
+         "witness": {"a": ONE}}, "the witness is none"),
     "a witness that is no inverse": (changed(INVERSE, "witness", "a", to=[2, 1]), "the witness is none"),
     "a witness that is no number": (changed(INVERSE, "witness", "a", to=["b", 1]), "no term"),
     "no witness": (changed(INVERSE, "witness", to={}), "no witness"),
     "an inverse that is not square": (
-        changed(changed(INVERSE, "matrices", to={"A": ["n", "m"], "a": ["m", "n"], "b": ["n", "m"]}), "proof", to=[
-            [["left", "a"], "fact"]]), ""),
+        {**INVERSE, "matrices": {"A": ["n", "m"], "a": ["m", "n"]}, "inverses": {"a": "A"}, "claim": ["a", "a"],
+         "proof": [[["left", "a"], "fact"]]}, "it is not square"),
     "the letter of facts": (changed(INVERSE, "matrices", "fact", to=N), "stands for facts"),
     "a hypothesis that is not used": (changed(INVERSE, "hypotheses", to={"h": ["A", "A"]}), "is not used"),
     "an inverse of what is not mentioned": (changed(INVERSE, "inverses", "c", to="A"), "not mentioned"),
@@ -221,7 +223,8 @@ FORGED = {
     "a fact that is none": (changed(INVERSE, "proof", to=[[["middle", "a"], "fact"]]), "there is no fact"),
     "a hypothesis that is none": (changed(INVERSE, "proof", to=[[["hypothesis", "a"], "fact"]]), "malformed"),
     "a product of matrices that are not square, turned": (
-        changed(TURNED, "matrices", "R", to=["m", "n"]), ""),
+        {**TURNED, "matrices": {"R": ["m", "n"]}, "claim": [["*", "R", ["transpose", "R"]], ["unit", "m"]]},
+        "no product of square matrices"),
     "another equation, turned": (changed(TURNED, "hypotheses", "h", to=[["*", "R", "R"], "R"]), "there is no fact"),
     "a size that is none": (changed(TURNED, "matrices", "R", to=["n", 0]), "no number of rows"),
     "a size of its own": (changed(TURNED, "matrices", "R", to=[3, 3]), "no number of rows"),

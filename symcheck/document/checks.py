@@ -227,8 +227,7 @@ class Checks:
         """What else the document says of the letters: all before, and what follows at once."""
         own = _bare(self.formulas[k].latex)
         found: list[str] = []
-        order = [*range(k + 1, min(k + 1 + NEAR, len(self.seen))), *range(k - 1, -1, -1)]
-        for m in order:
+        for m in nearest(k, len(self.seen)):
             seen = self.seen[m]
             if m in used or seen.reason or not seen.names & names or _bare(self.formulas[m].latex) == own:
                 continue
@@ -238,6 +237,11 @@ class Checks:
             if len(found) == MOST_CONDITIONS:
                 break
         return tuple(dict.fromkeys(found))
+
+
+def nearest(k: int, count: int) -> list[int]:
+    """The formulas that may say for what one holds: those that follow at once, then all before, the nearest first."""
+    return [*range(k + 1, min(k + 1 + NEAR, count)), *range(k - 1, -1, -1)]
 
 
 def _bare(latex: str) -> str:

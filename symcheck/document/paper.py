@@ -30,7 +30,7 @@ from symcheck.core.claims import (
 )
 from symcheck.core.verdicts import Reading, SymcheckError
 from symcheck.document.asked import Inquiry, Relied
-from symcheck.document.checks import MOST_CONDITIONS, NEAR
+from symcheck.document.checks import MOST_CONDITIONS, nearest
 from symcheck.document.letters import shown
 from symcheck.document.lock import LOCK, UPDATE, digest, keys, load, located
 from symcheck.document.printed import Printed
@@ -289,10 +289,9 @@ class Document:
         if not isinstance(item.question, Inquiry) or not isinstance(item, Claim):
             return item
         k, used = self.numbers.index(item.number), set(item.uses)
-        order = [*range(k + 1, min(k + 1 + NEAR, len(self.formulas))), *range(k - 1, -1, -1)]
         near = [
             (self.formulas[m].place, self.formulas[m].latex)
-            for m in order
+            for m in nearest(k, len(self.formulas))
             if self.formulas[m].scope[0] == self.formulas[k].scope[0] and self.numbers[m] not in claimed | used
         ]
         return replace(item, question=replace(item.question, near=tuple(near[:MOST_CONDITIONS])))

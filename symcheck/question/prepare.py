@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from math import lcm
 
 from symcheck.checker.algebra import Algebra
@@ -104,9 +105,8 @@ def with_scopes(asked: Asked) -> Asked:
     if not _SCOPED.search(asked.relation):
         return asked
     relation = _ALL_AT_FIRST.sub(r"\1, ", asked.relation)
-    _, said = members(asked.given, dict(asked.letters))
     try:
-        inference, *_ = inferred([relation, *asked.where], said, {}, SIZES[:1])
+        inference, *_ = _told(replace(asked, relation=relation), 0)[0](SIZES[:1])
         tree = read(relation, inference.notation)
     except SymcheckError:
         return asked
@@ -140,9 +140,9 @@ def declared_sizes(asked: Asked) -> dict[str, tuple[int | str, int | str]]:
         match = _MEMBER.match(condition.strip())
         kind = _SET.match(match[2].strip()) if match else None
         if match and kind and kind[3]:
-            sizes_ = [int(n) if n.isdigit() else n for n in re.split(r"\s*\\times\s*", kind[3].strip())]
-            if all(isinstance(n, int) or re.fullmatch(r"[A-Za-z]", n) for n in sizes_):
-                found[match[1]] = sizes_[0], sizes_[1] if len(sizes_) > 1 else 1
+            numbers = [int(n) if n.isdigit() else n for n in _numbers_of(kind[3])]
+            if numbers and all(isinstance(n, int) or re.fullmatch(r"[A-Za-z]", n) for n in numbers):
+                found[match[1]] = numbers[0], numbers[1] if len(numbers) > 1 else 1
     return found
 
 
@@ -173,9 +173,14 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
     return conditions, phrases
 
 
-def _size(text: str, condition: str, said: Mapping[str, str]) -> str:
+def _numbers_of(text: str) -> list[str]:
+    r"""The numbers of rows and columns in `m \times n`, or of components in `n`."""
     found = re.fullmatch(r"\s*(\S+?)\s*(?:\\times\s*(\S+?))?\s*", text)
-    numbers = [said.get(n, n).removeprefix("the number ") for n in found.groups() if n] if found else []
+    return [n for n in found.groups() if n] if found else []
+
+
+def _size(text: str, condition: str, said: Mapping[str, str]) -> str:
+    numbers = [said.get(n, n).removeprefix("the number ") for n in _numbers_of(text)]
     if not numbers or not all(n.isdigit() for n in numbers):
         raise SymcheckError(f"{condition}: nothing can be said of vectors and matrices of all sizes at once")
     return " ".join(numbers)
@@ -255,16 +260,11 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
 
     With a size the letters that say how many components or addends there are stand for it.
     """
-    fixed = dict.fromkeys(sizes(asked), f"the number {size}") if size else {}
-    conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
-    said |= fixed
-    defined, equations = definitions(asked.where, [asked.relation, *asked.where, *asked.given])
-    formulas = [asked.relation, *asked.where, *conditions]
-    heads = {name: arguments for name, (_, arguments, _) in defined.items()}
+    inferences, defined, equations, conditions = _told(asked, size)
     errors = list[SymcheckError]()
     for tried in (SIZES, LARGER):
         found = []
-        for inference in inferred(formulas, said, heads, tried):
+        for inference in inferences(tried):
             try:
                 found.append(_reading(asked, inference, defined, equations, conditions))
             except NoForm as error:
@@ -279,15 +279,24 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
 
 def unlowered(asked: Asked) -> list[Reading]:
     """The usual readings, whose letters alone are told: what is printed may be about matrices of all sizes."""
-    fixed = dict.fromkeys(sizes(asked), f"the number {SIZES[0]}")
+    inferences, defined, equations, conditions = _told(asked, SIZES[0])
+    return [
+        Reading(each, read(asked.relation, each.notation), (), {}, (asked, each, defined, equations, conditions))
+        for each in inferences(SIZES[:1])
+        if not each.remote
+    ]
+
+
+def _told(
+    asked: Asked, size: int
+) -> tuple[Callable[[Sequence[int]], list[Inference]], Definitions, list[str], list[str]]:
+    """How the letters of a question are inferred for some sizes; its definitions, its equations, its conditions."""
+    fixed = dict.fromkeys(sizes(asked), f"the number {size}") if size else {}
     conditions, said = members(asked.given, {**dict(asked.letters), **fixed})
     defined, equations = definitions(asked.where, [asked.relation, *asked.where, *asked.given])
     heads = {name: arguments for name, (_, arguments, _) in defined.items()}
-    return [
-        Reading(each, read(asked.relation, each.notation), (), {}, (asked, each, defined, equations, conditions))
-        for each in inferred([asked.relation, *asked.where, *conditions], said | fixed, heads, SIZES[:1])
-        if not each.remote
-    ]
+    formulas = [asked.relation, *asked.where, *conditions]
+    return partial(inferred, formulas, said | fixed, heads), defined, equations, conditions
 
 
 def _understood(asked: Asked, inference: Inference, conditions: Sequence[str], reason: str) -> SymcheckError:

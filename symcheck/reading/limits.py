@@ -67,6 +67,8 @@ def _slope(term: Term, x: str, order: int, at: Term) -> Term:
 
 def quotient(term: Term) -> tuple[Term, Term]:
     """Top and bottom of a term made of fractions."""
+    if isinstance(term, Node) and term.tag == "tan":
+        return node("sin", *term.terms), node("cos", *term.terms)
     if not isinstance(term, Node) or term.tag not in ("+", "*", "-", "/", "^"):
         return term, 1
     if term.tag == "^":

@@ -319,7 +319,8 @@ class Lowering:
         self.kinds = frozenset(type(part) for part in nodes(relation.tree))
         if Total in self.kinds:
             refuse_uneven(relation.tree)
-        formulas = self.relation(relation)
+        self.aside = []
+        formulas = [*self.relation(relation), *dict.fromkeys(self.aside)]
         names = _names(tuple(formulas))
         for name, printed in self.met.items():
             if name not in names:
@@ -405,14 +406,7 @@ class Lowering:
             return [node("=", node("diverges", *integral[1:]), 0)]
         if sign not in SIGNS and not (sign == r"\approx" and is_number(right)):
             raise Unsaid(f"{to_latex(Chain((left, right), (sign,)))}: {sign} has no algebraic form; state it formally")
-        self.aside = []
         a, b = self._alike(self.value(left, env), self.value(right, env), left, right)
-        if limits := self.aside:
-            self.aside = []
-            if sign != "=":
-                raise NoForm(f"{to_latex(Chain((left, right), (sign,)))}: a limit in a relation that is no equation")
-            equal = [node("=", *pair) for x, y in zip(flat(a), flat(b), strict=True) for pair in self.equated(x, y)]
-            return [node("and", *dict.fromkeys(limits), *equal)]
         if sign == r"\approx" or (sign == "=" and self.notation.decimals == "rounded"):
             parts = zip(_parts(left, a), _parts(right, b), flat(a), flat(b), strict=True)
             return [self.rounded(*part, sign=sign) for part in parts]
@@ -461,7 +455,7 @@ class Lowering:
         return x, at, self.written_out(self.scalar(tree.body, env), tree, env)
 
     def of_limiting(self, tree: Limiting, env: Env) -> Value:
-        """A limit in a term; that it is there is said aside."""
+        """A limit in a term; that it is there is said beside the relation."""
         x, at, body = self.approached(tree, tree_of.Number("0"), env)
         found, there = limit(body, x, at)
         self.aside += there
