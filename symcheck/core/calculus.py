@@ -46,8 +46,9 @@ def letters(tree: Term) -> set[str]:
 
 def functions(tree: Term) -> set[str]:
     """The names of the unknown functions."""
-    found = {part.function for part in nodes(tree) if isinstance(part, Call)}
-    return found.union(*(functions(body) for part in nodes(tree) for body in part.inside))
+    parts = nodes(tree)
+    inner = (functions(body) for part in parts for body in part.inside)
+    return {part.function for part in parts if isinstance(part, Call)}.union(*inner)
 
 
 Lambda = tuple[tuple[str, ...], "Term"]  # letters, and a term in them

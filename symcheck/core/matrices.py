@@ -38,9 +38,9 @@ def size(data: JSON) -> Size:
     """A number of rows or columns, a letter or 1; Malformed if it is none."""
     if isinstance(data, str):
         return Reader.letter(data)
-    if type(data) is not int or data != 1:
-        raise Malformed(f"{data!r} is no number of rows or columns: a letter, or 1")
-    return 1
+    if type(data) is int and data == 1:
+        return 1
+    raise Malformed(f"{data!r} is no number of rows or columns: a letter, or 1")
 
 
 def words(term: JSON) -> set[str]:
