@@ -2,6 +2,30 @@
 
 # ruff: noqa: E501 (a display is not broken)
 
+LICENCES = {  # of the repositories from whose packages displays were taken
+    "CalebBell/chemicals": "MIT",
+    "CalebBell/ht": "MIT",
+    "CalebBell/thermo": "MIT",
+    "PlasmaPy/PlasmaPy": "BSD-3-Clause",
+    "PyAbel/PyAbel": "MIT",
+    "Unidata/MetPy": "BSD-3-Clause",
+    "bdaiinstitute/spatialmath-python": "MIT",
+    "bumps/bumps": "public domain",
+    "cornellius-gp/gpytorch": "MIT",
+    "csu-hmc/opty": "BSD-2-Clause",
+    "cvxpy/cvxpy": "Apache-2.0",
+    "geomstats/geomstats": "MIT",
+    "jobovy/galpy": "BSD-3-Clause",
+    "lmfit/lmfit-py": "BSD-3-Clause",
+    "mpmath/mpmath": "BSD-3-Clause",
+    "pyRiemann/pyRiemann": "BSD-3-Clause",
+    "pydy/pydy": "BSD-3-Clause",
+    "pygae/clifford": "BSD-3-Clause",
+    "pygae/galgebra": "BSD-3-Clause",
+    "pyro-ppl/pyro": "Apache-2.0",
+    "stevengj/nlopt": "MIT",
+}
+
 JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, repository and path
     (
         "C_D = \\left[\\frac{1}{(\\phi_1 + \\phi_2)^{-1} + (\\phi_3)^{-1}} + \\phi_4\\right]^{0.1}",
@@ -13243,6 +13267,216 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(P _ { n } ^ { ( a , b ) }; z), Mul(Div(Marked(Add(a, 1); _{ n }); Call(Gamma; Add(n, 1))), Call(\\prescript { } { 2 } { F } _ { 1 }; Neg(n), Add(n, a, b, 1), Add(a, 1), Div(Add(1, Neg(z)); 2))); =)",
         "fredrik-johansson/arb/doc/source/acb_hypgeom.rst",
     ),
+    (
+        "\\epsilon/k = 0.77T_c",
+        "Chain(Div(\\epsilon; k), Mul(0.77, T_c); =)",
+        "CalebBell/chemicals/chemicals/lennard_jones.py",
+    ),
+    (
+        "D = \\frac{1 - \\exp(-\\alpha)}{1 - 4R_2}",
+        "Chain(D, Div(Add(1, Neg(Call(exp; Neg(\\alpha)))); Add(1, Neg(Mul(4, R_2)))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "k_\\text{Poly}(\\mathbf{x_1}, \\mathbf{x_2}) = (\\mathbf{x_1}^\\top \\mathbf{x_2} + c)^{d}",
+        "Chain(Call(k_{Poly}; \\mathbf{x}_1, \\mathbf{x}_2), Pow(Add(Mul(Transpose(\\mathbf{x}_1), \\mathbf{x}_2), c); d); =)",
+        "cornellius-gp/gpytorch/gpytorch/kernels/polynomial_kernel.py",
+    ),
+    (
+        "\\log_{10} K_w= A + B/T + C/T^2 + D/T^3 + (E+F/T+G/T^2)\\log_{10} \\rho_w",
+        "Chain(Call(lg; K_w), Add(A, Div(B; T), Div(C; Pow(T; 2)), Div(D; Pow(T; 3)), Mul(Add(E, Div(F; T), Div(G; Pow(T; 2))), Call(lg; \\rho_w))); =)",
+        "CalebBell/thermo/thermo/electrochem.py",
+    ),
+    (
+        "S = \\frac{2\\pi L}{\\cosh^{-1}\\left(\\frac{4w^2-D_1^2-D_2^2}{2D_1D_2}\\right)}",
+        "Chain(S, Div(Mul(2, \\pi, L); Call(arcosh; Div(Add(Mul(4, Pow(w; 2)), Neg(Pow(D_1; 2)), Neg(Pow(D_2; 2))); Mul(2, D_1, D_2)))); =)",
+        "CalebBell/ht/ht/conduction.py",
+    ),
+    (
+        "\\frac{d Y}{dT} = - \\frac{B C^{3} e^{\\frac{C}{T}}}{T^{4} \\left(e^{\\frac{C}{T}} - 1\\right)^{2}} + \\frac{2 B C^{3} e^{\\frac{2 C}{T}}}{T^{4} \\left(e^{\\frac{C}{T}} - 1\\right)^{3}} - \\frac{2 B C^{2} e^{\\frac{C}{T}}}{T^{3} \\left(e^{\\frac{C}{T}} - 1\\right)^{2}} - \\frac{D E^{3} e^{\\frac{E}{T}}}{T^{4} \\left(e^{\\frac{E}{T}} - 1\\right)^{2}} + \\frac{2 D E^{3} e^{\\frac{2 E}{T}}}{T^{4} \\left(e^{\\frac{E}{T}} - 1\\right)^{3}} - \\frac{2 D E^{2} e^{\\frac{E}{T}}}{T^{3} \\left(e^{\\frac{E}{T}} - 1\\right)^{2}} - \\frac{F G^{3} e^{\\frac{G}{T}}}{T^{4} \\left(e^{\\frac{G}{T}} - 1\\right)^{2}} + \\frac{2 F G^{3} e^{\\frac{2 G}{T}}}{T^{4} \\left(e^{\\frac{G}{T}} - 1\\right)^{3}} - \\frac{2 F G^{2} e^{\\frac{G}{T}}}{T^{3} \\left(e^{\\frac{G}{T}} - 1\\right)^{2}}",
+        "Chain(Derivative(Call(Y); T, 1), Add(Neg(Div(Mul(B, Pow(C; 3), Pow(e; Div(C; T))); Mul(Pow(T; 4), Pow(Add(Pow(e; Div(C; T)), Neg(1)); 2)))), Div(Mul(2, B, Pow(C; 3), Pow(e; Div(Mul(2, C); T))); Mul(Pow(T; 4), Pow(Add(Pow(e; Div(C; T)), Neg(1)); 3))), Neg(Div(Mul(2, B, Pow(C; 2), Pow(e; Div(C; T))); Mul(Pow(T; 3), Pow(Add(Pow(e; Div(C; T)), Neg(1)); 2)))), Neg(Div(Mul(D, Pow(E; 3), Pow(e; Div(E; T))); Mul(Pow(T; 4), Pow(Add(Pow(e; Div(E; T)), Neg(1)); 2)))), Div(Mul(2, D, Pow(E; 3), Pow(e; Div(Mul(2, E); T))); Mul(Pow(T; 4), Pow(Add(Pow(e; Div(E; T)), Neg(1)); 3))), Neg(Div(Mul(2, D, Pow(E; 2), Pow(e; Div(E; T))); Mul(Pow(T; 3), Pow(Add(Pow(e; Div(E; T)), Neg(1)); 2)))), Neg(Div(Mul(F, Pow(G; 3), Pow(e; Div(G; T))); Mul(Pow(T; 4), Pow(Add(Pow(e; Div(G; T)), Neg(1)); 2)))), Div(Mul(2, F, Pow(G; 3), Pow(e; Div(Mul(2, G); T))); Mul(Pow(T; 4), Pow(Add(Pow(e; Div(G; T)), Neg(1)); 3))), Neg(Div(Mul(2, F, Pow(G; 2), Pow(e; Div(G; T))); Mul(Pow(T; 3), Pow(Add(Pow(e; Div(G; T)), Neg(1)); 2))))); =)",
+        "CalebBell/chemicals/chemicals/dippr.py",
+    ),
+    (
+        "\\alpha = c_{1} \\left(- \\frac{T}{T_{c,i}} + 1\\right) + c_{2} \\left(-1 + \\frac{T_{c,i}}{T}\\right) + 1",
+        "Chain(\\alpha, Add(Mul(c_1, Add(Neg(Div(T; T_{c,i})), 1)), Mul(c_2, Add(Neg(1), Div(T_{c,i}; T))), 1); =)",
+        "CalebBell/thermo/thermo/eos_alpha_functions.py",
+    ),
+    (
+        "C = -\\chi_1(3 + R_2\\lambda_2)/R_2 + \\chi_2(3 + R_2\\lambda_1)/R_2 + E",
+        "Chain(C, Add(Neg(Div(Mul(\\chi_1, Add(3, Mul(R_2, \\lambda_2))); R_2)), Div(Mul(\\chi_2, Add(3, Mul(R_2, \\lambda_1))); R_2), E); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "H_{reactive} = H + \\sum_i z_i {H_{f,i}}",
+        "Chain(H_{reactive}, Add(H, BigSum(i; Mul(z_i, H_{f,i}))); =)",
+        "CalebBell/thermo/thermo/phases/phase.py",
+    ),
+    (
+        "\\frac{1}{\\omega_{lh}^2} = \\frac{1}{\\omega_{ci}^2 + \\omega_{pi}^2} + \\frac{1}{\\omega_{ci}\\omega_{ce}}",
+        "Chain(Div(1; Pow(\\omega_{lh}; 2)), Add(Div(1; Add(Pow(\\omega_{ci}; 2), Pow(\\omega_{pi}; 2))), Div(1; Mul(\\omega_{ci}, \\omega_{ce}))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
+    (
+        "T_{cm} = \\sum_{i} \\frac{T_{ci}}{1 + (1/x_i)\\sum_j A_{ij} x_j}",
+        "Chain(T_{cm}, BigSum(i; Div(T_{ci}; Add(1, Mul(Div(1; x_i), BigSum(j; Mul(A_{ij}, x_j)))))); =)",
+        "CalebBell/chemicals/chemicals/critical.py",
+    ),
+    (
+        "\\mathbb E[ f(\\mathbf x) ] = \\mathbf k_{\\mathbf Z_\\mu \\mathbf x}^\\top \\mathbf K_{\\mathbf Z_\\mu \\mathbf Z_\\mu}^{-1} \\mathbf m",
+        "Chain(Indexed(\\mathbb{E}; Call(f; \\mathbf{x})), Mul(Transpose(\\mathbf{k}_{\\mathbf Z_\\mu\\mathbf x}), Pow(\\mathbf{K}_{\\mathbf Z_\\mu\\mathbf Z_\\mu}; Neg(1)), \\mathbf{m}); =)",
+        "cornellius-gp/gpytorch/gpytorch/variational/batch_decoupled_variational_strategy.py",
+    ),
+    (
+        "\\left(\\frac{\\partial^3 a \\alpha}{\\partial n_i \\partial n_j \\partial n_k}\\right)_{T, P, n_{m\\ne i,j,k}} = 4\\left(-6 (a \\alpha) - [(a \\alpha)_{i,j} + (a \\alpha)_{i,k} + (a \\alpha)_{j,k}] + 3\\sum_m z_m[(a \\alpha)_{i,m} + (a \\alpha)_{j,m} + (a \\alpha)_{k,m}]\\right)",
+        "Chain(Marked(Derivative(Mul(Call(a), Call(\\alpha)); n_i, 1, n_j, 1, n_k, 1; True); _{ T , P , n _ { m \\ne i , j , k } }), Mul(4, Add(Neg(Mul(6, Mul(Call(a), Call(\\alpha)))), Neg(Add(Marked(Mul(Call(a), Call(\\alpha)); _{ i , j }), Marked(Mul(Call(a), Call(\\alpha)); _{ i , k }), Marked(Mul(Call(a), Call(\\alpha)); _{ j , k }))), Mul(3, BigSum(m; Mul(z_m, Add(Marked(Mul(Call(a), Call(\\alpha)); _{ i , m }), Marked(Mul(Call(a), Call(\\alpha)); _{ j , m }), Marked(Mul(Call(a), Call(\\alpha)); _{ k , m }))))))); =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "\\left(\\Delta_q h\\right)_{v_i}=\\frac{1}{2} \\sum_{\\substack{j \\mid(i, j) \\in E \\\\ \\text { or }(j, i) \\in E}}\\left(\\cot \\left(\\alpha_{i j} \\right)+\\cot \\left(\\beta_{i j}\\right)\\right)\\left(h_i-h_j\\right)",
+        "Chain(Marked(Mul(\\Delta_q, h); _{ v _ { i } }), Mul(Div(1; 2), Limiting(sum; _{ \\substack { j \\mid ( i , j ) \\in E \\\\ \\lor ( j , i ) \\in E } }; Mul(Add(Call(cot; \\alpha_{ij}), Call(cot; \\beta_{ij})), Add(h_i, Neg(h_j))))); =)",
+        "geomstats/geomstats/geomstats/geometry/discrete_surfaces.py",
+    ),
+    (
+        "\\left(\\frac{\\partial^2 \\ln \\phi }{\\partial x_i\\partial x_j}\\right)_{T, P, x_{i,j\\ne k}} = \\frac{1}{RT}\\left( \\left(\\frac{\\partial^2 G_{dep}} {\\partial x_j \\partial x_i}\\right)_{T, P, x_{i,j\\ne k}} \\right)",
+        "Chain(Marked(Derivative(Call(ln; Call(\\phi)); x_i, 1, x_j, 1; True); _{ T , P , x _ { i , j \\ne k } }), Mul(Div(1; Mul(R, T)), Marked(Derivative(Call(G_{dep}); x_j, 1, x_i, 1; True); _{ T , P , x _ { i , j \\ne k } })); =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "P=\\frac{RT}{V-b}-\\frac{a}{V^2}",
+        "Chain(P, Add(Div(Mul(R, T); Add(V, Neg(b))), Neg(Div(a; Pow(V; 2)))); =)",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "\\left(\\frac{\\partial^3 \\delta}{\\partial n_i \\partial n_j \\partial n_k } \\right)_{T, P, n_{m \\ne i,j,k}} = 0",
+        "Chain(Marked(Derivative(Call(\\delta); n_i, 1, n_j, 1, n_k, 1; True); _{ T , P , n _ { m \\ne i , j , k } }), 0; =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\frac{1}{2} \\left( \\text{tr}(\\mathbf{B}^{-1}\\mathbf{A}) - n + \\log \\left( \\frac{\\det(\\mathbf{B})}{\\det(\\mathbf{A})}\\right) \\right)",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Mul(Div(1; 2), Add(Call(tr; Mul(Pow(\\mathbf{B}; Neg(1)), \\mathbf{A})), Neg(n), Call(log; Div(Call(det; \\mathbf{B}); Call(det; \\mathbf{A}))))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "H = [1 - \\exp(-2\\beta)]/(4/R_1 -1)",
+        "Chain(H, Div(Add(1, Neg(Call(exp; Neg(Mul(2, \\beta))))); Add(Div(4; R_1), Neg(1))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "E_{Coulomb} = \\frac{Z_1 Z_2 q_e^2}{4 \\pi \\epsilon_0 r}",
+        "Chain(E_{Coulomb}, Div(Mul(Z_1, Z_2, Pow(q_e; 2)); Mul(4, \\pi, \\epsilon_0, r)); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "h_{A,total} = \\frac{\\eta A_{fin} + A_{bare, showing}}{A_{total}} h",
+        "Chain(h_{A,total}, Mul(Div(Add(Mul(\\eta, A_{fin}), A_{bare,showing}); A_{total}), h); =)",
+        "CalebBell/ht/ht/air_cooler.py",
+    ),
+    (
+        "\\Pi = \\frac{T}{\\theta}",
+        "Chain(\\Pi, Div(T; \\theta); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\rho(x) = \\mathrm{amp}\\,\\mathrm{sech}^2\\left(\\frac{x}{2H}\\right)",
+        "Chain(Call(\\rho; x), Mul(\\text{amp}, Pow(Call(sech; Div(x; Mul(2, H))); 2)); =)",
+        "jobovy/galpy/galpy/potential/IsothermalDiskPotential.py",
+    ),
+    (
+        "p(x;\\alpha) = \\frac {\\alpha e^{-x}} {(1 + e^{-x})^{\\alpha+1}}",
+        "Chain(Call(p; Given(x; \\alpha; ;)), Div(Mul(\\alpha, Pow(e; Neg(x))); Pow(Add(1, Pow(e; Neg(x))); Add(\\alpha, 1))); =)",
+        "pyro-ppl/pyro/pyro/distributions/logistic.py",
+    ),
+    (
+        "k_{\\text{H-IMQ}}(\\mathbf{x_1}, \\mathbf{x_2}) = \\left( \\frac{1 + \\alpha}{\\alpha + d_{\\text{Hamming}}(x1, x2)} \\right)^\\beta",
+        "Chain(Call(k_{H-IMQ}; \\mathbf{x}_1, \\mathbf{x}_2), Pow(Div(Add(1, \\alpha); Add(\\alpha, Call(d_{Hamming}; \\text{x1}, \\text{x2}))); \\beta); =)",
+        "cornellius-gp/gpytorch/gpytorch/kernels/hamming_kernel.py",
+    ),
+    (
+        "Z = \\frac{T_0}{\\Gamma}[1-\\frac{p}{p_0}^\\frac{R\\Gamma}{g}]",
+        "Chain(Z, Mul(Div(T_0; \\varGamma), Add(1, Neg(Pow(Div(p; p_0); Div(Mul(R, \\varGamma); g))))); =)",
+        "Unidata/MetPy/metpy/calc/basic.py",
+    ),
+    (
+        "G_{a_0}(h, h) = \\sum_{i=1}^N\\left\\|h_i\\right\\|^2 \\operatorname{vol}_{x_i}",
+        "Chain(Call(G_{a_0}; h, h), BigSum(i; 1; N; Mul(Pow(Norm(h_i); 2), \\text{vol}_{x_i})); =)",
+        "geomstats/geomstats/geomstats/geometry/discrete_surfaces.py",
+    ),
+    (
+        "\\mathbf{f}_i = \\mathbf{f}\\left(\\frac{\\mathbf{y}_{i+1} - \\mathbf{y}_{i}}{h}, \\frac{\\mathbf{y}_i + \\mathbf{y}_{i+1}}{2}, \\frac{\\mathbf{u}_i + \\mathbf{u}_{i+1}}{2}, \\mathbf{p}, t_i\\right) = \\mathbf{0}",
+        "Chain(\\mathbf{f}_i, Call(\\mathbf{f}; Div(Add(\\mathbf{y}_{i+1}, Neg(\\mathbf{y}_i)); h), Div(Add(\\mathbf{y}_i, \\mathbf{y}_{i+1}); 2), Div(Add(\\mathbf{u}_i, \\mathbf{u}_{i+1}); 2), \\mathbf{p}, t_i), 0; =, =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "\\|x\\|_p = \\left(\\sum_i x_i^p \\right)^{1/p}",
+        "Chain(Marked(Norm(x); _{ p }), Pow(BigSum(i; Pow(x_i; p)); Div(1; p)); =)",
+        "cvxpy/cvxpy/cvxpy/atoms/pnorm.py",
+    ),
+    (
+        "0 = \\omega - \\dot{\\theta}",
+        "Chain(0, Add(\\omega, Neg(Call(\\dot{\\theta}))); =)",
+        "pydy/pydy/docs/examples/chaos-pendulum.rst",
+    ),
+    (
+        "k_{\\text{Periodic}}(\\mathbf{x}, \\mathbf{x'}) = \\exp \\left( -2 \\sum_i \\frac{\\sin ^2 \\left( \\frac{\\pi}{p} ({x_{i}} - {x_{i}'} ) \\right)}{\\lambda} \\right)",
+        "Chain(Call(k_{Periodic}; \\mathbf{x}, \\mathbf{x}'), Call(exp; Neg(Mul(2, BigSum(i; Div(Pow(Call(sin; Mul(Div(\\pi; p), Add(x_i, Neg(x'_i)))); 2); \\lambda))))); =)",
+        "cornellius-gp/gpytorch/gpytorch/kernels/periodic_kernel.py",
+    ),
+    (
+        "\\Theta = \\frac{k_B T_e}{E_F}",
+        "Chain(\\Theta, Div(Mul(k_B, T_e); E_F); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/quantum.py",
+    ),
+    (
+        "F(v_1,...,v_j+u_j,...,v_r) = F(v_1,...,v_j,...,v_r) + F(v_1,...,u_j,...,v_r)",
+        "Chain(Call(F; v_1, Dots(), Add(v_j, u_j), Dots(), v_r), Add(Call(F; v_1, Dots(), v_j, Dots(), v_r), Call(F; v_1, Dots(), u_j, Dots(), v_r)); =)",
+        "pygae/galgebra/galgebra/lt.py",
+    ),
+    (
+        "f(x; A, \\phi, f) = A \\sin (f x + \\phi)",
+        "Chain(Call(f; Given(x; A, \\phi, f; ;)), Mul(A, Call(sin; Add(Mul(f, x), \\phi))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "F(x; s) = \\frac{ \\gamma( x/2, s/2 ) }{ \\Gamma(s/2) }",
+        "Chain(Call(F; Given(x; s; ;)), Div(Call(\\gamma; Div(x; 2), Div(s; 2)); Call(Gamma; Div(s; 2))); =)",
+        "pyro-ppl/pyro/pyro/distributions/testing/special.py",
+    ),
+    (
+        "f \\sim \\mathcal{N}(0, Q)",
+        "Chain(f, Call(\\mathcal{N}; 0, Q); \\sim)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/sgpr.py",
+    ),
+    (
+        "\\Phi^{\\cos,\\sin}_{lm}(r) = -\\frac{4\\pi}{2l+1} \\left[r^{-(l+1)} \\int_0^r a^{l+2} \\rho^{\\cos,\\sin}_{lm}(a) \\, da + r^l \\int_r^{\\infty} a^{1-l} \\rho^{\\cos,\\sin}_{lm}(a) \\, da\\right]",
+        "Chain(Call(\\Phi _ { l m } ^ { \\cos , \\sin }; r), Neg(Mul(Div(Mul(4, \\pi); Add(Mul(2, l), 1)), Add(Mul(Pow(r; Neg(Add(l, 1))), Integral(Mul(Pow(a; Add(l, 2)), Call(\\rho _ { l m } ^ { \\cos , \\sin }; a)); a; 0; r)), Mul(Pow(r; l), Integral(Mul(Pow(a; Add(1, Neg(l))), Call(\\rho _ { l m } ^ { \\cos , \\sin }; a)); a; r; Infinity()))))); =)",
+        "jobovy/galpy/galpy/potential/MultipoleExpansionPotential.py",
+    ),
+    (
+        "f(\\mathcal{E}) = \\begin{cases} \\rho_1\\,(2\\pi\\sigma^2)^{-3/2}\\,\\left(e^{\\mathcal{E}/\\sigma^2}-1\\right), & \\mathcal{E} > 0\\\\0, & \\mathcal{E} \\leq 0\\end{cases}",
+        "Chain(Call(f; \\mathcal{E}), Piecewise(Mul(\\rho_1, Pow(Mul(2, \\pi, Pow(\\sigma; 2)); Neg(Div(3; 2))), Add(Pow(e; Div(\\mathcal{E}; Pow(\\sigma; 2))), Neg(1))), Chain(\\mathcal{E}, 0; >), 0, Chain(\\mathcal{E}, 0; \\le)); =)",
+        "jobovy/galpy/galpy/df/kingdf.py",
+    ),
+    (
+        "S = 1 - \\sum_s \\frac{\\omega_{p,s}^2}{\\omega^2 - \\Omega_{c,s}^2}",
+        "Chain(S, Add(1, Neg(BigSum(s; Div(Pow(\\omega_{p,s}; 2); Add(Pow(\\omega; 2), Neg(Pow(\\Omega_{c,s}; 2))))))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dielectric.py",
+    ),
+    (
+        "\\rho(x,y,z) = \\frac{\\mathrm{amp}}{4\\,\\pi\\,a^3}\\,\\frac{1}{(m/a)^\\alpha\\,(1+m/a)^{\\beta-\\alpha}}",
+        "Chain(Call(\\rho; x, y, z), Mul(Div(\\text{amp}; Mul(4, \\pi, Pow(a; 3))), Div(1; Mul(Pow(Div(m; a); \\alpha), Pow(Add(1, Div(m; a)); Add(\\beta, Neg(\\alpha)))))); =)",
+        "jobovy/galpy/galpy/potential/TwoPowerTriaxialPotential.py",
+    ),
+    (
+        "p(f(X)) = \\mathcal{N}(0, k(X, X))",
+        "Chain(Call(p; Call(f; X)), Call(\\mathcal{N}; 0, Call(k; X, X)); =)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/gpr.py",
+    ),
+    (
+        "T_{th} = nk_{B}T",
+        "Chain(T_{th}, Mul(n, k_B, T); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -13401,5 +13635,13 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "x = (\\mathcal L \\bar x)",
         "AtsushiSakai/PythonRobotics/docs/modules/12_appendix/Kalmanfilter_basics_2_main.rst",
+    ),
+    (
+        "h = \\left(0.00417P_c^{0.69} \\Delta Te^{0.7}\\left[2.1P_r^{0.27} + \\left(9 + (1-Pr^2)^{-1}\\right)P_r^2 \\right]\\right)^{1/0.3}",
+        "CalebBell/ht/ht/boiling_nucleic.py",
+    ),
+    (
+        "d_L \\exp(X) = \\sum_{k=1}^{n-1}\\left(\\frac{1}{k!} \\sum_{j=1}^k\\left(L^{j-1} X L^{k-j}\\right)\\right)",
+        "geomstats/geomstats/geomstats/geometry/positive_lower_triangular_matrices.py",
     ),
 )

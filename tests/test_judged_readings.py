@@ -293,6 +293,7 @@ NOT_READ = {  # where two things may be meant
     r"i \hbar \frac{\partial \Psi}{\partial t} = \hat{H} \Psi": "applied to what follows",
     r"[\hat{x}, \hat{p}] = i \hbar": "the bracket of two operators",
     r"\frac{D u}{D t} = g": "a derivative, or a quotient",
+    r"[L_x, L_y] = [y p_z, z p_x]": "the bracket of two operators",
 }
 
 
@@ -315,6 +316,10 @@ READ = (  # beside what is not read: one thing is meant
     r"u = \int k \, dx + k x",
     r"W = \int_a^b p \, dV = p (b - a)",
     r"m = \int_{V} \rho \, dV",
+    r"y' y = x",
+    r"p = g(\rho h + \rho_0 h_0)",
+    r"\mathbf{y} = [A] \mathbf{x}",
+    r"x = d_1 \cos \theta",
 )
 
 
@@ -361,6 +366,12 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"F = \frac{MSB}{MSW}": "one name MS., or a product",
     r"e = D^4 P - Do^4 P": "one name Do, or a product",
     r"\pi = p q - c": "the number pi, or a letter",
+    r"\beta = (X'X)^{-1} X' y": "does the prime transpose",
+    r"s = \frac{e'e}{n - k}": "does the prime transpose",
+    r"d_L \exp(X) = L \exp(X)": "applied to what follows",
+    r"v = \frac{v_0 [S]}{K + [S]}": "a matrix in brackets, or a concentration",
+    r"y = g(W x + b)": "a factor before brackets, or a function",
+    r"h = 2.1 P_r + (1 - Pr^2)": "Prandtl number, or P times r",
 }
 
 

@@ -237,12 +237,14 @@ def _are_at_their_places(letters: Sequence[str], formulas: Sequence[str]) -> boo
 
 # x'Qx, a quadratic form
 _FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")
+# x'x and X'X, of a vector or a matrix with itself; of a function and its derivative y' y is a product
+_WITH_ITSELF = re.compile(r"(?<![A-Za-z\\])((?:[A-Z]|[a-xz]|\\mathbf \{ \w \})) ' \1(?! ?[A-Za-z'(])")
 
 
 def _forms(formulas: Sequence[str]) -> dict[str, str]:
-    """The letters of quadratic forms `x' Q x`, where a prime may transpose."""
-    found = {match[1] for formula in formulas for match in _FORM.finditer(formula)}
-    return dict.fromkeys(found, "does the prime transpose? write a T for that, or name another letter")
+    """The letters of products such as `x' Q x` and `X' X`, where a prime may transpose."""
+    found = {match[1] for formula in formulas for each in (_FORM, _WITH_ITSELF) for match in each.finditer(formula)}
+    return dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
 
 
 _RANGE = re.compile(

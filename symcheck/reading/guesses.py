@@ -48,6 +48,8 @@ COMPLEX = "a complex number"
 
 
 _OPERATOR = re.compile(r"\\math(?:cal|scr)\{[DFHLT]\}")  # of a derivative, a transform, or a linear one
+_DIFFERENTIAL = re.compile(r"[dD]_\{?(?:[A-Z]|\\math|\\text)")  # of a map, by or at what is named below
+_MAPS = frozenset({r"\exp", r"\log"})  # functions of matrices, which have differentials
 _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
 
 
@@ -60,7 +62,9 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     operator = _OPERATOR.fullmatch(of.spelling) and not of.said
-    if operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places):
+    operated = operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places)
+    mapped = _DIFFERENTIAL.match(of.spelling) and not of.said and any(p.after in _MAPS for p in of.places)
+    if operated or mapped:
         return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
@@ -238,6 +242,13 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     if of.spelling.startswith("["):
         product = matrix
     constant = of.spelling in ("g", "G") and not any(map(is_shift, of.arguments))  # of gravity
+    if (
+        constant
+        and all(place.before == "=" for place in of.places)
+        and any(map(_AFFINE.match, (args[0] for args in of.arguments)))
+    ):
+        yield in_doubt(product, FACTOR)
+        return
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
@@ -248,6 +259,7 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
         yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
 
 
+_AFFINE = re.compile(r"[A-Z](?: _ \S+| _ \{[^{}]*\})* [a-z].*\+")  # W x + b, of which a layer is a function
 _MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
 
 

@@ -351,10 +351,20 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             reader.i = start + 1
 
 
+# what stands beside matrices: bold letters and arrows, what is transposed or inverse, letters with accents, two letters
+_OF_MATRICES = re.compile(
+    r"\\(?:mathbf|boldsymbol|bm|pmb|vec|hat|tilde|det|begin|mathcal|times|top)(?![A-Za-z])"
+    r"|\^ \{ (?:T|- 1) \}|\[ [A-Z] [A-Z]"
+)
+
+
 def _unit(latex: str, formula: str) -> str:
-    """The doubt about the only brackets of a formula, at its end behind a factor."""
-    last = formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula)
-    return "a matrix in brackets, or the unit of what stands before them? say what it is" if last else ""
+    """The doubt about one letter in brackets: at the end behind a factor, or where nothing is a matrix."""
+    if not latex.startswith("["):
+        return ""
+    if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
+        return "a matrix in brackets, or the unit of what stands before them? say what it is"
+    return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
 
 
 def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
@@ -384,13 +394,15 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
     toks = tex.tokenize(formula)
     texts = [tok.text for tok in toks]
     counted = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("", formula))]
+    outside = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("_", formula))]
+    alone = [text for text, after in itertools.pairwise([*outside, ""]) if after != "_"]  # a P_r is no P
     found = dict[str, str]()
     for k, (a, b) in enumerate(itertools.pairwise(texts)):
         word = a + b
         if word not in DIMENSIONLESS or a in said or b in said:
             continue
         pairs = sum(pair == (a, b) for pair in itertools.pairwise(counted))
-        if not counted.count(a) == counted.count(b) == pairs:
+        if not alone.count(a) == counted.count(b) == pairs:
             continue
         decimals = any("." in text for text in texts)
         if word in PRODUCTS and k and not decimals:

@@ -539,7 +539,8 @@ class Builder:
             whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
             if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
-        if self.notation.inferred and _is_bracket(members[0]) and not any(isinstance(m, Tuple) for m in members[1:]):
+        lists = any(isinstance(member, Tuple) for member in members[1:]) and not _is_of_capitals(members[0])
+        if self.notation.inferred and _is_bracket(members[0]) and not lists:
             raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
         inner = [k for k in range(1, len(signs) - 1) if signs[k] in _ARROWS]  # between relations
         if inner and (len(inner) > 1 or isinstance(members[inner[0] + 1], Number | Name | Infinity)):
@@ -1538,6 +1539,11 @@ def _is_signed(tree: Tree) -> bool:
 def _is_bracket(tree: Tree) -> bool:
     """Are these two letters in square brackets?"""
     return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
+
+
+def _is_of_capitals(tree: Tree) -> bool:
+    """Are these names with capitals, as those of operators are: `[L_x, L_y]`?"""
+    return isinstance(tree, Tuple) and all(isinstance(x, Name) and x.letter[:1].isupper() for x in tree.items)
 
 
 def _is_words(tree: Tree) -> bool:
