@@ -6,6 +6,7 @@ import itertools
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
@@ -36,9 +37,9 @@ _SKEW = re.compile(r"\[ (.+) \] _ (?:\{ )?\\times(?: \})?")  # `[a]_\times`, by 
 _CAPITAL_IN_FRAME = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*\}[^{}]*)*\} \{[^{}]*\} \{ (?:\\\w+ \{ )*[A-Z]")
 
 
-@dataclass(slots=True)
+@dataclass
 class Evidence:
-    """All places of one letter, and what is said of it."""
+    """All places of one letter, and what is said of it; what follows from its places is found when all are known."""
 
     spelling: str
     places: list[Occurrence] = field(default_factory=list)
@@ -55,67 +56,67 @@ class Evidence:
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
-    @property
+    @cached_property
     def transposed(self) -> bool:
         """Does it stand with a T above, or with another sign of the transposed?"""
         return any(place.transposed for place in self.places)
 
-    @property
+    @cached_property
     def capital(self) -> bool:
         """Is it bold, without an arrow, and capital?"""
         return is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling
 
-    @property
+    @cached_property
     def multiplied(self) -> bool:
         """Is it capital, and does a bold letter that is not follow without a sign: is it a matrix for certain?"""
         return self.capital and any(place.followed for place in self.places)
 
-    @property
+    @cached_property
     def crossed(self) -> bool:
         """Does a cross stand beside it?"""
         return any(r"\times" in (place.before, place.after) for place in self.places)
 
-    @property
+    @cached_property
     def bound(self) -> bool:
         """Does it bound a sum, as a number does?"""
         return any(place.role == "bound" for place in self.places)
 
-    @property
+    @cached_property
     def factor(self) -> bool:
         """Does a vector follow it behind a dot or a cross, so that it is a factor of that?"""
         return any(place.before in (r"\cdot", r"\times") and place.after in FACES for place in self.places)
 
-    @property
+    @cached_property
     def idle(self) -> bool:
         """Would all brackets behind it be idle if they were factors?"""
         return all(map(is_product, self.arguments)) and not any(place.powered for place in self.places)
 
-    @property
+    @cached_property
     def framed(self) -> str:
         """Is it a vector, or a matrix, because a frame stands at its left?"""
         if not self.whole or not self.spelling.startswith(r"\prescript"):
             return ""
         return "matrix" if _CAPITAL_IN_FRAME.match(self.spelling) else "vector"
 
-    @property
+    @cached_property
     def dotted(self) -> bool:
         return any(place.dots for place in self.places)
 
-    @property
+    @cached_property
     def derived(self) -> bool:
         """Is it differentiated by another letter?"""
         return any(place.role == "derived" and self.spelling not in place.by for place in self.places)
 
-    @property
+    @cached_property
     def arguments(self) -> list[tuple[str, ...]]:
         return [place.arguments for place in self.places if place.arguments is not None]
 
-    @property
+    @cached_property
     def bare(self) -> bool:
         """Does it stand anywhere without brackets behind it?"""
         return any(place.arguments is None and place.role != "subscript" for place in self.places)
 
-    @property
+    @cached_property
     def by(self) -> list[str]:
         """The letters by which it, or something in which it stands, is differentiated."""
         return list(dict.fromkeys(x for place in self.places for x in place.by))

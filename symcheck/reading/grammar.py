@@ -67,8 +67,10 @@ def _tables() -> tuple[dict[int, dict[str, tuple[bool, Any]]], int, int]:
     parser: Any = Lark(GRAMMAR, parser="lalr", lexer="basic").parser
     table, made = parser.parser._parse_table, parser.parser.parser.callbacks
     states = {
-        state: {
-            name: (True, where) if action is Shift else (False, (where.origin.name, len(where.expansion), made[where]))
+        state: {  # by plain strings: those of lark are compared in Python
+            str(name): (True, where)
+            if action is Shift
+            else (False, (str(where.origin.name), len(where.expansion), made[where]))
             for name, (action, where) in actions.items()
         }
         for state, actions in table.states.items()

@@ -245,13 +245,17 @@ def _with_parts(
     return replace(inference, guesses=tuple(changed), choices=(*inference.choices, told))
 
 
-def _sized(inferences: Iterable[Inference], size: int, *, first: bool) -> Iterator[Inference]:
+def _sized(inferences: Sequence[Inference], size: int, *, first: bool) -> Iterator[Inference]:
     """The same with vectors and matrices of so many components, where nothing says how many they have."""
+    made = dict[int, Guess]()  # readings share their guesses
     for inference in inferences:
-        guesses = [_of_size(guess, size) for guess in inference.guesses]
         if any(map(_unsized, inference.guesses)):
             told = f"vectors and matrices of {size} components and rows"
-            yield replace(inference, guesses=tuple(guesses), choices=(*inference.choices, told))
+            for guess in inference.guesses:
+                if id(guess) not in made:
+                    made[id(guess)] = _of_size(guess, size)
+            guesses = tuple([made[id(guess)] for guess in inference.guesses])
+            yield replace(inference, guesses=guesses, choices=(*inference.choices, told))
         elif first:
             yield inference
 

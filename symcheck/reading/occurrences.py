@@ -219,7 +219,10 @@ class Scan(tex.Reader):
         return text
 
     def peek_at(self, place: int) -> str:
-        return self.texts[place] if place < len(self.texts) else ""
+        try:
+            return self.texts[place]
+        except IndexError:
+            return ""
 
     def differential(self) -> bool:
         """Is the d here followed by a letter?"""

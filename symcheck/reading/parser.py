@@ -196,6 +196,9 @@ def dependence(letter: Letter, notation: Notation) -> tuple[Tree, ...]:
     """The letters a letter depends on, as printed in its declaration."""
     if not letter.depends:
         return ()
+    own = notation.find(letter.depends, 0)
+    if own is not None and own.kind == "scalar" and not own.depends:  # one letter, as mostly
+        return (Name(letter.depends),)
     try:
         tree = read(letter.depends, notation)
     except SymcheckError as error:

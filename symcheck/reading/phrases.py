@@ -14,22 +14,24 @@ _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
 _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
-_SPELLINGS = (  # of one thing in several tokens, with the usual one
-    (re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
-    (re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
+_SPELLINGS = (  # of one thing in several tokens, behind what always stands in it, with the usual one
+    (r"\operatorname { \text", re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
+    (". ", re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
     # a matrix in brackets, and one of zeros
-    (re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
-    (re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
-    (re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
-    (re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
-    (re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
+    (r"\left [", re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
+    ("[ 0 ]", re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
+    ("°", re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
+    ("v m a t r i x", re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
+    ("v m a t r i x", re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
     # a fraction at a place, with a bar on one side
     (
+        "| _ {",
         re.compile(rf"(^|[-=+&] |\\[;,] )(\\frac {_BRACED} {_BRACED}) \\[bB]igg?[lr]? \| (?=_ \{{)"),
         r"\1\\left . \2 \\right | ",
     ),
     # a derivative in a frame as an operator on one letter
     (
+        r"\frac { \prescript",
         re.compile(
             rf"\\frac \{{ \\prescript ({_FRAME}) \{{ \}} \{{ ({_D}) \}} \}} (\{{ {_D} [^{{}}]* \}}) "
             rf"((?:\\prescript {_BRACED} {_BRACED} {_BRACED}|\\[a-z]+ {_BRACED})(?: [_^] {_BRACED})*|{_ROUND})"
@@ -40,6 +42,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
     # the matrix between two frames as a function of their attitude, a bold letter: `[BN(\bm{\sigma})]`, `[B(\bm{x})]`
     *(
         (
+            ") ]",
             re.compile(
                 rf"{before}\[ ((?:[A-Z] (?:_ (?:\w|\{{ [^{{}}]* \}}) )?){count})(?:\\left )?"
                 r"(\( -? ?\\(?:bm|boldsymbol|mathbf|pmb) [^()\[\]]*\)) \]"
@@ -50,6 +53,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
     ),
     # a derivative in a frame, which is written below brackets too; `{ d }` or `{ \partial }` with the frame at its left
     (
+        r"\frac { \prescript",
         re.compile(
             r"\\frac \{ \\prescript (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \{ \} \{ (d|\\mathrm \{ d \}) \} "
             r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ (?:d|\\mathrm \{ d \}) [^{}]* \})"
@@ -57,6 +61,7 @@ _SPELLINGS = (  # of one thing in several tokens, with the usual one
         r"\\left ( \\frac { d ( \3 ) } \4 \\right ) _ \1",
     ),
     (
+        r"\frac { { } ^",
         re.compile(
             r"\\frac \{ \{ \} \^ (\{ (?:[A-Z]|\\\w+ \{ [A-Z] \}) \}) \\partial "
             r"((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})+) \} (\{ \\partial (?:[^{}]|\{[^{}]*\})* \})"
@@ -85,12 +90,14 @@ _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same 
 def phrased(text: str) -> str:
     """The same text with usual spellings, signs between relations for words, and problems with what is to be found."""
     text = _STOP.sub("", _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", text)))
-    for layout, change in _SPELLINGS:
-        text = layout.sub(change, text)
-    for pattern, sign in WORDS:
+    for inside, layout, change in _SPELLINGS:
+        if inside in text:
+            text = layout.sub(change, text)
+    for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
-    text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, _PARTING[found[1][-1]])}", text)
-    return _problem(_MATRIX.sub(_with_cells, text))
+    if _SPACE in text:
+        text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, _PARTING[found[1][-1]])}", text)
+    return _problem(_MATRIX.sub(_with_cells, text) if "m a t r i x" in text else text)
 
 
 # a matrix without cells, but with commas
@@ -132,7 +139,7 @@ _OBJECTIVE = re.compile(
 
 def _problem(text: str) -> str:
     r"""What is to be found under conditions, `\min_x f(x) \quad \text{subject to} \quad g(x) = 0`, with words."""
-    first = _SUBJECT.search(text)
+    first = _SUBJECT.search(text) if r"\text {" in text else None
     alone = _OBJECTIVE.fullmatch(text) if first is None else None
     if alone is not None and alone[2] != "f i n d" and not _RELATED.search(text):  # what it is of reaches to the end
         return rf"{alone[1]}\{alone[2].replace(' ', '')} {alone[3] or ''}\left ( {alone[5].rstrip(' .,;')} \right )"

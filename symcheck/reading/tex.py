@@ -17,6 +17,7 @@ _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
 _TAG = re.compile(
     rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+\.\d+[a-zа-я]?)\))(?={_SPACE}*$)"
 )
+_TAGGED = (r"\tag", r"\eqno", "quad")  # one of these stands before it
 _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")  # spaces and punctuation at the end of a formula
 
 MAX_DEPTH = 30  # of brackets; the papers have less than ten
@@ -65,11 +66,15 @@ def split_tag(latex: str) -> tuple[str, str | None]:
     """
     tag = None
     body = latex
-    found = _TAG.search(_TAIL.sub("", latex) or latex) or _TAG.search(latex)
+    found = _tag(latex) if any(map(latex.__contains__, _TAGGED)) else None
     if found:
         tag = (found[1] or found[2] or "").strip("() ") or None
         body = latex[: found.start()]
     return _TAIL.sub("", body).strip(), tag
+
+
+def _tag(latex: str) -> re.Match[str] | None:
+    return _TAG.search(_TAIL.sub("", latex) or latex) or _TAG.search(latex)
 
 
 def tokenize(source: str) -> list[Tok]:
@@ -133,8 +138,10 @@ class Reader:
 
     def peek(self, ahead: int = 0) -> str:
         """The text of a coming token; "" past the end."""
-        k = self.i + ahead
-        return self.texts[k] if k < len(self.texts) else ""
+        try:
+            return self.texts[self.i + ahead]
+        except IndexError:
+            return ""
 
     def at(self, ahead: int = 0) -> int:
         """The place of a coming token in the source."""

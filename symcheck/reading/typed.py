@@ -45,13 +45,13 @@ def _with_words(source: str) -> list[tex.Tok]:
         if k < text_ends:
             spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
             found += [tex.Tok("~", tok.at - 1)] if spaced else []
-        elif not any(scripts) and (count := _digits_behind(toks, k)):
+        elif tok.text.isalpha() and not any(scripts) and (count := _digits_behind(toks, k)):
             found += [
                 tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
             ]
             k += 1 + count
             continue
-        elif len(word := _letters(toks, k)) > 1:
+        elif tok.text.isalpha() and len(word := _letters(toks, k)) > 1:
             if _is_greek(word, toks, k):
                 made = [f"\\{word}"]
             elif _is_function(word, toks, k):
@@ -70,7 +70,7 @@ def _with_words(source: str) -> list[tex.Tok]:
 
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
     """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
-    if not toks[k].text.isalpha() or not (k + 1 < len(toks) and toks[k + 1].text.isdigit()):
+    if not (k + 1 < len(toks) and toks[k + 1].text.isdigit()):
         return 0
     before = toks[k - 1] if k else tex.Tok("", -2)
     if before.text in ("_", "^") or before.text in ARGUMENTS:
