@@ -333,9 +333,8 @@ def _indices(addend: Tree) -> Counter[str]:
             bound |= {*map(str, part.indices)}
         if isinstance(part, Name):
             spelled = _SUBSCRIPT.search(part.letter)
-            tokens = [tok.text for tok in tex.tokenize(spelled[1])] if spelled else []
-            tokens += [x for x in part.subscripts if isinstance(x, str)]
-            found.update(x for x in tokens if x in INDICES)
+            tokens = tex.texts(spelled[1]) if spelled else ()
+            found.update(x for x in (*tokens, *part.subscripts) if x in INDICES)
         if isinstance(part, Pow) and isinstance(part.exponent, Name) and part.exponent.letter in GREEK:
             found[part.exponent.letter] += 1
     return Counter({x: n for x, n in found.items() if x not in bound})

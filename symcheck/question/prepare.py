@@ -251,7 +251,7 @@ def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
 
 def _is_name(latex: str) -> bool:
     """Is this a letter, or a name of several tokens such as `x^*`, and nothing more?"""
-    spaced = " ".join(tok.text for tok in tex.tokenize(latex) if tok.text not in SPACES)
+    spaced = " ".join(text for text in tex.texts(latex) if text not in SPACES)
     return is_letter(spaced) or spaced in names_of_several_tokens([spaced], {})
 
 

@@ -127,11 +127,14 @@ def _letter(latex: str) -> str:
     place = None if _MORE.search(latex) else first(latex)
     if place is None:
         return ""
-    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+    return place.word + (tex.subscript(place.subscript) if place.subscript else "")
 
 
 def _plain(latex: str) -> list[str]:
-    return [tok.text for tok in tex.tokenize(latex) if tok.text not in SPACES | {"{", "}"}]
+    return [text for text in tex.texts(latex) if text not in _LAYOUT]
+
+
+_LAYOUT = SPACES | {"{", "}"}
 
 
 def _members(formula: str) -> list[str]:

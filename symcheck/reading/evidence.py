@@ -154,7 +154,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         family = place.word in families and bool(tokens) and all(t in index or t.isdigit() for t in tokens)
         family = family and not _is_mixed(place.subscript or ())
         if tokens and not family:
-            latex += tex.subscript([tex.Tok(text, 0) for text in place.subscript or ()])
+            latex += tex.subscript(place.subscript or ())
         key = f"{latex} {len(tokens)}" if family else latex
         own = found.setdefault(key, Evidence(latex, indices=len(tokens) if family else 0))
         own.places.append(place)
@@ -204,7 +204,7 @@ _RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
     """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
-    toks = [tok.text for formula in formulas for tok in tex.tokenize(formula)]
+    toks = [text for formula in formulas for text in tex.texts(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     found: dict[str, str] = {}
     outside = [NO_FACTORS.sub("", formula) for formula in formulas]
@@ -308,7 +308,7 @@ def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
 
 def spelling(place: Occurrence) -> str:
     """The spelling of the letter at one place, with its subscript."""
-    return place.word + (tex.subscript([tex.Tok(t, 0) for t in place.subscript]) if place.subscript else "")
+    return place.word + (tex.subscript(place.subscript) if place.subscript else "")
 
 
 def canonical(latex: str) -> str:

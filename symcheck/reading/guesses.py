@@ -87,7 +87,7 @@ def _multiplies(of: Evidence, place: Occurrence) -> bool:
     raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
     if raised or not place.arguments:
         return raised
-    printed = " ".join(tok.text for tok in tex.tokenize(of.spelling))
+    printed = " ".join(tex.texts(of.spelling))
     return any(f" {printed} " in f" {arg} " for arg in place.arguments)
 
 

@@ -136,7 +136,7 @@ class Lexer(tex.Reader):
 
     def lexemes(self) -> list[Lexeme]:
         """All tokens, or SymcheckError at the first place that cannot be one."""
-        while self.i < len(self.toks):
+        while self.i < len(self.texts):
             self.step()
         if self.open:
             self.fail("unbalanced bracket: this one is never closed", self.open[-1].at)
@@ -186,14 +186,14 @@ class Lexer(tex.Reader):
             return
         self.i += 1
         place = self.at()
-        word = tex.spelled("".join(f"{tok.text} " for tok in self.group()))
+        word = tex.spelled("".join(f"{text} " for text in self.group()))
         if word is None or self.notation.find(word, 0) is None:
             self.unknown(word or "here", place)
         self.emit("RANGLE", Name(word), at)
 
     def step(self) -> None:
         """The next token, command or letter."""
-        text, at = self.toks[self.i]
+        text, at = self.texts[self.i], self.places[self.i]
         if len(text) == 1 and text.isalpha():
             if not (self.notation.wholes and self.whole()):
                 self.letter()
@@ -282,8 +282,8 @@ class Lexer(tex.Reader):
 
     def star_multiplies(self) -> bool:
         """Is the star of this display the sign of a product: does it stand beside a number anywhere?"""
-        texts = [tok.text for tok in self.toks]
-        beside = (a + b for a, text, b in zip(texts, texts[1:], texts[2:], strict=False) if text == "*")
+        three = zip(self.texts, self.texts[1:], self.texts[2:], strict=False)
+        beside = (a + b for a, text, b in three if text == "*")
         return any(char.isdigit() for both in beside for char in both)
 
     def sentence_ends(self) -> bool:
@@ -394,13 +394,13 @@ class Lexer(tex.Reader):
     def one_sided(self) -> None:
         r"""`\left. f \right|_{x = a}`: what is taken at a place, as in brackets on both sides."""
         depth = 1
-        for k in range(self.i + 1, len(self.toks) - 2):
-            depth += (self.toks[k].text == r"\left") - (self.toks[k].text == r"\right")
+        for k in range(self.i + 1, len(self.texts) - 2):
+            depth += (self.texts[k] == r"\left") - (self.texts[k] == r"\right")
             if depth:
                 continue
-            if self.toks[k + 1].text in ("|", ")", "]") and self.toks[k + 2].text == "_":
+            if self.texts[k + 1] in ("|", ")", "]") and self.texts[k + 2] == "_":
                 start, self.i = self.i, k + 3
-                place = "=" in [tok.text for tok in self.group()]
+                place = "=" in self.group()
                 self.i = start
                 self.closes[start], self.closes[k + 1] = ("LBRA", "RBRA") if place else ("LPAR", "RPAR")
             return
@@ -426,7 +426,7 @@ class Lexer(tex.Reader):
         before = self.out[start - 1] if start else None
         if before is None or before.type != "NAME" or any(x.type in ("MID", "SEMI") for x in self.out[start:]):
             return False
-        ahead = [tok.text for tok in self.toks[self.i + 1 :]]
+        ahead = self.texts[self.i + 1 :]
         return ";" not in ahead[: ahead.index(")")] if ")" in ahead else False
 
     def mid(self) -> bool:
@@ -451,11 +451,11 @@ class Lexer(tex.Reader):
         ):
             return False
         depth = 1
-        for tok in self.toks[self.i :]:
-            depth += (tok.text in OPEN) - (tok.text in CLOSE)
+        for text in self.texts[self.i :]:
+            depth += (text in OPEN) - (text in CLOSE)
             if not depth:
                 return True
-            if tok.text in ("|", r"\mid"):
+            if text in ("|", r"\mid"):
                 return False
         return False
 
@@ -465,7 +465,7 @@ class Lexer(tex.Reader):
             return False
         start, at = self.i, self.at()
         self.i += 1
-        word = "".join(tok.text for tok in self.group() if tok.text not in SPACES).strip(",.:").lower()
+        word = "".join(text for text in self.group() if text not in SPACES).strip(",.:").lower()
         if word in CONDITIONS:
             return True
         if word in OTHERWISE:
@@ -480,7 +480,7 @@ class Lexer(tex.Reader):
             return False
         start, at = self.i, self.at()
         self.i += 1
-        word = "".join(tok.text for tok in self.group())
+        word = "".join(self.group())
         if word not in PARTING:
             self.i = start
             return False
@@ -496,7 +496,7 @@ class Lexer(tex.Reader):
         r"""`aligned` and its kin are layout; matrices keep their cells. An array in brackets is a matrix."""
         begin, at = self.peek() == r"\begin", self.at()
         self.i += 1
-        name = "".join(t.text for t in self.group())
+        name = "".join(self.group())
         if name not in ENVIRONMENTS | MATRICES:
             self.fail(f"unknown environment {name}", at)
         if begin:
@@ -566,7 +566,7 @@ class Lexer(tex.Reader):
             text = self.peek()
             self.i += 1
             if text in ROMAN and self.peek() == "{":
-                text = "".join(tok.text for tok in self.group() if tok.text not in SPACES)
+                text = "".join(text for text in self.group() if text not in SPACES)
             elif text in SPACES:
                 continue
             operator += text.removeprefix("\\")
@@ -575,11 +575,11 @@ class Lexer(tex.Reader):
         if operator in ("min", "max") and self.peek() in (r"\sum", r"\int", r"\max", r"\min"):
             self.emit("UNDER", (operator, ""), at)
             return True
-        if operator not in LIMITING or self.peek() != "_" or self.notation.knows(self.toks[start].text):
+        if operator not in LIMITING or self.peek() != "_" or self.notation.knows(self.texts[start]):
             self.i = start
             return False
         self.i += 1
-        below = " ".join(tok.text for tok in self.group())
+        below = " ".join(self.group())
         if not below:
             self.fail("an empty subscript", at)
         self.emit("UNDER", (operator, f"_{{ {below} }}"), at)
@@ -614,10 +614,10 @@ class Lexer(tex.Reader):
             if "^" in bounds or any(lexeme.type in ("NUMBER", "INFINITY") for lexeme in bounds.get("_", [])[1:2]):
                 self.fail("an integral with one bound", at)
             if bounds:
-                below = " ".join(tok.text for tok in self.toks[start : self.i])
+                below = " ".join(self.texts[start : self.i])
                 self.emit("OVER", (r"\int", below), at)
                 return
-            if not any(tok.text == "d" for tok in self.toks[self.i :]):  # over something that is not printed
+            if "d" not in self.texts[self.i :]:  # over something that is not printed
                 self.emit("UNDER", ("int", ""), at)
                 return
             self.emit("ANTI", r"\int", at)
@@ -636,7 +636,7 @@ class Lexer(tex.Reader):
             self.group()
         if self.peek() == "^":
             self.fail(f"{sign} with two bounds", at)
-        self.emit("OVER", (sign, " ".join(tok.text for tok in self.toks[start : self.i])), at)
+        self.emit("OVER", (sign, " ".join(self.texts[start : self.i])), at)
 
     def over_set(self) -> str:
         r"""The scripts of a sum that are no bounds, as printed: `_{i \in S}`, `_{i < j}`, `_i^N`; else nothing."""
@@ -644,7 +644,7 @@ class Lexer(tex.Reader):
         while self.peek() in ("_", "^") and self.peek() not in found:
             mark = self.peek()
             self.i += 1
-            found[mark] = " ".join(tok.text for tok in self.group())
+            found[mark] = " ".join(self.group())
         below = found.get("_", "").split()
         set_like = SETS & set(below) or below[:1] == ["("] if below else False
         if not below or not (set_like or ("^" in found and "=" not in below)):
@@ -655,11 +655,11 @@ class Lexer(tex.Reader):
     def evaluated(self, at: int) -> None:
         r"""The place at which what is in brackets, or before a bar, is taken: `_{t=0}^1`."""
         self.i += 1
-        sized = self.last() == "NUMBER" and r"\times" in [t.text for t in self.toks[self.i : self.i + self.length()]]
+        sized = self.last() == "NUMBER" and r"\times" in self.texts[self.i : self.i + self.length()]
         closed = (self.last() in _MARKED or sized) and bool(self.out) and self.out[-1].type != "GAP"
         if not closed:
             self.fail("a subscript without a letter before it", at)
-        inside = [tok.text for tok in self.toks[self.i : self.i + self.length()]]
+        inside = self.texts[self.i : self.i + self.length()]
         if "=" not in inside or self.last() != "RBRA":
             self.group()
             if self.peek() in ("_", "'") or not inside:
@@ -687,7 +687,7 @@ class Lexer(tex.Reader):
             self.emit("PRIMES", self.primed(at), at)
             return
         self.i += 1
-        inside = [t.text for t in self.toks[self.i : self.i + self.length()] if t.text not in {"{", "}"} | ROMAN]
+        inside = [text for text in self.texts[self.i : self.i + self.length()] if text not in {"{", "}"} | ROMAN]
         if len(inside) == 1 and inside[0] in MARKS and self.last() in ("RPAR", "RBRA"):
             self.group()
             self.emit("MARK", f"^{inside[0]}", at)
@@ -718,7 +718,7 @@ class Lexer(tex.Reader):
             self.fail("primes behind a bracket need the letter they differentiate by", at)
         self.i += 1
         letters = []
-        for tok in self.group():
+        for tok in self.placed():
             if self.notation.find(tok.text, 0) is None:
                 self.unknown(tok.text, tok.at)
             letters.append(Name(tok.text))
@@ -735,8 +735,8 @@ class Lexer(tex.Reader):
             elif self.peek() == "^":
                 start = self.i
                 self.i += 1
-                inside = self.group() if self.peek() else []
-                if not inside or any(t.text not in ("'", r"\prime") for t in inside):
+                inside = self.group() if self.peek() else ()
+                if not inside or any(text not in ("'", r"\prime") for text in inside):
                     self.i = start
                     return count
                 count += len(inside)
@@ -766,14 +766,14 @@ class Lexer(tex.Reader):
         if remark and self.last() in _ENDS:
             self.emit("COMMA", WIDE_COMMA, at)
         self.name(word, at)
-        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in SPACES), "") if remark else ""
+        after = next((text for text in self.texts[self.i :] if text not in SPACES), "") if remark else ""
         if remark and (tex.is_letter(after) or after in ("(", "[", r"\left", r"\begin", r"\frac")):
             self.emit("COMMA", WIDE_COMMA, at)
 
     def based(self, at: int) -> str:
         r"""The function that `\log_{10}` or `\log_2` is."""
         self.i += 1
-        base = "".join(tok.text for tok in self.group())
+        base = "".join(self.group())
         if base not in BASES:
             self.fail(f"a logarithm to the base {base}; write a quotient of logarithms", at)
         return BASES[base]
@@ -842,7 +842,7 @@ class Lexer(tex.Reader):
         place = self.at(1)
         if self.peek() == "_":
             self.i += 1
-            tokens = self.group()
+            tokens = self.placed()
             if self.peek() == "_":
                 self.fail("a second subscript")
         primes += 0 if power else self.primes()
@@ -868,7 +868,8 @@ class Lexer(tex.Reader):
         if "$" in word and "\\" in word[5:]:
             self.fail("a formula in text; write it outside of the text", at)
         bare, dots = undotted(word)
-        fixed = bare + tex.subscript(tokens) if tokens else bare
+        below = tex.subscript([tok.text for tok in tokens]) if tokens else ""
+        fixed = bare + below
         if dots and not notation.knows(word) and (notation.knows(bare) or notation.knows(fixed)):
             return self.dotted(word, tokens, primes, at, place)
         if tokens is None:
@@ -887,7 +888,7 @@ class Lexer(tex.Reader):
             self.unknown(word, at)
         if not tokens:
             self.fail("an empty subscript", at)
-        fixed = word + tex.subscript(tokens)
+        fixed = word + below
         if notation.find(fixed, 0) is not None:
             return Name(fixed, (), primes), "NAME"
         if not notation.knows(word) or notation.arities(word) == [0]:

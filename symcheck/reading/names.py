@@ -132,7 +132,7 @@ def _values(formulas: Sequence[str]) -> Iterator[str]:
     defined = {tex.spelled(match[1]) for match in found if _DEFINED.match(match.string, match.end())}
     for match in found:
         if tex.spelled(match[1]) in (bare | (begins - defined)) - own:
-            yield " ".join(tok.text for tok in tex.tokenize(match[0]))
+            yield " ".join(tex.texts(match[0]))
 
 
 def _is_of_letters(place: Occurrence) -> bool:
@@ -198,8 +198,8 @@ def _letters(inside: Sequence[str]) -> list[str]:
     if inside[-2:] in (["+", "1"], ["-", "1"]):
         reader = tex.Reader(" ".join(inside[:-2]))
     try:
-        while reader.i < len(reader.toks):
-            if reader.peek() in (",", "/") and found and reader.i + 1 < len(reader.toks):
+        while reader.i < len(reader.texts):
+            if reader.peek() in (",", "/") and found and reader.i + 1 < len(reader.texts):
                 reader.i += 1
                 continue
             word = reader.spelling()
@@ -210,7 +210,7 @@ def _letters(inside: Sequence[str]) -> list[str]:
                 word += tex.subscript(reader.group())
             if reader.peek() == "^":
                 reader.i += 1
-                if {tok.text for tok in reader.group()} - _SIGNS:
+                if {*reader.group()} - _SIGNS:
                     return []
             found.append(word)
     except SymcheckError:
@@ -223,7 +223,7 @@ class _Numbers(tex.Reader):
     """The letters of a formula that stand for numbers somewhere: neither below another letter nor a label above one."""
 
     def run(self, stop: int | None = None) -> Iterator[str]:
-        stop = len(self.toks) if stop is None else stop
+        stop = len(self.texts) if stop is None else stop
         base = ""
         while self.i < stop:
             text = self.peek()
@@ -258,7 +258,7 @@ class _Numbers(tex.Reader):
 
     def _inside(self) -> list[str]:
         try:
-            return [tok.text for tok in self.group() if tok.text not in SPACES]
+            return [text for text in self.group() if text not in SPACES]
         except SymcheckError:
             return []
 
@@ -283,8 +283,8 @@ class _Numbers(tex.Reader):
 def _scripted(formula: str) -> Iterator[Scripted]:
     """The letters of a formula with a superscript, or with scripts at the left."""
     reader = tex.Reader(formula)
-    toks = reader.toks
-    while reader.i < len(toks):
+    texts = reader.texts
+    while reader.i < len(texts):
         start, text = reader.i, reader.peek()
         framed, changed = text == r"\prescript", text in (r"\Delta", r"\delta") and _begins_letter(reader.peek(1))
         if not framed and not tex.is_letter(text):
@@ -295,7 +295,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 reader.i += 1
                 for _ in range(2):
                     reader.group()
-                word = " ".join(tok.text for tok in [*toks[start : reader.i], *reader.group()])
+                word = " ".join([*texts[start : reader.i], *reader.group()])
             else:
                 reader.i += changed
                 word = reader.spelling()
@@ -303,25 +303,25 @@ def _scripted(formula: str) -> Iterator[Scripted]:
             above = list[str]()
             while not known(word) and reader.peek() in ("_", "^"):
                 mark, reader.i = reader.peek(), reader.i + 1
-                inside = [tok.text for tok in reader.group()]
+                inside = reader.group()
                 if mark == "^" and not (set(inside) - {"'", r"\prime"}):
                     break
                 above += inside if mark == "^" else []
                 low, end = (low if mark == "^" else reader.i), reader.i
             if framed or above:
-                name, bare = (" ".join(tok.text for tok in toks[start:to]) for to in (end, low))
-                before = [tok.text for tok in toks[:start]]
-                coefficient = before[-len(above) - 3 :] == ["_", "{", *above, "}"]
-                plain = not framed and (before[-1:] in (["d"], [r"\partial"]) or coefficient)
-                yield Scripted(name, bare, word, tuple(above), framed, plain, _is_applied(toks[end:]))
+                name, bare = (" ".join(texts[start:to]) for to in (end, low))
+                before = texts[:start]
+                coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}")
+                plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
+                yield Scripted(name, bare, word, tuple(above), framed, plain, _is_applied(texts[end:]))
             reader.i = start + 1 if changed and not above else behind
         except SymcheckError:
             reader.i = max(reader.i, start + 1)
 
 
-def _is_applied(behind: Sequence[tex.Tok]) -> bool:
+def _is_applied(behind: Sequence[str]) -> bool:
     """Do brackets open here that hold no sum, as those of arguments do?"""
-    inner = [tok.text for tok in itertools.dropwhile(lambda tok: tok.text in SIZES, behind)]
+    inner = [*itertools.dropwhile(SIZES.__contains__, behind)]
     if inner[:1] != ["("]:
         return False
     end = inner.index(")") if ")" in inner else len(inner)
@@ -331,11 +331,11 @@ def _is_applied(behind: Sequence[tex.Tok]) -> bool:
 def _matrices_and_differences(formula: str) -> Iterator[str]:
     r"""Matrices in brackets, `[P]`, `[BN]`, and differences, `\Delta x`."""
     reader = tex.Reader(formula)
-    toks = reader.toks
-    while reader.i < len(toks):
+    texts = reader.texts
+    while reader.i < len(texts):
         start, text = reader.i, reader.peek()
-        if text == "[" and not _is_place(toks, start) and (end := _bracketed(toks, start)):
-            yield " ".join(tok.text for tok in toks[start:end])
+        if text == "[" and not _is_place(texts, start) and (end := _bracketed(texts, start)):
+            yield " ".join(texts[start:end])
             reader.i = end
             continue
         reader.i += 1
@@ -346,7 +346,7 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             while reader.peek() == "_":
                 reader.i += 1
                 reader.group()
-            yield " ".join(tok.text for tok in toks[start : reader.i])
+            yield " ".join(texts[start : reader.i])
         except SymcheckError:
             reader.i = start + 1
 
@@ -367,16 +367,15 @@ def _unit(latex: str, formula: str) -> str:
     return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
 
 
-def _is_place(toks: Sequence[tex.Tok], start: int) -> bool:
+def _is_place(texts: tuple[str, ...], start: int) -> bool:
     """Do these brackets stand behind a letter behind which others hold a number or a letter, as in `x[0], x[N]`?
 
     Behind the sign of an expectation they hold its argument.
     """
-    before = toks[start - 1].text if start else ""
-    texts = [tok.text for tok in toks]
+    before = texts[start - 1] if start else ""
     four = zip(texts, texts[1:], texts[2:], texts[3:], strict=False)
     return (
-        texts[start - 4 : start] == [r"\mathbb", "{", "E", "}"]
+        texts[start - 4 : start] == (r"\mathbb", "{", "E", "}")
         or before == "E"
         or any((a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four)
     )
@@ -391,10 +390,9 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
 
     What has an exponent of letters is left to be refused, as in R e^{i x}.
     """
-    toks = tex.tokenize(formula)
-    texts = [tok.text for tok in toks]
-    counted = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("", formula))]
-    outside = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("_", formula))]
+    texts = tex.texts(formula)
+    counted = tex.texts(NO_FACTORS.sub("", formula))
+    outside = tex.texts(NO_FACTORS.sub("_", formula))
     alone = [text for text, after in itertools.pairwise([*outside, ""]) if after != "_"]  # a P_r is no P
     found = dict[str, str]()
     for k, (a, b) in enumerate(itertools.pairwise(texts)):
@@ -415,7 +413,7 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
         name = " ".join(texts[k : reader.i])
         if reader.peek() == "^":
             reader.i += 1
-            if any(tex.is_letter(tok.text) for tok in reader.group()):
+            if any(map(tex.is_letter, reader.group())):
                 return {}
         found[name] = f"the {DIMENSIONLESS[word]} number, or {a} times {b}? write \\cdot, or name one letter"
     return found
@@ -424,13 +422,13 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
 def _accented(formula: str) -> Iterator[tuple[str, str]]:
     r"""Accents over several letters: `\vec{OP}` from one point to another; others are in doubt."""
     reader = tex.Reader(formula)
-    toks = reader.toks
-    while reader.i < len(toks):
+    texts = reader.texts
+    while reader.i < len(texts):
         start, text = reader.i, reader.peek()
         reader.i += 1
         if text not in ACCENTS or text in tex.DOTTED or reader.peek() != "{":
             continue
-        inside = [tok.text for tok in reader.group()]
+        inside = reader.group()
         letters = _outside_scripts(inside)
         own = STYLES | LETTER_COMMANDS | {"(", ")", r"\star"}
         if len(letters) < 2 or not all(letter.isalpha() or letter in own for letter in letters):
@@ -442,7 +440,7 @@ def _accented(formula: str) -> Iterator[tuple[str, str]]:
         while reader.peek() == "_":
             reader.i += 1
             reader.group()
-        name = " ".join(tok.text for tok in toks[start : reader.i])
+        name = " ".join(texts[start : reader.i])
         points = text == r"\vec" and len(letters) == 2 and all(letter.isupper() for letter in letters)
         yield name, "" if points else f"one name, or something done with {' '.join(inside)}? say what {name} is"
 
@@ -471,17 +469,17 @@ def _is_word(inside: Sequence[str]) -> bool:
     return len(inside) == 2 or (inside[1] == "{" and inside.index("}") == len(inside) - 1)
 
 
-def _bracketed(toks: Sequence[tex.Tok], start: int) -> int:
+def _bracketed(texts: tuple[str, ...], start: int) -> int:
     """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
-    end = next((k for k in range(start, len(toks)) if toks[k].text == "]"), 0)
-    inner = [tok.text for tok in toks[start + 1 : end]]
-    styles = {r"\mathcal"} if toks[end + 1 : end + 2] and toks[end + 1].text == "^" else STYLES  # or an inverse product
+    end = texts.index("]", start) if "]" in texts[start:] else 0
+    inner = [*texts[start + 1 : end]]
+    styles = {r"\mathcal"} if texts[end + 1 : end + 2] == ("^",) else STYLES  # or an inverse product
     letters = [text for text in _outside_scripts(inner) if text not in styles]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
     styled = bool(inner) and ((inner[0].isalpha() and inner[0].isupper()) or inner[0] in OVER)
     if not end or not (pair or (styled and is_letter(" ".join(inner)))):
         return 0
-    reader = tex.Reader(" ".join(tok.text for tok in toks[end + 1 :]))
+    reader = tex.Reader(" ".join(texts[end + 1 :]))
     while reader.peek() == "_":  # the scripts of the name
         reader.i += 1
         reader.group()
@@ -502,13 +500,13 @@ def is_letter(latex: str) -> bool:
                 reader.group()
     except SymcheckError:
         return False
-    return reader.i == len(reader.toks) and not (known(word) and word != r"\Gamma")
+    return reader.i == len(reader.texts) and not (known(word) and word != r"\Gamma")
 
 
 def _outside_scripts(inner: Sequence[str]) -> list[str]:
     """The tokens that stand in no script."""
     reader, found = tex.Reader(" ".join(inner)), list[str]()
-    while reader.i < len(reader.toks):
+    while reader.i < len(reader.texts):
         text = reader.peek()
         reader.i += 1
         if text == "_" and reader.peek():

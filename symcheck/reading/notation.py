@@ -218,7 +218,7 @@ def canonical(latex: str) -> str:
     if reader.peek() == "^":
         reader.i += 1
         text += tex.superscript(reader.group()) or ""
-    if reader.i < len(reader.toks):
+    if reader.i < len(reader.texts):
         reader.fail("a letter is declared by its spelling alone, without indices")
     return text
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -108,7 +109,7 @@ class Scan(tex.Reader):
     def transposes(self) -> bool:
         """Does a superscript begin here that transposes what stands in brackets before it?"""
         start, self.i = self.i, self.i + 1
-        inside = tuple(words([tok.text for tok in self.group()])) if self.i < len(self.toks) else ()
+        inside = tuple(words(self.group())) if self.i < len(self.texts) else ()
         self.i = start
         return inside in TRANSPOSED
 
@@ -120,13 +121,13 @@ class Scan(tex.Reader):
         return found
 
     def run(self, scope: Scope, stop: int | None = None) -> Iterator[Occurrence]:
-        stop = len(self.toks) if stop is None else stop
+        stop = len(self.texts) if stop is None else stop
         while self.i < stop:
-            text = self.toks[self.i].text
+            text = self.texts[self.i]
             if not (text in _SPECIAL or tex.is_letter(text) or text in self.wholes):
                 self.i += 1
                 continue
-            before = self.toks[self.i - 1].text if self.i else ""
+            before = self.texts[self.i - 1] if self.i else ""
             if self.wholes and (whole := self.whole())[0]:
                 name, dots = whole
                 yield Occurrence(
@@ -168,13 +169,13 @@ class Scan(tex.Reader):
 
     def environment(self) -> None:
         self.i += 1
-        name = "".join(tok.text for tok in self.group())
+        name = "".join(self.group())
         if name == "array" and self.peek() == "{":
             self.group()
 
     def inside(self, scope: Scope) -> Iterator[Occurrence]:
         """The letters of one TeX argument."""
-        if self.i >= len(self.toks):
+        if self.i >= len(self.texts):
             return
         if self.peek() != "{":
             yield from self.run(scope, self.i + 1)
@@ -202,8 +203,8 @@ class Scan(tex.Reader):
             start = self.i
             tokens = self.group()
             end, self.i = self.i, start + (self.peek_at(start) == "{")
-            signs = [k for k, tok in enumerate(tokens) if tok.text in ("=", r"\in")]
-            ends = ("".join(tok.text for tok in tokens[signs[0] + 1 :]) if signs else "", self.above(end))
+            signs = [k for k, text in enumerate(tokens) if text in ("=", r"\in")]
+            ends = ("".join(tokens[signs[0] + 1 :]) if signs else "", self.above(end))
             for index in self.run(Scope("index", scope.by), self.i + (signs[0] if signs else len(tokens))):
                 yield replace(index, arguments=ends)
             yield from self.run(Scope(scope.role or "bound", scope.by, exponent=scope.exponent), end)
@@ -214,7 +215,7 @@ class Scan(tex.Reader):
         if self.peek_at(place) != "^":
             return ""
         kept, self.i = self.i, place + 1
-        text = "".join(tok.text for tok in self.group()) if self.i < len(self.toks) else ""
+        text = "".join(self.group()) if self.i < len(self.texts) else ""
         self.i = kept
         return text
 
@@ -235,9 +236,9 @@ class Scan(tex.Reader):
         """A fraction; one of differentials is a derivative, with what it applies to above or behind it."""
         self.i += 1
         start = self.i
-        above = self.group() if self.i < len(self.toks) else []
+        above = self.group() if self.i < len(self.texts) else []
         middle = self.i
-        below = self.group() if self.i < len(self.toks) else []
+        below = self.group() if self.i < len(self.texts) else []
         end = self.i
         if not all(map(_begins_with_differential, (above, below))) or len(below) < 2:
             self.i = start
@@ -249,7 +250,7 @@ class Scan(tex.Reader):
         by = _spelled(variables)
         yield from self.differentials(start, middle, "derived", by)
         self.i = end
-        if not any(tok.text not in DIFFERENTIALS | {"^", "{", "}"} and not tok.text.isdigit() for tok in above):
+        if all(text in _OF_DIFFERENTIALS or text.isdigit() for text in above):
             yield from self.operand(scope, by)
 
     def slash(self) -> int:
@@ -263,7 +264,7 @@ class Scan(tex.Reader):
         while self.peek() in SPACES:
             self.i += 1
         middle, self.i = self.i, kept
-        behind = next((k for k in range(middle + 1, len(self.toks)) if self.peek_at(k) not in SPACES), 0)
+        behind = next((k for k in range(middle + 1, len(self.texts)) if self.peek_at(k) not in SPACES), 0)
         sure = derived and self.peek_at(middle) == "/" and self.peek_at(behind) == self.peek()
         return middle if sure and tex.is_letter(self.peek_at(behind + 1)) else 0
 
@@ -294,9 +295,7 @@ class Scan(tex.Reader):
                     self.i += 1
                     self.group()
                 continue
-            elif (
-                text in (r"\mathrm", r"\text") and "".join(t.text for t in self.toks[self.i + 1 : self.i + 4]) == "{d}"
-            ):
+            elif text in (r"\mathrm", r"\text") and "".join(self.texts[self.i + 1 : self.i + 4]) == "{d}":
                 self.i += 4
             elif tex.is_letter(text) and text not in FUNCTIONS_SPELLED:
                 places = [*self.letter(Scope(role, by))]
@@ -314,23 +313,23 @@ class Scan(tex.Reader):
             yield from self.run(Scope("derived", by), self.closing())
         elif tex.is_letter(self.peek()) and self.peek() not in FUNCTIONS_SPELLED:
             yield from self.letter(Scope("derived", by))
-        elif self.i < len(self.toks):
-            yield from self.run(Scope("derived", by), len(self.toks))
+        elif self.i < len(self.texts):
+            yield from self.run(Scope("derived", by), len(self.texts))
 
     def closing(self) -> int:
         """The place of the bracket that closes the one here, or the end."""
         depth = 0
-        for k in range(self.i, len(self.toks)):
-            depth += (self.toks[k].text in OPEN) - (self.toks[k].text in CLOSE)
+        for k in range(self.i, len(self.texts)):
+            depth += (self.texts[k] in OPEN) - (self.texts[k] in CLOSE)
             if depth == 0:
                 return k
-        return len(self.toks)
+        return len(self.texts)
 
     def letter(self, scope: Scope) -> Iterator[Occurrence]:
         """One letter with its scripts and arguments; then the letters in these."""
         start, before, k = self.i, "", self.i
         while not before and (k := k - 1) >= 0:
-            before = self.toks[k].text if self.toks[k].text not in SPACES else ""
+            before = self.texts[k] if self.texts[k] not in SPACES else ""
         try:
             word, dots = undotted(self.spelling())
         except SymcheckError:
@@ -348,7 +347,7 @@ class Scan(tex.Reader):
                 primes += 1
                 continue
             place = self.i
-            tokens = tuple(tok.text for tok in self.group()) if self.i < len(self.toks) else ()
+            tokens = self.group() if self.i < len(self.texts) else ()
             if mark == "^" and tuple(words(tokens)) in TRANSPOSED:
                 transposed = True
                 continue
@@ -363,7 +362,7 @@ class Scan(tex.Reader):
             self.i = end
             scripts[mark] = tokens
         arguments = self.arguments()
-        after = next((tok.text for tok in self.toks[self.i :] if tok.text not in _UNPRINTED), "")
+        after = next((text for text in self.texts[self.i :] if text not in _UNPRINTED), "")
         if k > 0 and (before, after) == ("(", ")") and self.peek_at(k - 1) in DIFFERENTIALS:
             before = self.peek_at(k - 1)  # alone in brackets behind the d
         yield Occurrence(
@@ -411,37 +410,39 @@ class Scan(tex.Reader):
         if self.peek_at(ahead) != "(":
             return None
         found, depth, parts = list[str](), 0, list[list[str]]([[]])
-        for k in range(ahead, len(self.toks)):
-            tok = self.toks[k]
-            depth += (tok.text in OPEN or tok.text in _ALSO_OPEN) - (tok.text in CLOSE or tok.text in _ALSO_CLOSE)
+        for k in range(ahead, len(self.texts)):
+            text = self.texts[k]
+            depth += (text in _OPENING) - (text in _CLOSING)
             if depth == 0:
                 if parts[0][:1] == [r"\prescript"] and self.transposed(k + 1):
                     return None  # they are needed around a letter in a frame
                 break
-            if tok.text == "," and depth == 1:
+            if text == "," and depth == 1:
                 parts.append([])
-            elif not (tok.text == "(" and depth == 1 and not parts[0]) and tok.text not in _UNPRINTED:
-                parts[-1].append(tok.text)
+            elif not (text == "(" and depth == 1 and not parts[0]) and text not in _UNPRINTED:
+                parts[-1].append(text)
         found = [" ".join(part) for part in parts]
         return tuple(found)
 
 
 _UNPRINTED = SPACES | SIZES
-_ALSO_OPEN, _ALSO_CLOSE = frozenset({"{", r"\langle"}), frozenset({"}", r"\rangle"})
+_OPENING, _CLOSING = frozenset({*OPEN, "{", r"\langle"}), frozenset({*CLOSE, "}", r"\rangle"})
+_OF_DIFFERENTIALS = DIFFERENTIALS | {"^", "{", "}"}
 
 
-def _begins_with_differential(part: Sequence[tex.Tok]) -> bool:
+def _begins_with_differential(part: Sequence[str]) -> bool:
     """Is the first sign a d, upright or not, or a curly one?"""
-    first = [tok.text for tok in part if tok.text not in SPACES | {"{", "}"}][:2]
+    first = [*itertools.islice((text for text in part if text not in _BEFORE_SIGN), 2)]
     return first[:1] in (["d"], [r"\partial"]) or (first[:1] in ([r"\mathrm"], [r"\text"]) and first[1:] == ["d"])
 
 
 def _spelled(variables: Sequence[Occurrence]) -> tuple[str, ...]:
     """The letters by which it is differentiated, with their subscripts, and without those in these."""
     own = [each for each in variables if each.role == "variable"]
-    return tuple(x.word + (tex.subscript([tex.Tok(t, 0) for t in x.subscript]) if x.subscript else "") for x in own)
+    return tuple(x.word + (tex.subscript(x.subscript) if x.subscript else "") for x in own)
 
 
+_BEFORE_SIGN = SPACES | {"{", "}"}
 FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorname"}
 
 

@@ -656,7 +656,7 @@ class Builder:
         inner = any(item.kind in ("sum", "integral", "over", "under") for item in items[1:])
         names = [node for node in nodes(crossed) if isinstance(node, Name)]
         used = {index for name in names for index in (name.letter, *name.subscripts)}
-        used |= {tok.text for name in names for tok in tex.tokenize(name.letter)}
+        used |= {text for name in names for text in tex.texts(name.letter)}
         bounds = items[0].bounds
         return not inner and bounds is not None and bool(used.intersection(bounds[0]))
 
@@ -728,7 +728,7 @@ class Builder:
         power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
         if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
             return
-        toks = [tok.text for tok in tex.tokenize(NO_FACTORS.sub("", self.source))]
+        toks = tex.texts(NO_FACTORS.sub("", self.source))
         pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
         alone = toks.count(word[0]) == toks.count(word[1]) == pairs
         clear = word not in PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)

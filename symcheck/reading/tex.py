@@ -34,9 +34,6 @@ class Tok(NamedTuple):
     at: int
 
 
-_NEW = tuple.__new__  # of hundreds of tokens for each formula
-
-
 def fault(source: str, at: int, message: str) -> SymcheckError:
     """The error of one place: the message, and the source with a pointer before the place."""
     at = min(max(at, 0), len(source))
@@ -79,21 +76,26 @@ def _tag(latex: str) -> re.Match[str] | None:
 
 def tokenize(source: str) -> list[Tok]:
     """All TeX tokens; white space separates and is dropped."""
-    return [*_tokens(source)[0]]
+    return [*map(Tok, *_tokens(source))]
+
+
+def texts(source: str) -> tuple[str, ...]:
+    """The texts of all TeX tokens."""
+    return _tokens(source)[0]
 
 
 @lru_cache(maxsize=2048)  # a formula is scanned for several kinds of evidence, and by the reader
-def _tokens(source: str) -> tuple[tuple[Tok, ...], tuple[str, ...]]:
-    """The tokens, and their texts."""
-    found = tuple([_NEW(Tok, (m[0], m.start())) for m in _TOKEN.finditer(source)])
-    return found, tuple([tok.text for tok in found])
+def _tokens(source: str) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """The texts of the tokens, and their places."""
+    found = [*_TOKEN.finditer(source)]
+    return tuple([m[0] for m in found]), tuple([m.start() for m in found])
 
 
 @lru_cache(maxsize=2048)
 def _closing(source: str) -> dict[int, int]:
     """The place of the brace that closes each brace that opens."""
     found, opened = dict[int, int](), list[int]()
-    for k, text in enumerate(_tokens(source)[1]):
+    for k, text in enumerate(texts(source)):
         if text == "{":
             opened.append(k)
         elif text == "}" and opened:
@@ -105,10 +107,13 @@ def _closing(source: str) -> dict[int, int]:
 def _too_deep(source: str) -> int | None:
     """The place of the first bracket within too many others."""
     depth = 0
-    for tok in _tokens(source)[0]:
-        depth += (tok.text in _OPENING) - (tok.text in _CLOSING)
-        if depth > MAX_DEPTH:
-            return tok.at
+    for text, at in zip(*_tokens(source), strict=True):
+        if text in _OPENING:
+            depth += 1
+            if depth > MAX_DEPTH:
+                return at
+        elif text in _CLOSING:
+            depth -= 1
     return None
 
 
@@ -127,7 +132,7 @@ class Reader:
 
     def __init__(self, source: str) -> None:
         self.source = source
-        self.toks, self.texts = _tokens(source)
+        self.texts, self.places = _tokens(source)
         self.i = 0
         self.refuse_depth()
 
@@ -146,27 +151,34 @@ class Reader:
     def at(self, ahead: int = 0) -> int:
         """The place of a coming token in the source."""
         k = self.i + ahead
-        return self.toks[k].at if k < len(self.toks) else len(self.source)
+        return self.places[k] if k < len(self.places) else len(self.source)
 
     def fail(self, message: str, at: int | None = None) -> NoReturn:
         raise fault(self.source, self.at() if at is None else at, message)
 
-    def group(self) -> Sequence[Tok]:
-        """One TeX argument: the inside of `{...}` or a single token."""
-        if self.i >= len(self.toks):
-            self.fail("an argument is missing")
+    def group(self) -> tuple[str, ...]:
+        """One TeX argument: the tokens inside of `{...}`, or a single one."""
+        start, end = self._argument()
+        return self.texts[start:end]
+
+    def placed(self) -> list[Tok]:
+        """The same, each with its place."""
+        start, end = self._argument()
+        return [*map(Tok, self.texts[start:end], self.places[start:end])]
+
+    def _argument(self) -> tuple[int, int]:
         start = self.i
-        if self.peek() == "}":
+        if self.peek() in ("", "}"):
             self.fail("an argument is missing")
         self.i += 1
-        if self.toks[start].text != "{":
-            return self.toks[start : self.i]
+        if self.texts[start] != "{":
+            return start, self.i
         end = _closing(self.source).get(start)
         if end is None:
-            self.i = len(self.toks)
-            self.fail("unbalanced brace: this { is never closed", self.toks[start].at)
+            self.i = len(self.texts)
+            self.fail("unbalanced brace: this { is never closed", self.places[start])
         self.i = end + 1
-        return self.toks[start + 1 : end]
+        return start + 1, end
 
     def spelling(self) -> str:
         r"""The canonical spelling of the letter that begins here, accents included: `\dot{\boldsymbol{\omega}}`."""
@@ -177,7 +189,7 @@ class Reader:
             inside = self.group()
             if not inside:
                 self.fail("an empty name", start)
-            return f"\\text{{{''.join(t.text for t in inside)}}}"
+            return f"\\text{{{''.join(inside)}}}"
         if text in OVER:
             self.i += 1
             start = self.at()
@@ -192,8 +204,8 @@ class Reader:
         return text
 
 
-def _spaced(tokens: Sequence[Tok]) -> list[str]:
-    return [f"{t.text} " if t.text.startswith("\\") else t.text for t in tokens]
+def _spaced(tokens: Sequence[str]) -> list[str]:
+    return [f"{text} " if text[0] == "\\" else text for text in tokens]
 
 
 def is_letter(text: str) -> bool:
@@ -213,15 +225,16 @@ def spelled(latex: str) -> str | None:
     if not is_letter(reader.peek()):
         return None
     text = reader.spelling()
-    return text if reader.i == len(reader.toks) else None
+    return text if reader.i == len(reader.texts) else None
 
 
-def subscript(tokens: Sequence[Tok]) -> str:
+def subscript(tokens: Sequence[str]) -> str:
     r"""The canonical text of a subscript that belongs to the letter: `_1`, `_{\max}`, `_{s1}`."""
-    kept = [t.text for t in tokens if t.text not in _ROMAN]
+    kept = [text for text in tokens if text not in _ROMAN]
+    if len(kept) == 1:
+        return f"_{kept[0]}"
     parted = (text + " " * _runs_on(text, after) for text, after in itertools.zip_longest(kept, kept[1:], fillvalue=""))
-    text = "".join(parted)
-    return f"_{text}" if len(kept) == 1 else f"_{{{text}}}"
+    return f"_{{{''.join(parted)}}}"
 
 
 def _runs_on(text: str, after: str) -> bool:
@@ -229,9 +242,9 @@ def _runs_on(text: str, after: str) -> bool:
     return text[:1] == "\\" and text[1:].isalpha() and after[:1].isalpha()
 
 
-def superscript(tokens: Sequence[Tok]) -> str | None:
+def superscript(tokens: Sequence[str]) -> str | None:
     """The canonical text of a superscript in brackets, `^{(2)}` or `^{[2]}`; None if it is another one."""
-    text = "".join(t.text for t in tokens)
+    text = "".join(tokens)
     pair = {"(": ")", "[": "]"}.get(text[:1])
     if pair is None or len(text) < 3 or text.find(pair) != len(text) - 1 or "," in text:
         return None
@@ -241,7 +254,7 @@ def superscript(tokens: Sequence[Tok]) -> str | None:
 DOTTED = ("", r"\dot", r"\ddot", r"\dddot")
 
 
-def _base(tokens: Sequence[str]) -> tuple[int, int]:
+def _base(tokens: tuple[str, ...]) -> tuple[int, int]:
     """From where to where the letter goes in a name of several tokens."""
     start, groups = 0, 2 if tokens[0] == r"\prescript" else 0
     if groups:
@@ -254,7 +267,7 @@ def _base(tokens: Sequence[str]) -> tuple[int, int]:
     elif tokens[0] in (r"\Delta", r"\delta") and is_letter("".join(tokens[1:2])):
         start = 1
     end = start + 1
-    if {*tokens[start:end]} & _LETTERED and tokens[end : end + 1] == ["{"]:
+    if {*tokens[start:end]} & _LETTERED and tokens[end : end + 1] == ("{",):
         depth = 1
         while depth:
             end += 1
@@ -265,7 +278,7 @@ def _base(tokens: Sequence[str]) -> tuple[int, int]:
 
 def with_dots(latex: str, dots: int) -> str:
     """A name of several tokens with dots over its letter."""
-    tokens = [tok.text for tok in tokenize(latex)]
+    tokens = texts(latex)
     if not dots:
         return latex
     start, end = _base(tokens)
@@ -274,7 +287,7 @@ def with_dots(latex: str, dots: int) -> str:
 
 def without_dots(latex: str) -> str:
     """A name of several tokens without the dots over its letter."""
-    tokens = [tok.text for tok in tokenize(latex)]
+    tokens = texts(latex)
     start, end = _base(tokens)
     if start >= len(tokens) or tokens[start] not in DOTTED:
         return latex
@@ -285,7 +298,7 @@ def without_dots(latex: str) -> str:
 def names(wholes: tuple[str, ...]) -> tuple[tuple[tuple[str, ...], str, int], ...]:
     """The tokens of names of several tokens, also with dots over their letters, the longest first."""
     forms = {
-        (tuple(tok.text for tok in tokenize(with_dots(latex, dots))), latex, dots)
+        (texts(with_dots(latex, dots)), latex, dots)
         for latex in wholes
         for dots in range(1 if latex.startswith("[") else len(DOTTED))
     }
