@@ -77,12 +77,13 @@ def complexes(
         certain |= {x: shown for x in conjugates.values() if x in free and x not in certain}
     if any(map(_LENGTH.search, formulas)):
         certain |= {x: "its conjugate and a length stand beside it" for x in conjugates.values() if x in free}
-    found = True
+    found = bool(units or certain)
     while found:
         found = False
         for x, other in equated(formulas):
-            inside = {place.word for place in occurrences(_without_real(other))}
-            if x in free and x not in certain and inside & {*units, *certain}:
+            if x not in free or x in certain:
+                continue
+            if {place.word for place in occurrences(_without_real(other))} & {*units, *certain}:
                 certain[x] = "it is equal to something complex"
                 found = True
     return Complexes(certain, {x for x in conjugates.values() if x in free and x not in certain}, conjugates)

@@ -137,7 +137,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             ends.setdefault(letter, (low, high))
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
-    shapes = {letter: shape for letter, other in equated(formulas) if (shape := _shape(other))}
+    printed = [formula for formula in formulas if r"\begin" in formula]
+    shapes = {letter: shape for letter, other in equated(printed) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
     initials = _initials(formulas) | _forms(formulas)
     square = {
@@ -204,16 +205,20 @@ _RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
     """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
-    toks = [text for formula in formulas for text in tex.texts(formula)]
-    bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     found: dict[str, str] = {}
+    for x in (x for formula in formulas for x in _SMALL_O.findall(formula)):
+        found["o"] = f"one name {x}o, or a product? say what its letters are, or write {x}_o"
     outside = [NO_FACTORS.sub("", formula) for formula in formulas]
     first = [match for match in map(_INITIALS.match, formulas) if match]
     runs = [match for formula in outside for match in _CAPITALS.finditer(formula)]
+    twice = [(x, formula) for formula in formulas for x in _TWICE.findall(formula)]
+    alone = [each for formula in formulas for each in _ALONE.findall(formula)]
+    if not (first or runs or twice or alone):
+        return found
+    toks = [text for formula in formulas for text in tex.texts(formula)]
+    bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
-    named += [
-        ([x, x], True) for text in formulas for x in _TWICE.findall(text) if bare.count(x) == text.count(f"{x} {x} _")
-    ]
+    named += [([x, x], True) for x, text in twice if bare.count(x) == text.count(f"{x} {x} _")]
     for letters, begins in named:
         *before, last = letters
         once = [bare.count(letter) == 1 for letter in before] + [(bare.count(last) or toks.count(last)) == 1]
@@ -221,11 +226,9 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
             found |= dict.fromkeys(letters, told)
-    for letter, by in (alone for formula in formulas for alone in _ALONE.findall(formula)):
+    for letter, by in alone:
         if bare.count(letter) == 1 and letter != "d":
             found[letter] = f"{INTEGRATED} {by}: a constant, or a function of it? say what it is"
-    for diameter in {x for text in formulas for x in _SMALL_O.findall(text)}:
-        found["o"] = f"one name {diameter}o, or a product? say what its letters are, or write {diameter}_o"
     return found
 
 
@@ -248,6 +251,7 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     return dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
 
 
+_FIRST_VALUE = re.compile(r"=\s*\d+\s*,")  # and a comma, without which there is no list of them
 _RANGE = re.compile(
     r"((?:(?:[A-Za-z]|\\[a-z]+)\s*,\s*)*(?:[A-Za-z]|\\[a-z]+))\s*=\s*(\d+)\s*,(?:\s*(?:\d+|\\[lc]?dots)\s*,)*"
     r"\s*(\d+|(?<=dots ,)\s*[A-Za-z](?:\s*[-+]\s*\d+)?|\\[lc]?dots)"
@@ -257,7 +261,7 @@ _RANGE = re.compile(
 def _ranges(formulas: Sequence[str]) -> Iterator[tuple[str, str, str]]:
     """The letters whose values are listed, with the first and the last."""
     for formula in formulas:
-        for found in _RANGE.finditer(formula):
+        for found in _RANGE.finditer(formula) if _FIRST_VALUE.search(formula) else ():
             for letter in found[1].split(","):
                 yield letter.strip(), found[2], found[3].strip()
 

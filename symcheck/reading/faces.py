@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
 # what a vector begins with, behind a factor
@@ -13,6 +14,7 @@ HAT = re.compile(r"\\(hat|widehat|vec)\{")  # accents of unit vectors and of vec
 ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde|breve)\{")  # accents that make a letter of their own
 
 
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
 def face(latex: str) -> str:
     """What is printed in bold type or below an arrow, where a letter, or a name of several tokens, is; else nothing."""
     printed = re.sub(r"^\\(?:Delta|delta)(?=\\)", "", latex.replace(" ", ""))

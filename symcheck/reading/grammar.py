@@ -14,7 +14,7 @@ from symcheck.reading import tex
 from symcheck.reading.lexer import Lexeme
 from symcheck.reading.tree import Name
 
-ParseNode = Any  # a Tree of lark, with `data` and `children`, or a Leaf, whose `value` is a Lexeme
+ParseNode = Any  # a Branch, or a Leaf, whose `value` is a Lexeme
 
 GRAMMAR = r"""
 start: listing
@@ -51,6 +51,14 @@ row: sum (CELL sum)*
 
 
 @dataclass(slots=True)
+class Branch:
+    """What a rule of the grammar is made of, by the rule's name."""
+
+    data: str
+    children: list[ParseNode]
+
+
+@dataclass(slots=True)
 class Leaf:
     """A token in the parser's tree."""
 
@@ -64,7 +72,7 @@ def _tables() -> tuple[dict[int, dict[str, tuple[bool, Any]]], int, int]:
     from lark import Lark
     from lark.parsers.lalr_analysis import Shift
 
-    parser: Any = Lark(GRAMMAR, parser="lalr", lexer="basic").parser
+    parser: Any = Lark(GRAMMAR, parser="lalr", lexer="basic", tree_class=Branch).parser
     table, made = parser.parser._parse_table, parser.parser.parser.callbacks
     states = {
         state: {  # by plain strings: those of lark are compared in Python

@@ -56,9 +56,10 @@ _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with th
 def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]) -> list[Guess]:
     """All that a letter may be, marked if it may be a function of what stands in brackets behind it, or a factor."""
     found = [*_options(of, every, defined)]
-    varied = any(x != of.spelling and _VARIED.match(x) for x in every) or any(p.after in INTEGRALS for p in of.places)
-    if of.spelling == r"\delta" and not of.said and varied:
-        return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
+    if of.spelling == r"\delta" and not of.said:
+        varied = any(x != of.spelling and _VARIED.match(x) for x in every)
+        if varied or any(p.after in INTEGRALS for p in of.places):
+            return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     operator = _OPERATOR.fullmatch(of.spelling) and not of.said

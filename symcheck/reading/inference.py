@@ -16,7 +16,7 @@ from symcheck.reading.evidence import Evidence, gathered, spelling
 from symcheck.reading.faces import ACCENT, STYLED
 from symcheck.reading.guesses import COMPLEX, CONSTANT, Guess, in_doubt, options, variable_name
 from symcheck.reading.names import KINDS_OPEN
-from symcheck.reading.notation import VALUE, Letter, Notation, instances
+from symcheck.reading.notation import Letter, Notation, is_value
 from symcheck.reading.occurrences import Occurrence, occurrences
 from symcheck.reading.relatives import Relatives, relatives
 
@@ -317,8 +317,8 @@ def notation_of(guesses: Iterable[Guess], **habits: str) -> Notation:
                 new
                 for name in names
                 for new in [letter if letter.name == name else replace(letter, name=name)]
-                if not any(x in taken or VALUE.fullmatch(x) for x, _ in instances(new))
+                if not any(x in taken or is_value(x) for x, _ in new.instances)
             )
-            taken |= {x for x, _ in instances(letter)}
+            taken |= {x for x, _ in letter.instances}
         found.append(letter)
     return Notation(found, inferred=True, **habits)

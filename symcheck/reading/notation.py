@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property, lru_cache
 from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
@@ -28,7 +28,7 @@ _SAID = {"e": "Euler's number", "i": "the imaginary unit", "pi": "the number pi"
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")  # names of letters in statements, as Python and SymPy take them
 _FUNCTIONS = "sin|cos|tan|sqrt|exp|log|arctan|arcsin|arccos|pow|mean|integral|diverges|diff|call|exists"
 # names of constants, and of values of functions: no letter is called so
-VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
+_VALUE = re.compile(rf"pi|infinity|({_FUNCTIONS})(_.*)?|[A-Z][a-z]+_[0-9a-f]{{10}}")
 SAID = "it is said to be"  # why a letter that somebody declares is what it is
 _PREFIXES = {r"\dot": "d", r"\ddot": "dd", r"\dddot": "ddd"}
 _SUFFIXES = {
@@ -190,6 +190,18 @@ class Letter:
         """The stem of the variable names."""
         return self.name if self.name is not None else _stem(self.spelling)
 
+    @cached_property
+    def instances(self) -> tuple[tuple[str, tuple[int, ...]], ...]:
+        """All variables and functions it is lowered to, each with its indices."""
+        if self.kind in ("differential", "index") or self.components is not None or self.number:
+            return ()
+        if self.skew or self.identity or self.value is not None:
+            return ()
+        if self.running:
+            return ((self.stem, ()),)
+        every = itertools.product(*[self.range] * self.indices, *self.places)
+        return tuple([(variable(self.stem, indices), indices) for indices in every])
+
     @property
     def spelling(self) -> str:
         """How it is looked up."""
@@ -246,17 +258,10 @@ def variable(stem: str, indices: tuple[int, ...]) -> str:
     return f"{stem}_{between.join(map(str, indices))}"
 
 
-def instances(letter: Letter) -> Iterator[tuple[str, tuple[int, ...]]]:
-    """All variables and functions this letter is lowered to, each with its indices."""
-    if letter.kind in ("differential", "index") or letter.components is not None or letter.number:
-        return
-    if letter.skew or letter.identity or letter.value is not None:
-        return
-    if letter.running:
-        yield letter.stem, ()
-        return
-    for indices in itertools.product(*[letter.range] * letter.indices, *letter.places):
-        yield variable(letter.stem, indices), indices
+@lru_cache(maxsize=4096)  # the same letters are met in every formula
+def is_value(name: str) -> bool:
+    """Has a variable of this name a value of its own?"""
+    return _VALUE.fullmatch(name) is not None
 
 
 class Notation:
@@ -365,8 +370,8 @@ class Notation:
         """No two letters may be lowered to one variable, and none to a name that has a value of its own."""
         owners: dict[str, tuple[Letter, tuple[int, ...]]] = {}
         for letter in self._letters.values():
-            for name, indices in instances(letter):
-                if VALUE.fullmatch(name):
+            for name, indices in letter.instances:
+                if is_value(name):
                     raise letter.fault(
                         f"it would be lowered to {name}, which is a value; give it another name, name=..."
                     )

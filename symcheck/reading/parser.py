@@ -217,7 +217,7 @@ class Builder:
         self.source = source
         self.notation = notation
         self.spaced = spaced  # places behind an explicit space
-        self.first = next((tok.at for tok in tex.tokenize(source)), 0)
+        self.first = len(source) - len(source.lstrip())
 
     def fail(self, at: int, message: str) -> SymcheckError:
         return tex.fault(self.source, at, message)

@@ -19,6 +19,7 @@ _TAG = re.compile(
 )
 _TAGGED = (r"\tag", r"\eqno", "quad")  # one of these stands before it
 _TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")  # spaces and punctuation at the end of a formula
+_TAILS = ("quad", *"~.,;:!")  # with which such a tail ends
 
 MAX_DEPTH = 30  # of brackets; the papers have less than ten
 _LETTERED = OVER | ROMAN
@@ -67,7 +68,7 @@ def split_tag(latex: str) -> tuple[str, str | None]:
     if found:
         tag = (found[1] or found[2] or "").strip("() ") or None
         body = latex[: found.start()]
-    return _TAIL.sub("", body).strip(), tag
+    return (_TAIL.sub("", body) if body.endswith(_TAILS) or body[-1:].isspace() else body).strip(), tag
 
 
 def _tag(latex: str) -> re.Match[str] | None:
