@@ -13477,6 +13477,141 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(T_{th}, Mul(n, k_B, T); =)",
         "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
     ),
+    (
+        "P_1 = \\frac{1}{R_1} \\left[1 - \\frac{C}{AC + B^2}\\right]",
+        "Chain(P_1, Mul(Div(1; R_1), Add(1, Neg(Div(C; Add(Mul(A, C), Pow(B; 2)))))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "B^{(2)} = 1/T_r^6",
+        "Chain(B ^ { ( 2 ) }, Div(1; Pow(T_r; 6)); =)",
+        "CalebBell/chemicals/chemicals/virial.py",
+    ),
+    (
+        "D = \\frac{0.3257}{(1.0039-T_r^{2.573})^{0.2906}}-0.2086",
+        "Chain(D, Add(Div(0.3257; Pow(Add(1.0039, Neg(Pow(T_r; 2.573))); 0.2906)), Neg(0.2086)); =)",
+        "CalebBell/chemicals/chemicals/viscosity.py",
+    ),
+    (
+        "\\tau = 1-\\frac{(T/T_c)}{\\alpha_{SRK}}",
+        "Chain(\\tau, Add(1, Neg(Div(Div(T; T_c); \\alpha_{SRK}))); =)",
+        "CalebBell/chemicals/chemicals/volume.py",
+    ),
+    (
+        "X_{tt} = \\left( \\frac{1-x}{x}\\right)^{0.9} \\left(\\frac{\\rho_g}{\\rho_l} \\right)^{0.5}\\left( \\frac{\\mu_l}{\\mu_g}\\right)^{0.1}",
+        "Chain(X_{tt}, Mul(Pow(Div(Add(1, Neg(x)); x); 0.9), Pow(Div(\\rho_g; \\rho_l); 0.5), Pow(Div(\\mu_l; \\mu_g); 0.1)); =)",
+        "CalebBell/ht/ht/boiling_flow.py",
+    ),
+    (
+        "K_n = \\frac{n N}{R \\sin(\\alpha)}",
+        "Chain(K_n, Div(Mul(n, N); Mul(R, Call(sin; \\alpha))); =)",
+        "jobovy/galpy/galpy/potential/SpiralArmsPotential.py",
+    ),
+    (
+        "\\kappa_i = \\kappa_{0,i} + [\\kappa_{1,i} + \\kappa_{2,i}(\\kappa_{3,i} - T_{r,i})(1-T_{r,i}^{0.5})] (1 + T_{r,i}^{0.5})(0.7 - T_{r,i})",
+        "Chain(\\kappa_i, Add(\\kappa_{0,i}, Mul(Add(\\kappa_{1,i}, Mul(\\kappa_{2,i}, Add(\\kappa_{3,i}, Neg(T_{r,i})), Add(1, Neg(Pow(T_{r,i}; 0.5))))), Add(1, Pow(T_{r,i}; 0.5)), Add(0.7, Neg(T_{r,i})))); =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "d_o = 0.0146\\theta\\left[\\frac{2\\sigma}{g(\\rho_l-\\rho_g)}\\right]^{0.5}",
+        "Chain(d_o, Mul(0.0146, \\theta, Pow(Div(Mul(2, \\sigma); Mul(g, Add(\\rho_l, Neg(\\rho_g)))); 0.5)); =)",
+        "CalebBell/ht/ht/boiling_plate.py",
+    ),
+    (
+        "f(x) = |x|^p",
+        "Chain(Call(f; x), Pow(Bars(x); p); =)",
+        "cvxpy/cvxpy/cvxpy/atoms/elementwise/power.py",
+    ),
+    (
+        "T_{L}=\\frac{1}{\\frac{1}{T_{D}-56}+\\frac{ln(T_{K}/T_{D})}{800}}+56",
+        "Chain(T_L, Add(Div(1; Add(Div(1; Add(T_D, Neg(56))), Div(Call(ln; Div(T_K; T_D)); 800))), 56); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "p( \\mathbf f(\\mathbf x^*) ) = \\int_{\\mathbf u} p( f(\\mathbf x^*) \\mid \\mathbf u) \\: q(\\mathbf u) \\: d\\mathbf u, \\quad q(\\mathbf u) = \\mathcal N( \\mathbf m, \\mathbf S)",
+        "System(Chain(Call(p; Call(\\mathbf{f}; \\mathbf { x } ^ { * })), Over(\\int; _ { \\mathbf { u } }; Mul(Call(p; Given(Call(f; \\mathbf { x } ^ { * }); \\mathbf{u}; |)), Call(q; \\mathbf{u})); \\mathbf{u}); =), Chain(Call(q; \\mathbf{u}), Call(\\mathcal{N}; \\mathbf{m}, \\mathbf{S}); =))",
+        "cornellius-gp/gpytorch/examples/04_Variational_and_Approximate_GPs/Modifying_the_variational_strategy_and_distribution.ipynb",
+    ),
+    (
+        "\\nu_e = \\frac{4}{3 \\sqrt{\\pi}} \\nu(v_{Te})",
+        "Chain(\\nu_e, Mul(Div(4; Mul(3, Sqrt(\\pi))), Call(\\nu; v_{Te})); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "\\mu(\\mathbf x) = C",
+        "Chain(Call(\\mu; \\mathbf{x}), C; =)",
+        "cornellius-gp/gpytorch/gpytorch/means/constant_mean.py",
+    ),
+    (
+        "\\texttt{von_neumann_entr}(X) = -\\textstyle\\sum_{i=1}^n \\lambda_i \\log \\lambda_i",
+        "Chain(Call(\\text{von_{n}eumann_{e}ntr}; X), Neg(BigSum(i; 1; n; Mul(\\lambda_i, Call(log; \\lambda_i)))); =)",
+        "cvxpy/cvxpy/cvxpy/atoms/von_neumann_entr.py",
+    ),
+    (
+        "C_\\mathrm{CDM} = {\\ln[ 1+\\Lambda^2]\\over 2} \\left[ \\mathrm{erf}(X) - \\frac{2X}{\\sqrt{\\pi}} \\exp(-X^2) \\right]",
+        "Chain(C_{CDM}, Mul(Div(Call(ln; Add(1, Pow(\\Lambda; 2))); 2), Add(Call(erf; X), Neg(Mul(Div(Mul(2, X); Sqrt(\\pi)), Call(exp; Neg(Pow(X; 2))))))); =)",
+        "jobovy/galpy/galpy/potential/FDMDynamicalFrictionForce.py",
+    ),
+    (
+        "e' = e'_w(T_w) - A p (T - T_w)",
+        "Chain(e', Add(Call(e_w'; T_w), Neg(Mul(A, p, Add(T, Neg(T_w))))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "Y = \\frac 1 2 \\log \\big((2 P' - 1)(2 P - 1)\\big)",
+        "Chain(Y, Mul(Div(1; 2), Call(log; Mul(Add(Mul(2, P'), Neg(1)), Add(Mul(2, P), Neg(1))))); =)",
+        "geomstats/geomstats/geomstats/geometry/grassmannian.py",
+    ),
+    (
+        "\\epsilon(r) = 1",
+        "Chain(Call(\\epsilon; r), 1; =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\mathrm{amp} \\rightarrow \\mathrm{amp} \\times A(t)",
+        "Chain(\\text{amp}, Cross(\\text{amp}; Call(A; t)); \\rightarrow)",
+        "jobovy/galpy/galpy/potential/TimeDependentAmplitudeWrapperPotential.py",
+    ),
+    (
+        "\\epsilon(r) = \\frac{1}{2}(1 + 10r^2 - 23r^4 + 12r^6)",
+        "Chain(Call(\\epsilon; r), Mul(Div(1; 2), Add(1, Mul(10, Pow(r; 2)), Neg(Mul(23, Pow(r; 4))), Mul(12, Pow(r; 6)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\mathbf{f}\\left(\\begin{bmatrix}\\dot{\\theta} \\\\ \\dot{\\omega}\\end{bmatrix}, \\begin{bmatrix}\\theta \\\\ \\omega\\end{bmatrix}, \\begin{bmatrix}T\\end{bmatrix}, \\begin{bmatrix}I \\\\ m \\\\ g \\\\ l \\end{bmatrix}\\right) = \\begin{bmatrix} \\dot{\\theta} - \\omega \\\\ I \\dot{\\omega} + mgl\\sin\\theta - T \\end{bmatrix} = \\mathbf{0}",
+        "Chain(Call(\\mathbf{f}; MatrixOf(Call(\\dot{\\theta}), Call(\\dot{\\omega})), MatrixOf(Call(\\theta), Call(\\omega)), MatrixOf(T), MatrixOf(I, m, g, l)), MatrixOf(Add(Call(\\dot{\\theta}), Neg(Call(\\omega))), Add(Mul(I, Call(\\dot{\\omega})), Mul(m, g, l, Call(sin; Call(\\theta))), Neg(T))), 0; =, =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "S' = ESE^T",
+        "Chain(S', Mul(E, S, Transpose(E)); =)",
+        "geomstats/geomstats/geomstats/geometry/hpd_matrices.py",
+    ),
+    (
+        "\\mathbf{x}_i^L \\leq \\mathbf{x}_i \\leq \\mathbf{x}_i^U",
+        "Chain(\\mathbf { x } _ { i } ^ { L }, \\mathbf{x}_i, \\mathbf { x } _ { i } ^ { U }; \\le, \\le)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\Vert \\mathbf{A} - \\mathbf{B} \\Vert_F",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Marked(Norm(Add(\\mathbf{A}, Neg(\\mathbf{B}))); _{ F }); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "\\sigma_K^p = \\frac{1}{m} \\sum_{i=1}^m d \\left(X_i, \\mathbf{M}_K \\right)^p",
+        "Chain(Pow(\\sigma_K; p), Mul(Div(1; m), BigSum(i; 1; m; Pow(Call(d; X_i, \\mathbf{M}_K); p))); =)",
+        "pyRiemann/pyRiemann/pyriemann/classification.py",
+    ),
+    (
+        "0 \\le r \\le 0.7",
+        "Chain(0, r, 0.7; \\le, \\le)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\ln{\\Lambda} \\equiv 0.5 \\ln\\left(1 + \\frac{b_{max}^2}{b_{min}^2} \\right)",
+        "Chain(Call(ln; \\Lambda), Mul(0.5, Call(ln; Add(1, Div(Pow(b_{max}; 2); Pow(b_{min}; 2))))); \\equiv)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -13643,5 +13778,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "d_L \\exp(X) = \\sum_{k=1}^{n-1}\\left(\\frac{1}{k!} \\sum_{j=1}^k\\left(L^{j-1} X L^{k-j}\\right)\\right)",
         "geomstats/geomstats/geomstats/geometry/positive_lower_triangular_matrices.py",
+    ),
+    (
+        "\\mathbf{C}_\\text{scm} = \\mathbf{X} \\text{diag}(w) \\mathbf{X}^H",
+        "pyRiemann/pyRiemann/pyriemann/geometry/covariance.py",
     ),
 )

@@ -223,6 +223,7 @@ SAME = {  # two ways to print one thing
     r"a = b \hspace{2cm} c = d": r"a = b, \quad c = d",
     r"a = b \hspace{1pt} c": r"a = b c",
     r"a = b \text{, where } c = d": r"a = b, \quad c = d",
+    r"a = 3 \, \mathrm{N \, m}^{-2}": r"a = 3 \, \mathrm{N} \, \mathrm{m}^{-2}",
     r"\operatorname{\text{argmin}}_x f = 1": r"\operatorname{argmin}_x f = 1",
 }
 
@@ -276,6 +277,8 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"\Delta G^\circ = -R T \ln K", {r"\Delta G ^ { \circ }": ("scalar", "")}),
     (r"\dot{\omega} = \sin^2 i - 2", {"i": ("scalar", "")}),
     (r"[\mathcal{F} \mathcal{N}] = 2", {r"[ \mathcal { F } \mathcal { N } ]": ("matrix", "")}),
+    (r"\mathbf{a} = a \cdot \hat{\mathbf{e}}", {"a": ("scalar", "")}),
+    (r"S = k \left(\frac{\partial \ln Z}{\partial U}\right)_{N, V}", {"k": ("scalar", "")}),
 )  # fmt: skip
 
 
@@ -294,6 +297,7 @@ NOT_READ = {  # where two things may be meant
     r"[\hat{x}, \hat{p}] = i \hbar": "the bracket of two operators",
     r"\frac{D u}{D t} = g": "a derivative, or a quotient",
     r"[L_x, L_y] = [y p_z, z p_x]": "the bracket of two operators",
+    r"f(x) = \mathcal{H}(g)(x - 1)": "of what the operator makes",
 }
 
 
@@ -320,6 +324,8 @@ READ = (  # beside what is not read: one thing is meant
     r"p = g(\rho h + \rho_0 h_0)",
     r"\mathbf{y} = [A] \mathbf{x}",
     r"x = d_1 \cos \theta",
+    r"f(x) = g(x) (y - 1)",
+    r"y = x^{H + 1} H",
 )
 
 
@@ -372,6 +378,9 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"v = \frac{v_0 [S]}{K + [S]}": "a matrix in brackets, or a concentration",
     r"y = g(W x + b)": "a factor before brackets, or a function",
     r"h = 2.1 P_r + (1 - Pr^2)": "Prandtl number, or P times r",
+    r"\mathbf{C} = \mathbf{X} \mathbf{X}^H": "conjugated and transposed",
+    r"u = \Delta_{\mathbf{x}} v": "applied to what follows",
+    r"T(K) = T(^\circ C) + 273": "degrees of a scale",
 }
 
 

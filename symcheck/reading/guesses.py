@@ -49,6 +49,7 @@ COMPLEX = "a complex number"
 
 _OPERATOR = re.compile(r"\\math(?:cal|scr)\{[DFHLT]\}")  # of a derivative, a transform, or a linear one
 _DIFFERENTIAL = re.compile(r"[dD]_\{?(?:[A-Z]|\\math|\\text)")  # of a map, by or at what is named below
+_OF_SPACE = re.compile(r"\\(?:Delta|nabla)_\{?\\(?:mathbf|boldsymbol|bm|vec)")  # a derivative by a place
 _MAPS = frozenset({r"\exp", r"\log"})  # functions of matrices, which have differentials
 _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
 
@@ -62,7 +63,7 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
             return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
-    operator = _OPERATOR.fullmatch(of.spelling) and not of.said
+    operator = (_OPERATOR.fullmatch(of.spelling) or _OF_SPACE.match(of.spelling)) and not of.said
     operated = operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places)
     mapped = _DIFFERENTIAL.match(of.spelling) and not of.said and any(p.after in _MAPS for p in of.places)
     if operated or mapped:
@@ -330,6 +331,8 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
             styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
         )
 
+    if any(face(x) == f"{of.spelling}}}" for x in every):
+        return False  # the length of the same letter in bold type
     beside = {x for place in of.places for x in place.beside}
     accented = HAT.match(of.spelling) is not None or _is_dotted(of)
     dotted = map(_is_dotted, every.values()) if accented else [_is_dotted(of)]

@@ -38,6 +38,8 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
 # Those of them that may be products too: forces times radii, masses times accelerations.
 PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
+CONJUGATED = "a power, or conjugated and transposed? say what H is"
+DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
 EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before square brackets is an expectation
 KINDS_OPEN = "too many of these may be vectors or matrices"
 INTEGRATED = "all that is integrated by"
@@ -96,7 +98,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         if each.word not in bound and (doubt := _doubt(each, told, labelled)) is not None:
             found.setdefault(each.latex, doubt)
         elif each.framed:
-            found.setdefault(each.bare, "")
+            found.setdefault(each.bare, DEGREES if each.bare.startswith(r"\prescript { \circ }") else "")
     for formula in formulas:
         if _SQUARE_OR_CHANGE.search(formula):
             found |= {x: _unit(x, formula) for x in _matrices_and_differences(formula) if x not in found}
@@ -165,6 +167,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
+    if upright == ["H"] and "H" not in told.numbers:
+        return CONJUGATED
     if len(upright) == 1 and upright[0] in _TRANSPOSING:
         if upright[0] not in ("T", "H") or of.word not in labelled:
             return None

@@ -361,7 +361,8 @@ class Scan(tex.Reader):
             )
             self.i = end
             scripts[mark] = tokens
-        arguments = self.arguments()
+        behind = self.peek_at(self.behind())
+        arguments = None if behind == "_" else self.arguments()  # what is in brackets with a subscript is a factor
         after = next((text for text in self.texts[self.i :] if text not in _UNPRINTED), "")
         if k > 0 and (before, after) == ("(", ")") and self.peek_at(k - 1) in DIFFERENTIALS:
             before = self.peek_at(k - 1)  # alone in brackets behind the d
@@ -378,7 +379,7 @@ class Scan(tex.Reader):
             scope.by,
             exponent=scope.exponent,
             transposed=transposed,
-            powered=arguments is not None and self.peek_at(self.behind()) == "^",
+            powered=arguments is not None and behind == "^",
             followed=word[:1] == "\\" and self.vector_follows(),
         )
         yield from inner

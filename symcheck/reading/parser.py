@@ -93,6 +93,7 @@ LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "
 _D = re.compile(r"(?:\\[a-z]+\{)?(?:[dD]|\\text\{[dD]\})\}?")  # upright or not, with an accent or without
 _OPERATOR = re.compile(r"\\(?:hat|mathcal)\{[A-Z]\}")  # before the state to which it is applied
 _STATE = re.compile(r"\\(?:psi|Psi|phi|Phi|varphi|chi)(?![a-z])")  # the usual letters for one
+SCRIPT = (r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of operators
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _SEVERAL = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among them
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
@@ -752,7 +753,11 @@ class Builder:
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
         """What stands behind a factor without a sign must be a factor without a doubt."""
         after = rest[0] if rest else None
-        if after is None or after.kind == "dot" or not alone:
+        if after is None or after.kind == "dot":
+            return
+        if _is_operated(node) and self.in_brackets(after):
+            raise self.fail(after.at, "of what the operator makes, or times it? write \\cdot, or brackets around both")
+        if not alone:
             return
         if item.square and isinstance(node, Pow) and isinstance(node.base, Name) and not item.postfix:
             raise self.fail(item.at, "the coefficient of this power, or idle brackets? leave them out")
@@ -1542,6 +1547,11 @@ def _is_signed(tree: Tree) -> bool:
 def _is_bracket(tree: Tree) -> bool:
     """Are these two letters in square brackets?"""
     return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
+
+
+def _is_operated(tree: Tree) -> bool:
+    """Is this a letter in script with its argument, which may be an operator that makes a function of it?"""
+    return isinstance(tree, Call) and isinstance(tree.function, Name) and tree.function.letter.startswith(SCRIPT)
 
 
 def _is_of_capitals(tree: Tree) -> bool:

@@ -59,6 +59,9 @@ _OPERATOR = re.compile(
 )
 # spaces with their lengths; the wide ones part relations
 _HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*(\d*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
+_UNITS = re.compile(  # of which the last has a power
+    r"(?<![_^{])\\(?:mathrm|text)\s*\{((?:\s*[A-Za-z]+\s*\\,)*\s*[A-Za-z]+)\s*\\,\s*([A-Za-z]+)\s*\}(?=\s*\^)"
+)
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
 _HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
@@ -81,6 +84,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     """
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
+    source = _UNITS.sub(r"\\mathrm{\1}\\,\\mathrm{\2}", source)
     source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
     source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
     if not any(map(_GAMMA.search, (source, *beside))):
