@@ -2154,7 +2154,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\bm m = {\\vphantom{\\begin{bmatrix} g_{1}^{1} \\\\ h_{1}^{1} \\\\ g_{1}^{0} \\end{bmatrix}}}^{\\mathcal{E}\\!}{\\begin{bmatrix} g_{1}^{1} \\\\ h_{1}^{1} \\\\ g_{1}^{0} \\end{bmatrix}}",
-        "Chain(\\bm{m}, Marked(MatrixOf(Pow(g_1; 1), Pow(h_1; 1), Pow(g_1; 0)); _{ \\mathcal { E } }); =)",
+        "Chain(\\bm{m}, Marked(MatrixOf(g _ { 1 } ^ { 1 }, h _ { 1 } ^ { 1 }, g _ { 1 } ^ { 0 }); _{ \\mathcal { E } }); =)",
         "AVSLab/basilisk/src/simulation/environment/magneticFieldCenteredDipole/_Documentation/secModuleDescription.tex",
     ),
     (
@@ -13612,6 +13612,361 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(ln; \\Lambda), Mul(0.5, Call(ln; Add(1, Div(Pow(b_{max}; 2); Pow(b_{min}; 2))))); \\equiv)",
         "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
     ),
+    (
+        "k = \\sum \\frac{y_i k_i}{\\sum y_i A_{ij}}",
+        "Chain(k, Limiting(sum; ; Div(Mul(y_i, k_i); Limiting(sum; ; Mul(y_i, A_{ij})))); =)",
+        "CalebBell/chemicals/chemicals/thermal_conductivity.py",
+    ),
+    (
+        "P_i = z_i P",
+        "Chain(P_i, Mul(z_i, P); =)",
+        "CalebBell/thermo/thermo/phases/phase.py",
+    ),
+    (
+        "\\xi^{(0)} = (1.5174 - 2.135T_r + 0.75T_r^2)\\cdot 10^{-5}",
+        "Chain(\\xi ^ { ( 0 ) }, Mul(Add(1.5174, Neg(Mul(2.135, T_r)), Mul(0.75, Pow(T_r; 2))), Pow(10; Neg(5))); =)",
+        "CalebBell/chemicals/chemicals/viscosity.py",
+    ),
+    (
+        "\\mathrm{amp}(t) = \\mathrm{amp}\\,\\times A\\,\\exp\\left(-\\frac{[t-t_0]^2}{2\\,\\sigma^2}\\right)",
+        "Chain(Call(\\text{amp}; t), Cross(Call(\\text{amp}); Mul(A, Call(exp; Neg(Div(Pow(Add(t, Neg(t_0)); 2); Mul(2, Pow(\\sigma; 2))))))); =)",
+        "jobovy/galpy/galpy/potential/TransientLogSpiralPotential.py",
+    ),
+    (
+        "B = (1+H)(1+E)^2",
+        "Chain(B, Mul(Add(1, H), Pow(Add(1, E); 2)); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "m^E = m_{mixing} = m - \\sum_i m_{i, pure}\\cdot z_i",
+        "Chain(m ^ { E }, m_{mixing}, Add(m, Neg(BigSum(i; Mul(m_{i,pure}, z_i)))); =, =)",
+        "CalebBell/thermo/thermo/utils/mixture_property.py",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\frac{1}{|p|} \\Vert \\mathbf{A}^p - \\mathbf{B}^p \\Vert_F",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Mul(Div(1; Bars(p)), Marked(Norm(Add(Pow(\\mathbf{A}; p), Neg(Pow(\\mathbf{B}; p)))); _{ F })); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "h = 0.23X_1^{0.674} X_2^{0.35} X_3^{0.371} X_5^{0.297} X_8^{-1.73} k_L/d_B",
+        "Chain(h, Div(Mul(0.23, Pow(X_1; 0.674), Pow(X_2; 0.35), Pow(X_3; 0.371), Pow(X_5; 0.297), Pow(X_8; Neg(1.73)), k_L); d_B); =)",
+        "CalebBell/ht/ht/boiling_nucleic.py",
+    ),
+    (
+        "C = j + k \\omega_{m}",
+        "Chain(C, Add(j, Mul(k, \\omega_m)); =)",
+        "CalebBell/chemicals/chemicals/volume.py",
+    ),
+    (
+        "\\gamma_i(T, P, x; f_i^0(T, P_i^0)) = \\frac{\\phi_i(T, P, x)P}{\\phi_i^0(T, P_i^0) P_i^0}",
+        "Chain(Call(\\gamma_i; Given(T, P, x; Call(f _ { i } ^ { 0 }; T, P _ { i } ^ { 0 }); ;)), Div(Mul(Call(\\phi_i; T, P, x), P); Mul(Call(\\phi _ { i } ^ { 0 }; T, P _ { i } ^ { 0 }), P _ { i } ^ { 0 })); =)",
+        "CalebBell/thermo/thermo/phases/phase.py",
+    ),
+    (
+        "y \\sim \\text{Exponential} (\\lambda)",
+        "Chain(y, Call(\\text{Exponential}; \\lambda); \\sim)",
+        "cornellius-gp/gpytorch/examples/07_Pyro_Integration/Pyro_GPyTorch_Low_Level.ipynb",
+    ),
+    (
+        "\\eta = \\frac{m}{n Z_1 Z_2 q_e^2} \\nu_{1,2}",
+        "Chain(\\eta, Mul(Div(m; Mul(n, Z_1, Z_2, Pow(q_e; 2))), \\nu_{1,2}); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "k(\\mathbf{x_1}, \\mathbf{x_2}) = k'(x_1^{(1)}, x_2^{(1)}) * \\ldots * k'(x_1^{(d)}, x_2^{(d)})",
+        "Chain(Call(k; \\mathbf{x}_1, \\mathbf{x}_2), Operated(*; Operated(*; Call(k'; x _ { 1 } ^ { ( 1 ) }, x _ { 2 } ^ { ( 1 ) }); Dots()); Call(k'; x _ { 1 } ^ { ( d ) }, x _ { 2 } ^ { ( d ) })); =)",
+        "cornellius-gp/gpytorch/gpytorch/kernels/product_structure_kernel.py",
+    ),
+    (
+        "\\Phi(x,y,z) = \\frac{\\mathrm{amp}}{2a}\\,\\ln\\left(\\frac{x-a+T_-}{x+a+T_+}\\right)",
+        "Chain(Call(\\Phi; x, y, z), Mul(Div(\\text{amp}; Mul(2, a)), Call(ln; Div(Add(x, Neg(a), T_-); Add(x, a, T_+)))); =)",
+        "jobovy/galpy/galpy/potential/SoftenedNeedleBarPotential.py",
+    ),
+    (
+        "\\vec{v} = \\frac{\\vec{E} \\times \\vec{B}}{|B|^2}",
+        "Chain(\\vec{v}, Div(Cross(\\vec{E}; \\vec{B}); Pow(Bars(B); 2)); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/drifts.py",
+    ),
+    (
+        "k(\\Delta) = \\exp{(-\\frac{\\Delta^2}{2\\sigma^2})} \\text{ and } p(\\omega) = \\exp{(-\\frac{\\sigma^2\\omega^2}{2})}",
+        "System(Chain(Call(k; \\Delta), Call(exp; Neg(Div(Pow(\\Delta; 2); Mul(2, Pow(\\sigma; 2))))); =), Chain(Call(p; \\omega), Call(exp; Neg(Div(Mul(Pow(\\sigma; 2), Pow(\\omega; 2)); 2))); =))",
+        "cornellius-gp/gpytorch/gpytorch/kernels/rff_kernel.py",
+    ),
+    (
+        "\\alpha = \\frac{\\omega_p}{k v_{Th}}",
+        "Chain(\\alpha, Div(\\omega_p; Mul(k, v_{Th})); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dielectric.py",
+    ),
+    (
+        "\\mu(\\mathbf x) = \\mathbf W \\cdot \\mathbf x + B",
+        "Chain(Call(\\mu; \\mathbf{x}), Add(Mul(\\mathbf{W}, \\mathbf{x}; 1), B); =)",
+        "cornellius-gp/gpytorch/gpytorch/means/linear_mean_grad.py",
+    ),
+    (
+        "b_{max} = \\left(\\lambda_{De}^2 + a_i^2\\right)^{1/2}",
+        "Chain(b_{max}, Pow(Add(Pow(\\lambda_{De}; 2), Pow(a_i; 2)); Div(1; 2)); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "\\omega_{pi} = Z e \\sqrt{\\frac{n_i}{\\epsilon_0 m_i}}",
+        "Chain(\\omega_{pi}, Mul(Z, e, Sqrt(Div(n_i; Mul(\\epsilon_0, m_i)))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
+    (
+        "\\epsilon \\sim \\mathcal{N}(0, 0.04)",
+        "Chain(\\epsilon, Call(\\mathcal{N}; 0, 0.04); \\sim)",
+        "cornellius-gp/gpytorch/examples/00_Basic_Usage/Metrics.ipynb",
+    ),
+    (
+        "T = \\frac{243.5 log(e / 6.112)}{17.67 - log(e / 6.112)}",
+        "Chain(T, Div(Mul(243.5, Call(log; Div(e; 6.112))); Add(17.67, Neg(Call(log; Div(e; 6.112))))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\mathbf{u}(t_i) = \\frac{\\mathbf{u}_i + \\mathbf{u}_{i+1}}{2}",
+        "Chain(Call(\\mathbf{u}; t_i), Div(Add(\\mathbf{u}_i, \\mathbf{u}_{i+1}); 2); =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "V_A = \\frac{B}{\\sqrt{\\mu_0\\rho}}",
+        "Chain(V_A, Div(B; Sqrt(Mul(\\mu_0, \\rho))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
+    (
+        "\\epsilon \\sim \\mathcal{N}(0, 0.2)",
+        "Chain(\\epsilon, Call(\\mathcal{N}; 0, 0.2); \\sim)",
+        "cornellius-gp/gpytorch/examples/01_Exact_GPs/GP_Regression_DistributionalKernel.ipynb",
+    ),
+    (
+        "\\exp(L) = \\sum_{k=0}^{n-1} \\frac{1}{k!} L^k",
+        "Chain(Call(exp; L), BigSum(k; 0; Add(n, Neg(1)); Mul(Div(1; Factorial(k)), Pow(L; k))); =)",
+        "geomstats/geomstats/geomstats/geometry/positive_lower_triangular_matrices.py",
+    ),
+    (
+        "\\omega_{ci} = \\frac{Z e B}{m_i}",
+        "Chain(\\omega_{ci}, Div(Mul(Z, e, B); m_i); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
+    (
+        "\\mathbf{X}_\\text{new} = \\mathbf{X} - \\mathbf{C}_\\text{ref}",
+        "Chain(\\mathbf{X}_{new}, Add(\\mathbf{X}, Neg(\\mathbf{C}_{ref})); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/tangentspace.py",
+    ),
+    (
+        "\\mathbf{f}_i = \\mathbf{f}\\left(\\frac{\\mathbf{y}_i - \\mathbf{y}_{i-1}}{h}, \\mathbf{y}_i, \\mathbf{u}_i, \\mathbf{p}, t_i\\right) = 0",
+        "Chain(\\mathbf{f}_i, Call(\\mathbf{f}; Div(Add(\\mathbf{y}_i, Neg(\\mathbf{y}_{i-1})); h), \\mathbf{y}_i, \\mathbf{u}_i, \\mathbf{p}, t_i), 0; =, =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "f(x_1, x_2, \\dots, x_n) = \\max\\{x_1, x_2, \\dots, x_n\\}",
+        "Chain(Call(f; x_1, x_2, Dots(), x_n), Call(max; x_1, x_2, Dots(), x_n); =)",
+        "cvxpy/cvxpy/cvxpy/atoms/elementwise/maximum.py",
+    ),
+    (
+        "I(r) = a_1\\left(1 - \\frac{5}{2}r^2\\right) + \\frac{3}{2}r^4\\ln\\frac{1 + a_1}{r}",
+        "Chain(Call(I; r), Add(Mul(a_1, Add(1, Neg(Mul(Div(5; 2), Pow(r; 2))))), Mul(Div(3; 2), Pow(r; 4), Call(ln; Div(Add(1, a_1); r)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "e_0 x^2 + e_1 y^2 + e_2 xy + e_3 x + e_4 y + e_5 = 0",
+        "Chain(Add(Mul(e_0, Pow(x; 2)), Mul(e_1, Pow(y; 2)), Mul(e_2, x, y), Mul(e_3, x), Mul(e_4, y), e_5), 0; =)",
+        "bdaiinstitute/spatialmath-python/spatialmath/geom2d.py",
+    ),
+    (
+        "D_n = \\frac{1 + K_n H + 0.3 (K_n H)^2}{1 + 0.3 K_n H}",
+        "Chain(D_n, Div(Add(1, Mul(K_n, H), Mul(0.3, Pow(Mul(K_n, H); 2))); Add(1, Mul(0.3, K_n, H))); =)",
+        "jobovy/galpy/galpy/potential/SpiralArmsPotential.py",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\sqrt{\\log(\\det \\left( \\frac{\\mathbf{A}+\\mathbf{B}}{2} \\right)) - \\frac{1}{2} \\log(\\det(\\mathbf{A} \\mathbf{B}))}",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Sqrt(Add(Call(log; Call(det; Div(Add(\\mathbf{A}, \\mathbf{B}); 2))), Neg(Mul(Div(1; 2), Call(log; Call(det; Mul(\\mathbf{A}, \\mathbf{B}))))))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "\\frac{d\\mathbf{y}}{dt} \\approx \\frac{\\mathbf{y}_i - \\mathbf{y}_{i-1}}{h}",
+        "Chain(Derivative(Call(\\mathbf{y}); t, 1), Div(Add(\\mathbf{y}_i, Neg(\\mathbf{y}_{i-1})); h); \\approx)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "p = \\sigma * (p_{sfc} - p_{top}) + p_{top}",
+        "Chain(p, Add(Operated(*; \\sigma; Add(p_{sfc}, Neg(p_{top}))), p_{top}); =)",
+        "Unidata/MetPy/metpy/calc/basic.py",
+    ),
+    (
+        "\\frac{d a_i\\alpha_i}{dT} = a_i\\frac{T_{c,i}}{T^{2}} \\left(- S_{2,i} \\left(\\sqrt{ \\frac{T}{T_{c,i}}} - 1\\right) + \\sqrt{\\frac{T}{T_{c,i}}} \\left(S_{1,i} \\sqrt{ \\frac{T}{T_{c,i}}} + S_{2,i}\\right)\\right) \\left(S_{2,i} \\left(\\sqrt{\\frac{ T}{T_{c,i}}} - 1\\right) + \\sqrt{\\frac{T}{T_{c,i}}} \\left(S_{1,i} \\left(\\sqrt{ \\frac{T}{T_{c,i}}} - 1\\right) - 1\\right)\\right)",
+        "Chain(Derivative(Mul(Call(a_i), Call(\\alpha_i)); T, 1), Mul(Call(a_i), Div(T_{c,i}; Pow(T; 2)), Add(Neg(Mul(S_{2,i}, Add(Sqrt(Div(T; T_{c,i})), Neg(1)))), Mul(Sqrt(Div(T; T_{c,i})), Add(Mul(S_{1,i}, Sqrt(Div(T; T_{c,i}))), S_{2,i}))), Add(Mul(S_{2,i}, Add(Sqrt(Div(T; T_{c,i})), Neg(1))), Mul(Sqrt(Div(T; T_{c,i})), Add(Mul(S_{1,i}, Add(Sqrt(Div(T; T_{c,i})), Neg(1))), Neg(1))))); =)",
+        "CalebBell/thermo/thermo/eos_alpha_functions.py",
+    ),
+    (
+        "\\frac{\\partial P^{\\text{sat}} }{\\partial T} = 10^{A + \\frac{B}{T} + \\frac{C \\log{\\left(T \\right)}}{\\log{\\left(10 \\right)}} + D T + E T^{2}} \\left(- \\frac{B}{T^{2}} + \\frac{C}{T \\log{\\left(10 \\right)}} + D + 2 E T\\right) \\log{\\left(10 \\right)}",
+        "Chain(Derivative(Call(P ^ { \\text { s a t } }); T, 1; True), Mul(Pow(10; Add(A, Div(B; T), Div(Mul(C, Call(log; T)); Call(log; 10)), Mul(D, T), Mul(E, Pow(T; 2)))), Add(Neg(Div(B; Pow(T; 2))), Div(C; Mul(T, Call(log; 10))), D, Mul(2, E, T)), Call(log; 10)); =)",
+        "CalebBell/chemicals/chemicals/vapor_pressure.py",
+    ),
+    (
+        "\\left(\\frac{\\partial^2 V}{\\partial n_i \\partial n_j}\\right)_{T, P, n_{k\\ne i,j}} = f\\left( \\left(\\frac{\\partial^2 V}{\\partial x_i\\partial x_j}\\right)_{T, P, x_{k\\ne i,j}} \\right)",
+        "Chain(Marked(Derivative(Call(V); n_i, 1, n_j, 1; True); _{ T , P , n _ { k \\ne i , j } }), Call(f; Marked(Derivative(Call(V); x_i, 1, x_j, 1; True); _{ T , P , x _ { k \\ne i , j } })); =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "\\mu = \\exp\\left(A + \\frac{B}{T}\\right)",
+        "Chain(\\mu, Call(exp; Add(A, Div(B; T))); =)",
+        "CalebBell/chemicals/chemicals/viscosity.py",
+    ),
+    (
+        "b_{ij} = \\frac{-A_{ij}}{R}= \\frac{-A_{ij}}{1.9872042586408316}",
+        "Chain(b_{ij}, Div(Neg(A_{ij}); R), Div(Neg(A_{ij}); 1.9872042586408316); =, =)",
+        "CalebBell/thermo/thermo/uniquac.py",
+    ),
+    (
+        "\\Lambda_{ij} = \\frac{V_j}{V_i}\\exp\\left( \\frac{-A_{ij}}{RT}\\right)",
+        "Chain(\\Lambda_{ij}, Mul(Div(V_j; V_i), Call(exp; Div(Neg(A_{ij}); Mul(R, T)))); =)",
+        "CalebBell/thermo/thermo/wilson.py",
+    ),
+    (
+        "\\log_{10} P^{\\text{sat}} = A + \\frac{B}{T} + C\\log_{10}(T) + DT + ET^2",
+        "Chain(Call(lg; P ^ { \\text { s a t } }), Add(A, Div(B; T), Mul(C, Call(lg; T)), Mul(D, T), Mul(E, Pow(T; 2))); =)",
+        "CalebBell/chemicals/chemicals/vapor_pressure.py",
+    ),
+    (
+        "0.7 < r \\le1",
+        "Chain(0.7, r, 1; <, \\le)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\alpha = ms, \\quad \\beta = (1-m)s",
+        "System(Chain(\\alpha, Mul(m, s); =), Chain(\\beta, Mul(Add(1, Neg(m)), s); =))",
+        "cornellius-gp/gpytorch/gpytorch/likelihoods/beta_likelihood.py",
+    ),
+    (
+        "C_{p, dep} = (C_p-C_v)_{\\text{from EOS}} + C_{v, dep} - R",
+        "Chain(C_{p,dep}, Add(Marked(Add(C_p, Neg(C_v)); _{ \\text { f r o m ~ E O S } }), C_{v,dep}, Neg(R)); =)",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "\\mathbf{M} = \\left( \\sum_i w_i \\ \\mathbf{X}_i^p \\right)^{1/p}",
+        "Chain(\\mathbf{M}, Pow(BigSum(i; Mul(w_i, Pow(\\mathbf{X}_i; p))); Div(1; p)); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/mean.py",
+    ),
+    (
+        "e = p \\frac{r}{r + \\epsilon}",
+        "Chain(e, Mul(p, Div(r; Add(r, \\epsilon))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\mathrm{amp}}{(1+r/a)\\,(1+[r/a]^2)}",
+        "Chain(Call(\\rho; r), Div(\\text{amp}; Mul(Add(1, Div(r; a)), Add(1, Pow(Div(r; a); 2)))); =)",
+        "jobovy/galpy/galpy/potential/BurkertPotential.py",
+    ),
+    (
+        "P_1 = B[2 - B(1 + R_1)]",
+        "Chain(P_1, Mul(B, Add(2, Neg(Mul(B, Add(1, R_1))))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "Q = Sk(T_1 - T_2)",
+        "Chain(Q, Mul(S, k, Add(T_1, Neg(T_2))); =)",
+        "CalebBell/ht/ht/conduction.py",
+    ),
+    (
+        "K(x, y)=e^{-\\|x-y\\|^2 / \\sigma^2}",
+        "Chain(Call(K; x, y), Pow(e; Neg(Div(Pow(Norm(Add(x, Neg(y))); 2); Pow(\\sigma; 2)))); =)",
+        "geomstats/geomstats/geomstats/varifold.py",
+    ),
+    (
+        "w(z) = e^{-z^2}{\\operatorname{erfc}}(-iz)",
+        "Chain(Call(w; z), Mul(Pow(e; Neg(Pow(z; 2))), Call(erfc; Neg(Mul(i, z)))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "\\mathbf{f}(\\dot{\\mathbf{y}}(t), \\mathbf{y}(t), \\mathbf{u}(t), \\mathbf{p}, t ) = \\mathbf{0} \\in \\mathbb{R}^M",
+        "Chain(Call(\\mathbf{f}; Call(\\dot{\\mathbf{y}}; t), Call(\\mathbf{y}; t), Call(\\mathbf{u}; t), \\mathbf{p}, t), 0, Pow(\\mathbb{R}; M); =, \\in)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "T_{L} = T_{K}",
+        "Chain(T_L, T_K; =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\textrm{log} \\left(I_e \\right ) \\propto \\frac{1}{T_e}",
+        "Chain(Call(log; I_e), Div(1; T_e); \\propto)",
+        "PlasmaPy/PlasmaPy/plasmapy/diagnostics/langmuir.py",
+    ),
+    (
+        "\\nabla F = \\texttt{grad*F}",
+        "Chain(\\nabla F, \\text{grad*F}; =)",
+        "pygae/galgebra/README.md",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\Vert \\log(\\mathbf{B}^{-1/2} \\mathbf{A} \\mathbf{B}^{-1/2}) \\Vert_2 = \\max_i | \\log(\\lambda_i) |",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Marked(Norm(Call(log; Mul(Pow(\\mathbf{B}; Neg(Div(1; 2))), \\mathbf{A}, Pow(\\mathbf{B}; Neg(Div(1; 2)))))); _{ 2 }), Limiting(max; _{ i }; Bars(Call(log; \\lambda_i))); =, =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "R = 1 - \\sum_s \\frac{\\omega_{p,s}^2}{\\omega\\left(\\omega + \\Omega_{c,s}\\right)}",
+        "Chain(R, Add(1, Neg(BigSum(s; Div(Pow(\\omega_{p,s}; 2); Mul(\\omega, Add(\\omega, \\Omega_{c,s})))))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dielectric.py",
+    ),
+    (
+        "h_i(\\mathbf{x}) = 0",
+        "Chain(Call(h_i; \\mathbf{x}), 0; =)",
+        "stevengj/nlopt/extern/nlopt/doc/docs/NLopt_Introduction.md",
+    ),
+    (
+        "\\mathbf{F} = -\\mathbf{a}_0 - \\boldsymbol{\\Omega} \\times ( \\boldsymbol{\\Omega} \\times \\left[\\mathbf{r} + \\mathbf{x}_0\\right]) - \\dot{\\boldsymbol{\\Omega}} \\times \\left[\\mathbf{r}+\\mathbf{x}_0\\right] -2\\boldsymbol{\\Omega}\\times \\left[\\dot{\\mathbf{r}}+\\mathbf{v}_0\\right]",
+        "Chain(\\mathbf{F}, Add(Neg(\\mathbf{a}_0), Neg(Cross(Call(\\boldsymbol{\\Omega}); Cross(Call(\\boldsymbol{\\Omega}); Add(Call(\\mathbf{r}), \\mathbf{x}_0)))), Neg(Cross(Call(\\dot{\\boldsymbol{\\Omega}}); Add(Call(\\mathbf{r}), \\mathbf{x}_0))), Neg(Cross(Mul(2, Call(\\boldsymbol{\\Omega})); Add(Call(\\dot{\\mathbf{r}}), \\mathbf{v}_0)))); =)",
+        "jobovy/galpy/galpy/potential/NonInertialFrameForce.py",
+    ),
+    (
+        "\\operatorname{dist}_{a, b}\\left(c_1, c_2\\right)= 2 b \\sqrt{\\ell_{c_1}+\\ell_{c_2}-2 \\int_D \\sqrt{\\left|c_1^{\\prime} \\right|\\left|c_2^{\\prime}\\right|} \\cos \\left(\\frac{a}{2 b} \\theta\\right) d u}",
+        "Chain(Call(\\text{dist}_{a,b}; c_1, c_2), Mul(2, b, Sqrt(Add(\\ell_{c_1}, \\ell_{c_2}, Neg(Mul(2, Over(\\int; _ { D }; Mul(Sqrt(Mul(Bars(c_1'), Bars(c_2'))), Call(cos; Mul(Div(a; Mul(2, b)), \\theta))); u)))))); =)",
+        "geomstats/geomstats/geomstats/test_cases/geometry/discrete_curves.py",
+    ),
+    (
+        "Z'(\\zeta) = \\pi^{-1/2} \\int_{-\\infty}^{+\\infty} \\frac{e^{-x^2}}{(x-\\zeta)^2} dx",
+        "Chain(Call(Z'; \\zeta), Mul(Pow(\\pi; Neg(Div(1; 2))), Integral(Div(Pow(e; Neg(Pow(x; 2))); Pow(Add(x, Neg(\\zeta)); 2)); x; Neg(Infinity()); Infinity())); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dispersionfunction.py",
+    ),
+    (
+        "\\rho = \\frac{p}{R_dT_v}",
+        "Chain(\\rho, Div(p; Mul(R_d, T_v)); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\mathrm{amp}}{4\\,\\pi\\,a^3}\\,\\frac{1}{(r/a)\\,(1+r/a)^{k}}\\,\\left(\\frac{r_c^2}{r_c^2+r^2}\\right)^n",
+        "Chain(Call(\\rho; r), Mul(Div(\\text{amp}; Mul(4, \\pi, Pow(a; 3))), Div(1; Mul(Div(r; a), Pow(Add(1, Div(r; a)); k))), Pow(Div(Pow(r_c; 2); Add(Pow(r_c; 2), Pow(r; 2))); n)); =)",
+        "jobovy/galpy/galpy/potential/TruncatedTwoPowerSphericalPotential.py",
+    ),
+    (
+        "y \\sim p(y) = p(y \\mid f) p(f)",
+        "Chain(y, Call(p; y), Mul(Call(p; Given(y; f; |)), Call(p; f)); \\sim, =)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/vgp.py",
+    ),
+    (
+        "\\mathcal{L} = p_f(\\mathbf y \\! \\mid \\! \\mathbf X) = \\int p \\left( \\mathbf y \\! \\mid \\! f(\\mathbf X) \\right) \\: p(f(\\mathbf X) \\! \\mid \\! \\mathbf X) \\: d f",
+        "Chain(\\mathcal{L}, Call(p_f; Given(\\mathbf{y}; \\mathbf{X}; |)), Antiderivative(Mul(Call(p; Given(\\mathbf{y}; Call(f; \\mathbf{X}); |)), Call(p; Given(Call(f; \\mathbf{X}); \\mathbf{X}; |))); Call(f)); =, =)",
+        "cornellius-gp/gpytorch/docs/source/marginal_log_likelihoods.rst",
+    ),
+    (
+        "T_v = T \\frac{\\text{w} + \\epsilon}{\\epsilon\\,(1 + \\text{w})}",
+        "Chain(T_v, Mul(T, Div(Add(\\text{w}, \\epsilon); Mul(\\epsilon, Add(1, \\text{w})))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "G_{a_1}(h, h) = \\sum_{f \\in F} \\operatorname{tr}\\left(g_f^{-1} \\delta g_f g_f^{-1} \\delta g_f\\right) \\operatorname{vol}_f",
+        "Chain(Call(G_{a_1}; h, h), Limiting(sum; _{ f \\in F }; Mul(Call(tr; Mul(Pow(g_f; Neg(1)), \\delta g _ { f }, Pow(g_f; Neg(1)), \\delta g _ { f })), \\text{vol}_f)); =)",
+        "geomstats/geomstats/geomstats/geometry/discrete_surfaces.py",
+    ),
+    (
+        "\\mathbf{F} = - \\boldsymbol{\\Omega} \\times ( \\boldsymbol{\\Omega} \\times \\mathbf{r}) - \\dot{\\boldsymbol{\\Omega}} \\times \\mathbf{r} -2\\boldsymbol{\\Omega}\\times \\dot{\\mathbf{r}}\\quad (\\mathbf{a}_0=\\mathbf{v}_0=\\mathbf{x}_0=0)",
+        "System(Chain(\\mathbf{F}, Add(Neg(Cross(Call(\\boldsymbol{\\Omega}); Cross(Call(\\boldsymbol{\\Omega}); Call(\\mathbf{r})))), Neg(Cross(Call(\\dot{\\boldsymbol{\\Omega}}); Call(\\mathbf{r}))), Neg(Cross(Mul(2, Call(\\boldsymbol{\\Omega})); Call(\\dot{\\mathbf{r}})))); =), Chain(\\mathbf{a}_0, \\mathbf{v}_0, \\mathbf{x}_0, 0; =, =, =))",
+        "jobovy/galpy/galpy/potential/NonInertialFrameForce.py",
+    ),
+    (
+        "\\Phi(R,z) = -\\frac{\\mathrm{amp}}{\\sqrt{R^2+(a+\\sqrt{z^2+b^2})^2}}",
+        "Chain(Call(\\Phi; R, z), Neg(Div(\\text{amp}; Sqrt(Add(Pow(R; 2), Pow(Add(a, Sqrt(Add(Pow(z; 2), Pow(b; 2)))); 2))))); =)",
+        "jobovy/galpy/galpy/potential/MiyamotoNagaiPotential.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -13782,5 +14137,33 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\mathbf{C}_\\text{scm} = \\mathbf{X} \\text{diag}(w) \\mathbf{X}^H",
         "pyRiemann/pyRiemann/pyriemann/geometry/covariance.py",
+    ),
+    (
+        "\\frac{d^3 B^{(1)}}{dT^3} = \\frac{3 Tc^{2}}{250 T^{5}} \\left(-662 + \\frac{2115 Tc}{T} + \\frac{480 Tc^{6}}{T^{6}}\\right)",
+        "CalebBell/chemicals/chemicals/virial.py",
+    ),
+    (
+        "n_i = \\frac{1000 m_i}{MW_i}",
+        "CalebBell/chemicals/chemicals/utils.py",
+    ),
+    (
+        "\\chi_1 = \\frac{\\exp(\\lambda_1 R_2 NTU_2/3)}{2\\delta}",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "d(x, \\mathcal{N}(\\mu, C)) = \\sqrt{ (x - \\mu)^H C^{-1} (x - \\mu) }",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "\\tilde{\\rho}_{nl}(r) = \\frac{K_{nl}}{\\sqrt{\\pi}} \\frac{(a r)^l}{(r/a) (a + r)^{2l + 3}} C_{n}^{2l + 3/2}(\\xi)",
+        "jobovy/galpy/galpy/potential/SCFPotential.py",
+    ),
+    (
+        "\\lambda = \\frac{31.2 \\eta^\\circ \\Psi}{M'}(G_2^{-1} + B_6 y)+qB_7y^2T_r^{1/2}G_2",
+        "CalebBell/chemicals/chemicals/thermal_conductivity.py",
+    ),
+    (
+        "{Ql}_i = n_i {Vml}_i",
+        "CalebBell/chemicals/chemicals/utils.py",
     ),
 )

@@ -298,6 +298,10 @@ NOT_READ = {  # where two things may be meant
     r"\frac{D u}{D t} = g": "a derivative, or a quotient",
     r"[L_x, L_y] = [y p_z, z p_x]": "the bracket of two operators",
     r"f(x) = \mathcal{H}(g)(x - 1)": "of what the operator makes",
+    r"S = -\mathrm{Tr} \, \rho \log \rho": "belong to the argument of Tr",
+    r"k = 1.2 \sim 1.5": "from one to the other",
+    r"\ell = \log{\binom{N}{n}} \theta^n": "belong to the argument of log",
+    r"{Ql}_i = n_i": "cannot be read here",
 }
 
 
@@ -325,6 +329,11 @@ READ = (  # beside what is not read: one thing is meant
     r"\mathbf{y} = [A] \mathbf{x}",
     r"x = d_1 \cos \theta",
     r"f(x) = g(x) (y - 1)",
+    r"x^0 = 1",
+    r"E = T c + c",
+    r"\alpha = 90^\circ - \theta^\circ",
+    r"\ell = \log{\frac{a}{b}} + c",
+    r"x = \underset{t}{argmax} f(t)",
     r"y = x^{H + 1} H",
 )
 
@@ -366,7 +375,14 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"\ddot{x} = x'' + 2 x'": "do its primes say the same as its dots",
     r"F = m \left(\frac{a}{b}\right)^2 [N]": "a matrix in brackets, or the unit",
     r"f_{curved} = \frac{11.6}{De}": "Dean number, or D times e",
-    r"r = \frac{P \cdot MW}{T}": "one name MW, or a product",
+    r"r = \frac{P \cdot MW}{T}": "molecular-weight number, or M times W",
+    r"x = \frac{n}{MW_i}": "molecular-weight number, or M times W",
+    r"x = 2 R_2 NTU_2 / 3": "one name NTU, or a product",
+    r"x = \frac{3 Tc^2}{T}": "one name Tc, or a product",
+    r"x_{ss} = N_x \cdot ref": "one name ref, or a product",
+    r"\lambda = 31.2 \eta^\circ G": "in degrees, or in the standard state",
+    r"y = \sqrt{(x - \mu)^H (x - \mu)}": "conjugated and transposed",
+    r"f(x) = C_n^{2 l + 1 / 2}(x)": "a power, or a label",
     r"PV = \frac{FV}{(1 + r)^n}": "one name PV, or a product",
     r"R^2 = 1 - \frac{SS_{res}}{SS_{tot}}": "one name SS, or a product",
     r"F = \frac{MSB}{MSW}": "one name MS., or a product",

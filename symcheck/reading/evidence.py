@@ -188,6 +188,9 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 
 _TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
 _SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
+_WORD = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )[b-df-hj-np-tv-z] e [b-df-hj-np-tv-z](?! ?[A-Za-z'^_])")  # `ref`
+_COMMAND = re.compile(r"\\[A-Za-z]+(?: \{ [a-z* ]* \})*")  # with words behind it
+_SMALL_C = re.compile(r"(?<![A-Za-z\\])([PTV]) ?c(?![A-Za-z])")  # `Tc`, a critical temperature
 # all that is integrated, and by what
 _ALONE = re.compile(
     r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) (?:\\[,;:] )?d (\w|\\\w+)"
@@ -199,6 +202,8 @@ _CAPITALS = re.compile(
     r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])"
     r"|\{ ([A-Z](?: [A-Z]){2,}) \}"
 )
+# three capitals or more of which the last has a subscript
+_CAPITALS_BELOW = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([A-Z](?: [A-Z]){2,}) _ ")
 # capitals in a row: a product of matrices, or a name
 _RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
@@ -208,9 +213,20 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     found: dict[str, str] = {}
     for x in (x for formula in formulas for x in _SMALL_O.findall(formula)):
         found["o"] = f"one name {x}o, or a product? say what its letters are, or write {x}_o"
+    for text in formulas:
+        critical = _SMALL_C.findall(text)
+        if critical and tex.texts(text).count("c") == len(critical) < tex.texts(text).count(critical[0]):
+            name = f"{critical[0]}c"
+            found["c"] = f"one name {name}, or a product? say what its letters are, or write {critical[0]}_c"
     outside = [NO_FACTORS.sub("", formula) for formula in formulas]
+    for text in outside:
+        word = _WORD.search(_COMMAND.sub(r"\\", text)) if " e " in text else None
+        if word:
+            name = word[0].replace(" ", "")
+            found[name[0]] = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
     first = [match for match in map(_INITIALS.match, formulas) if match]
     runs = [match for formula in outside for match in _CAPITALS.finditer(formula)]
+    runs += [match for formula in formulas for match in _CAPITALS_BELOW.finditer(formula)]
     twice = [(x, formula) for formula in formulas for x in _TWICE.findall(formula)]
     alone = [each for formula in formulas for each in _ALONE.findall(formula)]
     if not (first or runs or twice or alone):
@@ -245,10 +261,17 @@ _FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a
 _WITH_ITSELF = re.compile(r"(?<![A-Za-z\\])((?:[A-Z]|[a-xz]|\\mathbf \{ \w \})) ' \1(?! ?[A-Za-z'(])")
 
 
+_ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
+
+
 def _forms(formulas: Sequence[str]) -> dict[str, str]:
     """The letters of products such as `x' Q x` and `X' X`, where a prime may transpose."""
     found = {match[1] for formula in formulas for each in (_FORM, _WITH_ITSELF) for match in each.finditer(formula)}
-    return dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
+    told = dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
+    raised = sum(len(_ADJOINT.findall(formula)) for formula in formulas)
+    if raised and raised == sum(tex.texts(formula).count("H") for formula in formulas):
+        told["H"] = "a power, or conjugated and transposed? say what H is"
+    return told
 
 
 _FIRST_VALUE = re.compile(r"=\s*\d+\s*,")  # and a comma, without which there is no list of them

@@ -24,6 +24,9 @@ FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
+_ANGLES = frozenset(  # letters with a circle above of which that hardly says a standard state
+    {r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\alpha", r"\beta", r"\gamma", r"\delta", r"\lambda", "x"}
+)
 _BOUNDED = frozenset({r"\sum", r"\prod", r"\int", r"\oint", r"\iint", r"\bigcup", r"\bigcap"})
 _NO_BASE = frozenset(
     {"d", r"\partial", r"\Delta", r"\delta", r"\nabla", "e", r"\text{e}", r"\text{d}", r"\pi", "i", r"\text{i}"}
@@ -33,12 +36,13 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Sh": "Sherwood", "Bo": "Bond", "Bi": "Biot", "Pe": "Peclet", "Ec": "Eckert", "Eu": "Euler", "Kn": "Knudsen",
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
-    "SG": "specific-gravity", "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor", "Ek": "Ekman",
+    "SG": "specific-gravity", "MW": "molecular-weight", "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor",
+    "Ek": "Ekman",
 }  # fmt: skip
 # Those of them that may be products too: forces times radii, masses times accelerations.
 PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
-CONJUGATED = "a power, or conjugated and transposed? say what H is"
+STANDARD = "in degrees, or in the standard state? say what it is"
 DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
 EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before square brackets is an expectation
 KINDS_OPEN = "too many of these may be vectors or matrices"
@@ -164,18 +168,23 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
     if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
+    if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
+        return STANDARD
     if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
-    if upright == ["H"] and "H" not in told.numbers:
-        return CONJUGATED
     if len(upright) == 1 and upright[0] in _TRANSPOSING:
         if upright[0] not in ("T", "H") or of.word not in labelled:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
-    if inside[:1] == ["-"] and of.applied and of.word != of.bare and tuple(inside[1:]) in told.labels:
+    below = of.word != of.bare
+    if (inside == ["0"] and (of.applied or below)) or (inside == ["1"] and below):
+        return ""  # nobody prints such a power
+    if inside[:1] == ["-"] and of.applied and below and tuple(inside[1:]) in told.labels:
         return ""  # as in P_n^{-m}(x)
+    if of.applied and below and not letters and any(map(str.isalpha, inside)):
+        return POWER_OR_LABEL.format(next(filter(str.isalpha, inside)))
     if not letters or of.plain or of.word in told.powers:
         return None
     if of.above in told.labels and of.word != of.bare:

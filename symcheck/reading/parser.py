@@ -84,6 +84,7 @@ from symcheck.reading.tree import (
 from symcheck.reading.tree import nodes as walked  # where a rule of the grammar calls its own parts nodes
 
 OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
+TRACES = frozenset({"tr", "Tr", "sp", "Sp"})
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair, Norm)
 COUNTERS = frozenset("nkijml")  # letters that count
@@ -543,6 +544,9 @@ class Builder:
             whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
             if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        numbers = itertools.pairwise(isinstance(member, Number) for member in members)
+        if any(sign == r"\sim" and all(pair) for sign, pair in zip(signs, numbers, strict=True)):
+            raise self.fail(_place(nodes[0]), "numbers from one to the other? write between which a letter is")
         lists = any(isinstance(member, Tuple) for member in members[1:]) and not _is_of_capitals(members[0])
         if self.notation.inferred and _is_bracket(members[0]) and not lists:
             raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
@@ -1069,6 +1073,8 @@ class Builder:
             k += 1
         if k == start:
             raise self.fail(head.at, f"{head.name} without an argument")
+        if head.name in TRACES and k < len(items) and items[k].kind == "function":
+            raise self.fail(items[k].at, f"does what follows belong to the argument of {head.name}? write brackets")
         factors = tuple(self.atom(item) for item in items[start : k - 1])
         last, k = self.applied(items, k - 1)
         factors += (last,)

@@ -249,7 +249,7 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
         if isinstance(part, Group):
             inner, after = _made_plain(part.parts), parts[k + 1] if k + 1 < len(parts) else ""
             argument = bool(inner and found) and str(found[-1]) in _BARE and after not in ("^", "_", "'")
-            bracketed = argument and not _is_bracket(inner)
+            bracketed = argument and not _is_bracket(inner) and not _is_fraction(inner)
             found += ["(", *inner, ")"] if bracketed else _loose(inner, found, after)
             k += 1
             continue
@@ -421,6 +421,8 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
         return inner  # `{c_j}^2` is printed as `c_j^2`
     if after == "^" and len(inner) == 4 and inner[0] in OVER and inner[2] == "_":
         return inner
+    if after == "_" and len(inner) > 1 and all(isinstance(part, str) and part.isalpha() for part in inner):
+        return [Group(inner)]  # one name, or a product; nobody puts braces around that
     if after in ("^", "_", "'") and len(_units(inner)) > 1 and not _is_bracket(inner):
         if after in ("^", "_") and _runs_on(inner):
             return inner
@@ -447,6 +449,14 @@ def _outside(parts: Sequence[Part]) -> set[str]:
             found.add(part)
     bars = "|" in found or r"\|" in found
     return found - {"+", "-"} if bars and parts[0] in (r"\left", "|", r"\|") else found
+
+
+def _is_fraction(parts: Sequence[Part]) -> bool:
+    """Is a group one fraction, or one binomial, whose end shows without brackets?"""
+    return len(parts) == 3 and isinstance(parts[0], str) and parts[0] in _FRACTIONS
+
+
+_FRACTIONS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\binom", r"\dbinom", r"\tbinom"})
 
 
 def _is_bracket(parts: Sequence[Part]) -> bool:

@@ -90,7 +90,7 @@ _TEXTS = frozenset(
     {r"\text", r"\operatorname", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"}
 )
 _TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
-_TYPED |= {"exp", "log", "ln", "max", "min"}
+_TYPED |= {"exp", "log", "ln", "max", "min", "argmax", "argmin"}
 _OTHERWISE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
