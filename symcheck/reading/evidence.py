@@ -261,6 +261,7 @@ _FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a
 _WITH_ITSELF = re.compile(r"(?<![A-Za-z\\])((?:[A-Z]|[a-xz]|\\mathbf \{ \w \})) ' \1(?! ?[A-Za-z'(])")
 
 
+# X^H, conjugated and transposed
 _ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
 
 
