@@ -13967,6 +13967,196 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(\\Phi; R, z), Neg(Div(\\text{amp}; Sqrt(Add(Pow(R; 2), Pow(Add(a, Sqrt(Add(Pow(z; 2), Pow(b; 2)))); 2))))); =)",
         "jobovy/galpy/galpy/potential/MiyamotoNagaiPotential.py",
     ),
+    (
+        "P = \\frac{RT}{V-b} - \\frac{a\\alpha(T)}{V(V+b)}",
+        "Chain(P, Add(Div(Mul(R, T); Add(V, Neg(b))), Neg(Div(Mul(a, Call(\\alpha; T)); Mul(V, Add(V, b))))); =)",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "H = \\sum_i z_i \\cdot \\int_{T_{ref}}^T C_{p}^{ig}(T) dT",
+        "Chain(H, BigSum(i; Mul(z_i, Integral(Call(C _ { p } ^ { i g }; T); T; T_{ref}; T))); =)",
+        "CalebBell/thermo/thermo/property_package.py",
+    ),
+    (
+        "\\tau = 1-T/T_c",
+        "Chain(\\tau, Add(1, Neg(Div(T; T_c))); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "h = 0.00417P_c^{0.69} \\Delta q^{0.7}\\left[0.7 + 2P_r\\left(4 + \\frac{1}{1-P_r}\\right) \\right]",
+        "Chain(h, Mul(0.00417, Pow(P_c; 0.69), Pow(\\Delta q; 0.7), Add(0.7, Mul(2, P_r, Add(4, Div(1; Add(1, Neg(P_r))))))); =)",
+        "CalebBell/ht/ht/boiling_nucleic.py",
+    ),
+    (
+        "Z(k) = \\frac{1}{\\sum_m \\Theta_m \\Psi_{mk}}",
+        "Chain(Call(Z; k), Div(1; BigSum(m; Mul(\\Theta_m, \\Psi_{mk}))); =)",
+        "CalebBell/thermo/thermo/unifac.py",
+    ),
+    (
+        "\\left(\\frac{\\partial n H_{dep}}{\\partial n_i}\\right)_{T, P, n_{i\\ne j}} = f\\left( \\left(\\frac{\\partial H_{dep}}{\\partial x_i}\\right)_{T, P, x_{i\\ne j}} \\right)",
+        "Chain(Marked(Derivative(Mul(Call(n), Call(H_{dep})); n_i, 1; True); _{ T , P , n _ { i \\ne j } }), Call(f; Marked(Derivative(Call(H_{dep}); x_i, 1; True); _{ T , P , x _ { i \\ne j } })); =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "\\mathbf{C} = (1-\\alpha)^2\\mathbf{A} + \\alpha^2\\mathbf{B} + \\alpha(1-\\alpha)((\\mathbf{AB})^{1/2} + (\\mathbf{BA})^{1/2})",
+        "Chain(\\mathbf{C}, Add(Mul(Pow(Add(1, Neg(\\alpha)); 2), \\mathbf{A}), Mul(Pow(\\alpha; 2), \\mathbf{B}), Mul(\\alpha, Add(1, Neg(\\alpha)), Add(Pow(Mul(\\mathbf{A}, \\mathbf{B}); Div(1; 2)), Pow(Mul(\\mathbf{B}, \\mathbf{A}); Div(1; 2))))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/geodesic.py",
+    ),
+    (
+        "\\mathbf{y}(t_i) = \\mathbf{y}_i",
+        "Chain(Call(\\mathbf{y}; t_i), \\mathbf{y}_i; =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "C = n_6\\nu^2 + n_7\\nu + n_8",
+        "Chain(C, Add(Mul(n_6, Pow(\\nu; 2)), Mul(n_7, \\nu), n_8); =)",
+        "CalebBell/chemicals/chemicals/vapor_pressure.py",
+    ),
+    (
+        "{H(T) - H^{0}} = A T + \\frac{B T^{2}}{2} + \\frac{C T^{3}}{3} + \\frac{D T^{4}}{4} - \\frac{E}{T}",
+        "Chain(Add(Call(H; T), Neg(H ^ { 0 })), Add(Mul(A, T), Div(Mul(B, Pow(T; 2)); 2), Div(Mul(C, Pow(T; 3)); 3), Div(Mul(D, Pow(T; 4)); 4), Neg(Div(E; T))); =)",
+        "CalebBell/chemicals/chemicals/heat_capacity.py",
+    ),
+    (
+        "i = 0, ..., k - 1",
+        "Values(i; 0, Dots(), Add(k, Neg(1)))",
+        "geomstats/geomstats/geomstats/geometry/discrete_curves.py",
+    ),
+    (
+        "h = \\left(0.225\\left(\\frac{\\Delta T_e C_{p,l}}{H_{vap}}\\right)^{0.69} \\left(\\frac{P k_L}{\\sigma}\\right)^{0.31} \\left(\\frac{\\rho_L}{\\rho_V}-1\\right)^{0.33}\\right)^{1/0.31}",
+        "Chain(h, Pow(Mul(0.225, Pow(Div(Mul(\\Delta T _ { e }, C_{p,l}); H_{vap}); 0.69), Pow(Div(Mul(P, k_L); \\sigma); 0.31), Pow(Add(Div(\\rho_L; \\rho_V), Neg(1)); 0.33)); Div(1; 0.31)); =)",
+        "CalebBell/ht/ht/boiling_nucleic.py",
+    ),
+    (
+        "\\sigma_r = \\sum x_i \\sigma_i",
+        "Chain(\\sigma_r, Limiting(sum; ; Mul(x_i, \\sigma_i)); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "\\rho(x,y,z) \\equiv \\rho(m^2)",
+        "Chain(Call(\\rho; x, y, z), Call(\\rho; Pow(m; 2)); \\equiv)",
+        "jobovy/galpy/galpy/potential/EllipsoidalPotential.py",
+    ),
+    (
+        "p(\\mathbf y \\mid \\mathbf f) = \\text{Softmax} \\left( \\mathbf W \\mathbf f \\right)",
+        "Chain(Call(p; Given(\\mathbf{y}; \\mathbf{f}; |)), Call(\\text{Softmax}; Mul(\\mathbf{W}, \\mathbf{f})); =)",
+        "cornellius-gp/gpytorch/gpytorch/likelihoods/softmax_likelihood.py",
+    ),
+    (
+        "P = 1 - \\sum_s \\frac{\\omega_{p,s}^2}{\\omega^2}",
+        "Chain(P, Add(1, Neg(BigSum(s; Div(Pow(\\omega_{p,s}; 2); Pow(\\omega; 2))))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dielectric.py",
+    ),
+    (
+        "f(x; A, \\mu, \\sigma, {\\mathrm{form={}'logistic{}'}}) = A [1 - \\frac{1}{1 + e^{\\alpha}} ]",
+        "Chain(Call(f; Given(x; A, \\mu, \\sigma, \\text{form='logistic'}; ;)), Mul(A, Add(1, Neg(Div(1; Add(1, Pow(e; \\alpha)))))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "\\Theta(C) = \\operatorname{Diag}(\\operatorname{Chol}(C))^{-1} \\operatorname{Chol}(C)",
+        "Chain(Call(\\Theta; C), Mul(Pow(Call(\\text{Diag}; Call(\\text{Chol}; C)); Neg(1)), Call(\\text{Chol}; C)); =)",
+        "geomstats/geomstats/geomstats/geometry/full_rank_correlation_matrices.py",
+    ),
+    (
+        "f(x) \\approx P_n(x) = \\sum_{k=0}^n c_i T_k(x)",
+        "Chain(Call(f; x), Call(P_n; x), BigSum(k; 0; n; Mul(c_i, Call(T_k; x))); \\approx, =)",
+        "bumps/bumps/bumps/cheby.py",
+    ),
+    (
+        "r = \\left\\Vert x1 - x2 \\right\\Vert",
+        "Chain(r, Norm(Add(\\text{x1}, Neg(\\text{x2}))); =)",
+        "cornellius-gp/gpytorch/gpytorch/kernels/piecewise_polynomial_kernel.py",
+    ),
+    (
+        "r = \\epsilon \\frac{e}{p - e}",
+        "Chain(r, Mul(\\epsilon, Div(e; Add(p, Neg(e)))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "z^T(X + X^T)z \\geq 0",
+        "Chain(Mul(Transpose(z), Add(X, Transpose(X)), z), 0; \\ge)",
+        "cvxpy/cvxpy/cvxpy/constraints/psd.py",
+    ),
+    (
+        "\\Phi_z(z) = \\Phi(R',z) - \\Phi(R',0)",
+        "Chain(Call(\\Phi_z; z), Add(Call(\\Phi; R', z), Neg(Call(\\Phi; R', 0))); =)",
+        "jobovy/galpy/galpy/potential/CylindricallySeparablePotentialWrapper.py",
+    ),
+    (
+        "\\ln p(D|F_{true}) = -\\frac{1}{2}\\sum_n \\left[\\frac{(g_n(F_{true}) - D_n)^2}{s_n^2}+\\ln (2\\pi s_n^2)\\right]",
+        "Chain(Call(ln; Call(p; Given(D; F_{true}; |))), Neg(Mul(Div(1; 2), BigSum(n; Add(Div(Pow(Add(Call(g_n; F_{true}), Neg(D_n)); 2); Pow(s_n; 2)), Call(ln; Mul(2, \\pi, Pow(s_n; 2))))))); =)",
+        "lmfit/lmfit-py/lmfit/minimizer.py",
+    ),
+    (
+        "y(\\mathbf x) = f(\\mathbf x) + \\epsilon, \\:\\:\\:\\: \\epsilon \\sim N(0,\\sigma^{2}_{n} \\mathbf I)",
+        "System(Chain(Call(y; \\mathbf{x}), Add(Call(f; \\mathbf{x}), \\epsilon); =), Chain(\\epsilon, Call(N; 0, Mul(Pow(\\sigma_n; 2), \\mathbf{I})); \\sim))",
+        "cornellius-gp/gpytorch/gpytorch/likelihoods/likelihood.py",
+    ),
+    (
+        "\\xi = \\frac{r/a-1}{r/a+1}",
+        "Chain(\\xi, Div(Add(Div(r; a), Neg(1)); Add(Div(r; a), 1)); =)",
+        "jobovy/galpy/galpy/df/sphericaldf.py",
+    ),
+    (
+        "B_n = K_n H (1 + 0.4 K_n H)",
+        "Chain(B_n, Mul(K_n, H, Add(1, Mul(0.4, K_n, H))); =)",
+        "jobovy/galpy/galpy/potential/SpiralArmsPotential.py",
+    ),
+    (
+        "f = \\sqrt{\\frac{m}{2 \\pi k_B T}} e^{-\\frac{m}{2 k_B T} (v-V)^2} \\equiv \\frac{1}{\\sqrt{\\pi v_{Th}^2}} e^{-(v - v_{drift})^2 / v_{Th}^2}",
+        "Chain(f, Mul(Sqrt(Div(m; Mul(2, \\pi, k_B, T))), Pow(e; Neg(Mul(Div(m; Mul(2, k_B, T)), Pow(Add(v, Neg(V)); 2))))), Mul(Div(1; Sqrt(Mul(\\pi, Pow(v_{Th}; 2)))), Pow(e; Neg(Div(Pow(Add(v, Neg(v_{drift})); 2); Pow(v_{Th}; 2))))); =, \\equiv)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/distribution.py",
+    ),
+    (
+        "\\epsilon(r) = \\frac{16}{27}(1 + 6r - 15r^2 + 8r^3)",
+        "Chain(Call(\\epsilon; r), Mul(Div(16; 27), Add(1, Mul(6, r), Neg(Mul(15, Pow(r; 2))), Mul(8, Pow(r; 3)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\Phi(x,y,z) = \\frac{\\mathrm{amp}}{2}\\,\\ln\\left[x^2+\\left(\\frac{y}{b}\\right)^2+\\left(\\frac{z}{q}\\right)^2+\\mathrm{core}^2\\right]",
+        "Chain(Call(\\Phi; x, y, z), Mul(Div(\\text{amp}; 2), Call(ln; Add(Pow(x; 2), Pow(Div(y; b); 2), Pow(Div(z; q); 2), Pow(\\text{core}; 2)))); =)",
+        "jobovy/galpy/galpy/potential/LogarithmicHaloPotential.py",
+    ),
+    (
+        "p_{i,j} = \\frac{\\left(1 + \\delta(X_i, X_j)^2\\right)^{-1}} {\\sum_{k \\neq l} (1 + \\delta(X_k, X_l)^2)^{-1}}",
+        "Chain(p_{i,j}, Div(Pow(Add(1, Pow(Call(\\delta; X_i, X_j); 2)); Neg(1)); Limiting(sum; _{ k \\ne l }; Pow(Add(1, Pow(Call(\\delta; X_k, X_l); 2)); Neg(1)))); =)",
+        "pyRiemann/pyRiemann/pyriemann/embedding.py",
+    ),
+    (
+        "0.5 < r \\le 1",
+        "Chain(0.5, r, 1; <, \\le)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "0 \\le r \\le 1",
+        "Chain(0, r, 1; \\le, \\le)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\lambda_{dB} = \\frac{h}{p} = \\frac{h}{\\gamma m V}",
+        "Chain(\\lambda_{dB}, Div(h; p), Div(h; Mul(\\gamma, m, V)); =, =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/quantum.py",
+    ),
+    (
+        "\\omega_{uh}^2 = \\omega_{ce}^2 + \\omega_{pe}^2",
+        "Chain(Pow(\\omega_{uh}; 2), Add(Pow(\\omega_{ce}; 2), Pow(\\omega_{pe}; 2)); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
+    (
+        "T = \\Theta (P / P_0)^\\kappa",
+        "Chain(T, Pow(Call(\\Theta; Div(P; P_0)); \\kappa); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\mathbf{K}_{i,j} = \\text{tr}(\\mathbf{X}_i^T \\mathbf{Y}_j)",
+        "Chain(\\mathbf{K}_{i,j}, Call(tr; Mul(Transpose(\\mathbf{X}_i), \\mathbf{Y}_j)); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/kernel.py",
+    ),
+    (
+        "\\mathbf{L} = (1-\\alpha) \\text{chol}(\\mathbf{A}) + \\alpha \\text{chol}(\\mathbf{B})",
+        "Chain(\\mathbf{L}, Add(Mul(Add(1, Neg(\\alpha)), Call(\\text{chol}; \\mathbf{A})), Mul(\\alpha, Call(\\text{chol}; \\mathbf{B}))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/geodesic.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -14165,5 +14355,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "{Ql}_i = n_i {Vml}_i",
         "CalebBell/chemicals/chemicals/utils.py",
+    ),
+    (
+        "fc_i(\\mathbf{x}) \\leq 0",
+        "stevengj/nlopt/extern/nlopt/doc/docs/NLopt_Introduction.md",
     ),
 )

@@ -186,7 +186,9 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
-_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?_")  # `SS_{res}`, a sum of squares
+_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\()")  # `SS_{res}`, a sum of squares, and `DD(x)`
+# `fct(x)` and `fc_i(x)`, names of functions
+_OF_FUNCTION = re.compile(r"(?<![A-Za-z\\])f ([a-z]) (?:t )?(?:_ (?:\w|\{[^{}]*\}) )?(?:\\left )?\(")
 _SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
 _WORD = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )[b-df-hj-np-tv-z] e [b-df-hj-np-tv-z](?! ?[A-Za-z'^_])")  # `ref`
 _COMMAND = re.compile(r"\\[A-Za-z]+(?: \{ [a-z* ]* \})*")  # with words behind it
@@ -218,6 +220,10 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
         if critical and tex.texts(text).count("c") == len(critical) < tex.texts(text).count(critical[0]):
             name = f"{critical[0]}c"
             found["c"] = f"one name {name}, or a product? say what its letters are, or write {critical[0]}_c"
+    for text in formulas:
+        function = _OF_FUNCTION.search(text)
+        if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
+            found["f"] = f"a factor, or part of the name f{function[1]}? say what it is"
     outside = [NO_FACTORS.sub("", formula) for formula in formulas]
     for text in outside:
         word = _WORD.search(_COMMAND.sub(r"\\", text)) if " e " in text else None
@@ -234,7 +240,9 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     toks = [text for formula in formulas for text in tex.texts(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
-    named += [([x, x], True) for x, text in twice if bare.count(x) == text.count(f"{x} {x} _")]
+    named += [
+        ([x, x], True) for x, text in twice if bare.count(x) == text.count(f"{x} {x} _") + 2 * text.count(f"{x} {x} (")
+    ]
     for letters, begins in named:
         *before, last = letters
         once = [bare.count(letter) == 1 for letter in before] + [(bare.count(last) or toks.count(last)) == 1]

@@ -92,6 +92,8 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if _is_power(each.above)},
         {each.above for each in scripted if each.applied and each.word != each.bare and _letters(each.above)},
         loose,
+        {each.word for each in scripted if each.above == ("0",) and each.word != each.bare},
+        {word for formula in raised for word in _APPLIED.findall(formula)},
     )
     labelled = {
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
@@ -145,6 +147,9 @@ def _is_of_letters(place: Occurrence) -> bool:
     return any(map(is_letter, place.arguments or ()))
 
 
+_APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
+
+
 @dataclass(frozen=True, slots=True)
 class Told:
     """What formulas tell of superscripts."""
@@ -153,6 +158,8 @@ class Told:
     powers: Collection[str]  # letters that are raised to powers for certain
     labels: Collection[tuple[str, ...]]  # superscripts of functions that have subscripts too, as in P_n^m(x)
     loose: Collection[str]  # indices of sums without bounds
+    framed: Collection[str]  # letters between two frames that have numbers, as in T_2^1
+    applied: Collection[str]  # letters before brackets
 
 
 def _is_power(above: Sequence[str]) -> bool:
@@ -179,8 +186,10 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
     below = of.word != of.bare
-    if (inside == ["0"] and (of.applied or below)) or (inside == ["1"] and below):
+    if (inside == ["0"] and (of.applied or below or of.word in told.applied)) or (inside == ["1"] and below):
         return ""  # nobody prints such a power
+    if below and of.word in told.framed and (inside[0].isdigit() or letters):
+        return ""
     if inside[:1] == ["-"] and of.applied and below and tuple(inside[1:]) in told.labels:
         return ""  # as in P_n^{-m}(x)
     if of.applied and below and not letters and any(map(str.isalpha, inside)):

@@ -363,6 +363,8 @@ class Scan(tex.Reader):
             scripts[mark] = tokens
         behind = self.peek_at(self.behind())
         arguments = None if behind == "_" else self.arguments()  # what is in brackets with a subscript is a factor
+        if arguments == (word,):
+            arguments = None  # and so is the letter itself
         after = next((text for text in self.texts[self.i :] if text not in _UNPRINTED), "")
         if k > 0 and (before, after) == ("(", ")") and self.peek_at(k - 1) in DIFFERENTIALS:
             before = self.peek_at(k - 1)  # alone in brackets behind the d

@@ -96,7 +96,7 @@ def phrased(text: str) -> str:
     for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
     if _SPACE in text:
-        text = _SPACED.sub(lambda found: f"{found[1]} {found[2].replace(_SPACE, _PARTING[found[1][-1]])}", text)
+        text = _SPACED.sub(lambda found: f"{found[1]} {_APART.sub(f'{_PARTING[found[1][-1]]} ', found[2])}", text)
     return _problem(_MATRIX.sub(_with_cells, text) if "m a t r i x" in text else text)
 
 
@@ -105,9 +105,11 @@ _MATRIX = re.compile(
     r"(\\begin \{ [bBpvV \n]*m a t r i x \})((?:(?!\\begin|\\end|&).)*,(?:(?!\\begin|\\end|&).)*)(?=\\end)"
 )
 _SPACE, _PARTING = "\\ ", {"}": "&", "[": ","}
+_APART = re.compile(r"(?:\\  )+")  # one space or several between two entries
 _ENTRY = r"(?:\\[A-Za-z]+(?: \{ [^{}]* \})?|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
+_ENTRIES = rf"{_ENTRY}(?: {_ENTRY})*"
 _SPACED = re.compile(
-    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_ENTRY} (?:\\  {_ENTRY} )+)(?=\\end|(?:\\right )?\])"
+    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_ENTRIES} (?:(?:\\  )+{_ENTRIES} )+)(?=\\end|(?:\\right )?\])"
 )  # parted by spaces
 
 
