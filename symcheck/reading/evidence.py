@@ -240,13 +240,17 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     toks = [text for formula in formulas for text in tex.texts(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
-    named += [
-        ([x, x], True) for x, text in twice if bare.count(x) == text.count(f"{x} {x} _") + 2 * text.count(f"{x} {x} (")
-    ]
+    doubled = [x for x, text in twice if bare.count(x) == text.count(f"{x} {x} _") + 2 * text.count(f"{x} {x} (")]
+    named += [([x, x], True) for x in doubled]
     for letters, begins in named:
         *before, last = letters
         once = [bare.count(letter) == 1 for letter in before] + [(bare.count(last) or toks.count(last)) == 1]
-        if all(once) or (len(once) > 2 and any(once)) or (begins and _are_at_their_places(letters, outside)):
+        if (
+            letters == [last, last]
+            or all(once)
+            or (len(once) > 2 and any(once))
+            or (begins and _are_at_their_places(letters, outside))
+        ):
             name = "".join(letters)
             told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
             found |= dict.fromkeys(letters, told)

@@ -108,8 +108,9 @@ _SPACE, _PARTING = "\\ ", {"}": "&", "[": ","}
 _APART = re.compile(r"(?:\\  )+")  # one space or several between two entries
 _ENTRY = r"(?:\\[A-Za-z]+(?: \{ [^{}]* \})?|[A-Za-z0-9.]+)(?: _ (?:\w|\{ [^{}]* \}))?"
 _ENTRIES = rf"{_ENTRY}(?: {_ENTRY})*"
+_PARTED = rf"{_ENTRIES} (?:(?:\\  )+{_ENTRIES} )+"
 _SPACED = re.compile(
-    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_ENTRIES} (?:(?:\\  )+{_ENTRIES} )+)(?=\\end|(?:\\right )?\])"
+    rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_PARTED})(?=\\end|(?:\\right )?\])"
 )  # parted by spaces
 
 
