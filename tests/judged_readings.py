@@ -14157,6 +14157,251 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(\\mathbf{L}, Add(Mul(Add(1, Neg(\\alpha)), Call(\\text{chol}; \\mathbf{A})), Mul(\\alpha, Call(\\text{chol}; \\mathbf{B}))); =)",
         "pyRiemann/pyRiemann/pyriemann/geometry/geodesic.py",
     ),
+    (
+        "V_1 = - \\frac{- \\frac{3 \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{P} + \\frac{\\left(- P b + P \\delta - R T\\right)^{2}} {P^{2}}}{3 \\left(- \\frac{1}{2} - \\frac{\\sqrt{3} i}{2}\\right) \\sqrt[3] {\\frac{\\sqrt{- 4 \\left(- \\frac{3 \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{P} + \\frac{\\left(- P b + P \\delta - R T \\right)^{2}}{P^{2}}\\right)^{3} + \\left(\\frac{27 \\left(- P b \\epsilon - R T \\epsilon - a \\alpha b\\right)}{P} - \\frac{9 \\left(- P b + P \\delta - R T\\right) \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{P^{2}} + \\frac{2 \\left(- P b + P \\delta - R T \\right)^{3}}{P^{3}}\\right)^{2}}}{2} + \\frac{27 \\left(- P b \\epsilon - R T \\epsilon - a \\alpha b\\right)}{2 P} - \\frac{9 \\left(- P b + P \\delta - R T\\right) \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{2 P^{2}} + \\frac{\\left(- P b + P \\delta - R T \\right)^{3}}{P^{3}}}} - \\frac{\\left(- \\frac{1}{2} - \\frac{\\sqrt{3} i} {2}\\right) \\sqrt[3]{\\frac{\\sqrt{- 4 \\left(- \\frac{3 \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{P} + \\frac{\\left(- P b + P \\delta - R T\\right)^{2}}{P^{2}}\\right)^{3} + \\left(\\frac{27 \\left( - P b \\epsilon - R T \\epsilon - a \\alpha b\\right)}{P} - \\frac{9 \\left( - P b + P \\delta - R T\\right) \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{P^{2}} + \\frac{2 \\left(- P b + P \\delta - R T\\right)^{3}}{P^{3}}\\right)^{2}}}{2} + \\frac{27 \\left(- P b \\epsilon - R T \\epsilon - a \\alpha b\\right)}{2 P} - \\frac{9 \\left(- P b + P \\delta - R T\\right) \\left(- P b \\delta + P \\epsilon - R T \\delta + a \\alpha\\right)}{2 P^{2}} + \\frac{\\left(- P b + P \\delta - R T \\right)^{3}}{P^{3}}}}{3} - \\frac{- P b + P \\delta - R T}{3 P}",
+        "Chain(V_1, Add(Neg(Div(Add(Neg(Div(Mul(3, Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); P)), Div(Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 2); Pow(P; 2))); Mul(3, Add(Neg(Div(1; 2)), Neg(Div(Mul(Sqrt(3), i); 2))), Root(Add(Div(Sqrt(Add(Neg(Mul(4, Pow(Add(Neg(Div(Mul(3, Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); P)), Div(Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 2); Pow(P; 2))); 3))), Pow(Add(Div(Mul(27, Add(Neg(Mul(P, b, \\epsilon)), Neg(Mul(R, T, \\epsilon)), Neg(Mul(a, \\alpha, b)))); P), Neg(Div(Mul(9, Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))), Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); Pow(P; 2))), Div(Mul(2, Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 3)); Pow(P; 3))); 2))); 2), Div(Mul(27, Add(Neg(Mul(P, b, \\epsilon)), Neg(Mul(R, T, \\epsilon)), Neg(Mul(a, \\alpha, b)))); Mul(2, P)), Neg(Div(Mul(9, Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))), Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); Mul(2, Pow(P; 2)))), Div(Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 3); Pow(P; 3))); 3)))), Neg(Div(Mul(Add(Neg(Div(1; 2)), Neg(Div(Mul(Sqrt(3), i); 2))), Root(Add(Div(Sqrt(Add(Neg(Mul(4, Pow(Add(Neg(Div(Mul(3, Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); P)), Div(Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 2); Pow(P; 2))); 3))), Pow(Add(Div(Mul(27, Add(Neg(Mul(P, b, \\epsilon)), Neg(Mul(R, T, \\epsilon)), Neg(Mul(a, \\alpha, b)))); P), Neg(Div(Mul(9, Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))), Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); Pow(P; 2))), Div(Mul(2, Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 3)); Pow(P; 3))); 2))); 2), Div(Mul(27, Add(Neg(Mul(P, b, \\epsilon)), Neg(Mul(R, T, \\epsilon)), Neg(Mul(a, \\alpha, b)))); Mul(2, P)), Neg(Div(Mul(9, Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))), Add(Neg(Mul(P, b, \\delta)), Mul(P, \\epsilon), Neg(Mul(R, T, \\delta)), Mul(a, \\alpha))); Mul(2, Pow(P; 2)))), Div(Pow(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); 3); Pow(P; 3))); 3)); 3)), Neg(Div(Add(Neg(Mul(P, b)), Mul(P, \\delta), Neg(Mul(R, T))); Mul(3, P)))); =)",
+        "CalebBell/thermo/thermo/eos_volume.py",
+    ),
+    (
+        "A = \\nu^2 + n_1 \\nu + n_2",
+        "Chain(A, Add(Pow(\\nu; 2), Mul(n_1, \\nu), n_2); =)",
+        "CalebBell/chemicals/chemicals/vapor_pressure.py",
+    ),
+    (
+        "\\rho_{app,i} = \\frac{(c_0[1-w_w]+c_1)\\exp(10^{-6}[t+c_4]^2)} {(1-w_w) + c_2 + c_3 t}",
+        "Chain(\\rho_{app,i}, Div(Mul(Add(Mul(c_0, Add(1, Neg(w_w))), c_1), Call(exp; Mul(Pow(10; Neg(6)), Pow(Add(t, c_4); 2)))); Add(Add(1, Neg(w_w)), c_2, Mul(c_3, t))); =)",
+        "CalebBell/thermo/thermo/electrochem.py",
+    ),
+    (
+        "x_i = \\frac{z_i}{1 + \\frac{V}{F}(K_i-1)}",
+        "Chain(x_i, Div(z_i; Add(1, Mul(Div(V; F), Add(K_i, Neg(1))))); =)",
+        "CalebBell/chemicals/chemicals/rachford_rice.py",
+    ),
+    (
+        "d = \\frac{c}{\\omega_{ps}}",
+        "Chain(d, Div(c; \\omega_{ps}); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
+    (
+        "\\log p(v) = \\sum_s \\text{logits}[s, v[s]] - \\log Z",
+        "Chain(Call(log; Call(p; v)), Add(BigSum(s; Indexed(\\text{logits}; s, Indexed(v; s))), Neg(Call(log; Z))); =)",
+        "pyro-ppl/pyro/pyro/distributions/one_one_matching.py",
+    ),
+    (
+        "f_{opt} = \\left(\\frac{q}{q_{ref}}\\right)^{n_f}",
+        "Chain(f_{opt}, Pow(Div(q; q_{ref}); n_f); =)",
+        "CalebBell/ht/ht/boiling_flow.py",
+    ),
+    (
+        "k = \\text{softplus}(f) \\cdot \\frac{1 - p}{p}",
+        "Chain(k, Mul(Call(\\text{softplus}; f), Div(Add(1, Neg(p)); p)); =)",
+        "cornellius-gp/gpytorch/gpytorch/likelihoods/negative_binomial_likelihood.py",
+    ),
+    (
+        "T^* = \\frac{(T_c/T)-1}{(T_c/T_b)-1}",
+        "Chain(T ^ { * }, Div(Add(Div(T_c; T), Neg(1)); Add(Div(T_c; T_b), Neg(1))); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "\\Delta_{vap} H=1.093 T_b R\\frac{\\ln P_c-1.013}{0.930-T_{br}}",
+        "Chain(\\Delta _ { v a p } H, Mul(1.093, T_b, R, Div(Add(Call(ln; P_c), Neg(1.013)); Add(0.930, Neg(T_{br})))); =)",
+        "CalebBell/chemicals/chemicals/phase_change.py",
+    ),
+    (
+        "\\Lambda = \\Lambda^0(t) - A(t) \\frac{m^{1/2}}{1+Bm^{1/2}}",
+        "Chain(\\Lambda, Add(Call(\\Lambda ^ { 0 }; t), Neg(Mul(Call(A; t), Div(Pow(m; Div(1; 2)); Add(1, Mul(B, Pow(m; Div(1; 2)))))))); =)",
+        "CalebBell/thermo/thermo/electrochem.py",
+    ),
+    (
+        "R_2 = \\frac{C_2}{C_1} = \\frac{T_{1,o} - T_{1, i}}{T_{2,i} - T_{2,o}}",
+        "Chain(R_2, Div(C_2; C_1), Div(Add(T_{1,o}, Neg(T_{1,i})); Add(T_{2,i}, Neg(T_{2,o}))); =, =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "\\chi^2_\\nu = \\chi^2 / (N-N_{\\rm varys})",
+        "Chain(Pow(\\chi_\\nu; 2), Div(Pow(\\chi; 2); Add(N, Neg(N_{varys}))); =)",
+        "lmfit/lmfit-py/doc/fitting.rst",
+    ),
+    (
+        "\\phi \\rightarrow \\phi + \\Omega \\times t + \\mathrm{pa}",
+        "Chain(\\phi, Add(\\phi, Cross(\\Omega; t), \\text{pa}); \\rightarrow)",
+        "jobovy/galpy/galpy/potential/SolidBodyRotationWrapperPotential.py",
+    ),
+    (
+        "T_{1,o} = \\frac{1}{P_{1} R_{1} - 1} \\left(P_{1} R_{1} T_{1,i} + P_{1} T_{1,i} - P_{1} T_{2,o} - T_{1,i}\\right)",
+        "Chain(T_{1,o}, Mul(Div(1; Add(Mul(P_1, R_1), Neg(1))), Add(Mul(P_1, R_1, T_{1,i}), Mul(P_1, T_{1,i}), Neg(Mul(P_1, T_{2,o})), Neg(T_{1,i}))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "u_{3}(t) = \\Omega \\cdot (1 - e^{(-\\alpha \\cdot t)})",
+        "Chain(Call(u_3; t), Mul(\\Omega, Add(1, Neg(Pow(e; Neg(Mul(\\alpha, t)))))); =)",
+        "csu-hmc/opty/examples-gallery/advanced/plot_ball_rolling_on_spinning_disc.py",
+    ),
+    (
+        "\\lambda(t) = \\frac{1}{t-t_0}\\,\\sum \\ln \\frac{|\\delta x|}{|\\delta x_0|}",
+        "Chain(Call(\\lambda; t), Mul(Div(1; Add(t, Neg(t_0))), Limiting(sum; ; Call(ln; Div(Bars(\\delta x); Bars(\\delta x _ { 0 }))))); =)",
+        "jobovy/galpy/galpy/orbit/Orbits.py",
+    ),
+    (
+        "\\sin(\\theta) = \\cos(\\theta + \\frac{\\pi}{2})",
+        "Chain(Call(sin; \\theta), Call(cos; Add(\\theta, Div(\\pi; 2))); =)",
+        "PlasmaPy/PlasmaPy/docs/development/testing_guide.rst",
+    ),
+    (
+        "M(p, q) = \\sum_{i=0}^{n-1} x_i^p y_i^q",
+        "Chain(Call(M; p, q), BigSum(i; 0; Add(n, Neg(1)); Mul(Pow(x_i; p), Pow(y_i; q))); =)",
+        "bdaiinstitute/spatialmath-python/spatialmath/base/numeric.py",
+    ),
+    (
+        "\\gamma = N \\left[\\phi - \\phi_{ref} - \\frac{\\ln(R/r_{ref})}{\\tan(\\alpha)} \\right]",
+        "Chain(\\gamma, Mul(N, Add(\\phi, Neg(\\phi_{ref}), Neg(Div(Call(ln; Div(R; r_{ref})); Call(tan; \\alpha))))); =)",
+        "jobovy/galpy/galpy/potential/SpiralArmsPotential.py",
+    ),
+    (
+        "\\Theta_v = \\Theta \\frac{\\text{w} + \\epsilon}{\\epsilon\\,(1 + \\text{w})}",
+        "Chain(\\Theta_v, Mul(\\Theta, Div(Add(\\text{w}, \\epsilon); Mul(\\epsilon, Add(1, \\text{w})))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\frac{\\rho^2}{\\kappa_1\\kappa_2} \\rightarrow 1",
+        "Chain(Div(Pow(\\rho; 2); Mul(\\kappa_1, \\kappa_2)), 1; \\rightarrow)",
+        "pyro-ppl/pyro/pyro/distributions/sine_bivariate_von_mises.py",
+    ),
+    (
+        "\\chi_e(k, \\omega) = - \\frac{\\alpha_e^2}{2} Z'(x_e)",
+        "Chain(Call(\\chi_e; k, \\omega), Neg(Mul(Div(Pow(\\alpha_e; 2); 2), Call(Z'; x_e))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dielectric.py",
+    ),
+    (
+        "\\xi = \\begin{cases} -1 & t < t_\\mathrm{form}\\\\ 2\\left(\\frac{t-t_\\mathrm{form}}{t_\\mathrm{steady}}\\right)-1\\,, & t_\\mathrm{form} \\leq t \\leq t_\\mathrm{form}+t_\\mathrm{steady}\\\\ 1 & t > t_\\mathrm{form}+t_\\mathrm{steady} \\end{cases}",
+        "Chain(\\xi, Piecewise(Neg(1), Chain(t, t_{form}; <), Add(Mul(2, Div(Add(t, Neg(t_{form})); t_{steady})), Neg(1)), Chain(t_{form}, t, Add(t_{form}, t_{steady}); \\le, \\le), 1, Chain(t, Add(t_{form}, t_{steady}); >)); =)",
+        "jobovy/galpy/galpy/potential/DehnenSmoothWrapperPotential.py",
+    ),
+    (
+        "w = \\frac{q}{1-q}",
+        "Chain(w, Div(q; Add(1, Neg(q))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "L(Q) = \\sum_i w_i \\delta^2(X^\\text{target}_i, Q X^\\text{source}_i Q^T)",
+        "Chain(Call(L; Q), BigSum(i; Mul(w_i, Pow(Call(\\delta; X _ { i } ^ { \\text { t a r g e t } }, Mul(Q, X _ { i } ^ { \\text { s o u r c e } }, Transpose(Q))); 2))); =)",
+        "pyRiemann/pyRiemann/pyriemann/optimization/grassmann.py",
+    ),
+    (
+        "I_{is} = 0.6 e A_p n_i \\sqrt{\\frac{T_e}{m_i}}",
+        "Chain(I_{is}, Mul(0.6, e, A_p, n_i, Sqrt(Div(T_e; m_i))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/diagnostics/langmuir.py",
+    ),
+    (
+        "\\Gamma = \\frac{E_{Coulomb}}{E_{Kinetic}}",
+        "Chain(\\varGamma, Div(E_{Coulomb}; E_{Kinetic}); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "\\mathbf{K}_{i,j} = \\text{tr}( (\\mathbf{X}_i - \\mathbf{C}_\\text{ref})^T (\\mathbf{Y}_j - \\mathbf{C}_\\text{ref}) )",
+        "Chain(\\mathbf{K}_{i,j}, Call(tr; Mul(Transpose(Add(\\mathbf{X}_i, Neg(\\mathbf{C}_{ref}))), Add(\\mathbf{Y}_j, Neg(\\mathbf{C}_{ref})))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/kernel.py",
+    ),
+    (
+        "\\ln{\\Lambda} \\equiv \\ln\\left( \\frac{b_{max}}{b_{min}} \\right)",
+        "Chain(Call(ln; \\Lambda), Call(ln; Div(b_{max}; b_{min})); \\equiv)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "I(r) = \\frac{4a_1}{3}(1 + 2r^2) - 4r^2\\ln\\frac{1 - a_1}{r}",
+        "Chain(Call(I; r), Add(Mul(Div(Mul(4, a_1); 3), Add(1, Mul(2, Pow(r; 2)))), Neg(Mul(4, Pow(r; 2), Call(ln; Div(Add(1, Neg(a_1)); r))))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "f(x; A, \\mu, \\sigma, {\\mathrm{form={}'arctan{}'}}) = A [\\arctan{(\\alpha_1)} + \\arctan{(\\alpha_2)}]/{\\pi}",
+        "Chain(Call(f; Given(x; A, \\mu, \\sigma, \\text{form='arctan'}; ;)), Div(Mul(A, Add(Call(arctan; \\alpha_1), Call(arctan; \\alpha_2))); \\pi); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "H_{i,j,k} = \\frac{\\partial J_{j,k}}{\\partial x_i}",
+        "Chain(H_{i,j,k}, Derivative(Call(J_{j,k}); x_i, 1; True); =)",
+        "bdaiinstitute/spatialmath-python/spatialmath/base/numeric.py",
+    ),
+    (
+        "K(x, y)=\\frac{1}{1+\\|x-y\\|^2 / \\sigma^2}",
+        "Chain(Call(K; x, y), Div(1; Add(1, Div(Pow(Norm(Add(x, Neg(y))); 2); Pow(\\sigma; 2)))); =)",
+        "geomstats/geomstats/geomstats/varifold.py",
+    ),
+    (
+        "\\epsilon \\sim \\mathcal{N}(0, 0.5)",
+        "Chain(\\epsilon, Call(\\mathcal{N}; 0, 0.5); \\sim)",
+        "cornellius-gp/gpytorch/examples/08_Advanced_Usage/Simple_GP_Regression_Derivative_Information_1d.ipynb",
+    ),
+    (
+        "\\epsilon(r) = 1 - 2r^2",
+        "Chain(Call(\\epsilon; r), Add(1, Neg(Mul(2, Pow(r; 2)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\mathbf{x} = \\boldsymbol{\\xi} + N\\mathbf{z}",
+        "Chain(\\mathbf{x}, Add(\\boldsymbol{\\xi}, Mul(N, \\mathbf{z})); =)",
+        "stevengj/nlopt/extern/nlopt/doc/docs/NLopt_Introduction.md",
+    ),
+    (
+        "p(v|S,B) = \\frac{w(B)}{S} \\exp\\left(-c(B) |v/S|^{2/(1+B)}\\right)",
+        "Chain(Call(p; Given(v; S, B; |)), Mul(Div(Call(w; B); S), Call(exp; Neg(Mul(Call(c; B), Pow(Bars(Div(v; S)); Div(2; Add(1, B))))))); =)",
+        "bumps/bumps/bumps/dream/exppow.py",
+    ),
+    (
+        "\\gamma(t) = {\\mathrm e}^{t X} \\cdot h",
+        "Chain(Call(\\gamma; t), Mul(Pow(\\text{e}; Mul(t, X)), h); =)",
+        "geomstats/geomstats/geomstats/geometry/general_linear.py",
+    ),
+    (
+        "y \\sim f + \\epsilon",
+        "Chain(y, Add(f, \\epsilon); \\sim)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/gpr.py",
+    ),
+    (
+        "\\begin{pmatrix} I_p + A & B^T \\\\ B & D \\end{pmatrix} \\mapsto (D - B(I_p + A)^{-1}B^T, A + A^2 + B^TB)",
+        "Chain(MatrixOf(Add(I_p, A), Transpose(B), B, D), Pair(Add(D, Neg(Mul(B, Pow(Add(I_p, A); Neg(1)), Transpose(B)))); Add(A, Pow(A; 2), Mul(Transpose(B), B))); \\mapsto)",
+        "geomstats/geomstats/geomstats/geometry/grassmannian.py",
+    ),
+    (
+        "N = \\left( \\frac{g}{\\theta} \\frac{d\\theta}{dz} \\right)^\\frac{1}{2}",
+        "Chain(N, Pow(Mul(Div(g; Call(\\theta)), Derivative(Call(\\theta); z, 1)); Div(1; 2)); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\operatorname{Huber}(x, M) = \\begin{cases} 2M|x|-M^2 & \\text{for } |x| \\geq |M| \\\\ |x|^2 & \\text{for } |x| \\leq |M|. \\end{cases}",
+        "Chain(Call(\\text{Huber}; x, M), Piecewise(Add(Mul(2, M, Bars(x)), Neg(Pow(M; 2))), Chain(Bars(x), Bars(M); \\ge), Pow(Bars(x); 2), Chain(Bars(x), Bars(M); \\le)); =)",
+        "cvxpy/cvxpy/cvxpy/atoms/elementwise/huber.py",
+    ),
+    (
+        "\\epsilon(r) = 1 - 3r^2 + 2r^3",
+        "Chain(Call(\\epsilon; r), Add(1, Neg(Mul(3, Pow(r; 2))), Mul(2, Pow(r; 3))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\mathbf{u}(t_i) = \\mathbf{u}_i",
+        "Chain(Call(\\mathbf{u}; t_i), \\mathbf{u}_i; =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "p(f(X)) \\sim \\mathcal{N}(0, k(X, X))",
+        "Chain(Call(p; Call(f; X)), Call(\\mathcal{N}; 0, Call(k; X, X)); \\sim)",
+        "pyro-ppl/pyro/pyro/contrib/gp/util.py",
+    ),
+    (
+        "\\texttt{A << B} \\equiv {\\displaystyle\\frac{AB + BA}{2}}",
+        "Chain(\\text{A<<B}, Div(Add(Mul(A, B), Mul(B, A)); 2); \\equiv)",
+        "pygae/galgebra/galgebra/ga.py",
+    ),
+    (
+        "\\mathbb{E}[y] = \\nu e^{\\ell} = e^{\\ell + \\log \\nu + \\tfrac{1}{2}\\sigma^2}",
+        "Chain(Indexed(\\mathbb{E}; y), Mul(\\nu, Pow(e; \\ell)), Pow(e; Add(\\ell, Call(log; \\nu), Mul(Div(1; 2), Pow(\\sigma; 2)))); =, =)",
+        "pyro-ppl/pyro/pyro/distributions/log_normal_negative_binomial.py",
+    ),
+    (
+        "f(x; A, \\mu, \\sigma, m) = \\frac{A}{\\sigma{\\beta(m-\\frac{1}{2}, \\frac{1}{2})}} \\bigl[1 + \\frac{(x-\\mu)^2}{\\sigma^2} \\bigr]^{-m}",
+        "Chain(Call(f; Given(x; A, \\mu, \\sigma, m; ;)), Mul(Div(A; Mul(\\sigma, Call(\\beta; Add(m, Neg(Div(1; 2))), Div(1; 2)))), Pow(Add(1, Div(Pow(Add(x, Neg(\\mu)); 2); Pow(\\sigma; 2))); Neg(m))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -14359,5 +14604,13 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "fc_i(\\mathbf{x}) \\leq 0",
         "stevengj/nlopt/extern/nlopt/doc/docs/NLopt_Introduction.md",
+    ),
+    (
+        "\\rho(r) = \\frac{\\mathrm{amp}(3-\\alpha)}{4\\,\\pi\\,a^3}\\,\\frac{1}{(r/a)^{\\alpha}\\,(1+r/a)^{4-\\alpha}}",
+        "jobovy/galpy/galpy/potential/TwoPowerSphericalPotential.py",
+    ),
+    (
+        "Y = \\frac{A\\cdot T^B}{1 + \\frac{C}{T} + \\frac{D}{T^2}}",
+        "CalebBell/chemicals/chemicals/dippr.py",
     ),
 )

@@ -190,6 +190,9 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"y = (z - hat{x})^2": r"y = (z - \hat{x})^2",
+    r"P = \begin{pmatrix} n \\ k \end{pmatrix} p^k": r"P = \binom{n}{k} p^k",
+    r"t = \frac{b}{SE(b)}": r"t = \frac{b}{\mathrm{SE}(b)}",
     r"y = \mathit{gain} + x": r"y = \mathrm{gain} + x",
     r"y = \operatorname{atan}{\left(\frac{x}{2}\right)} b": r"y = \operatorname{atan}\left(\frac{x}{2}\right) b",
     r"\mathbf{q} = \begin{bmatrix} a \ b \ c \end{bmatrix}": r"\mathbf{q} = \begin{bmatrix} a & b & c \end{bmatrix}",
@@ -387,6 +390,12 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"x_{ss} = N_x \cdot ref": "one name ref, or a product",
     r"y = fct(t)": "a factor, or part of the name fc",
     r"y = FDD(t)": "one name DD, or a product",
+    r"SS = 2 a": "one name SS, or a product",
+    r"SGS = SG + b": "one name, or a product",
+    r"y = \mathrm{amp}(3 - a)": "a function, or a factor",
+    r"Y = \frac{A T^B}{1 + C T + D}": "a power, or a label",
+    r"\sum_{i=1}^k \Gamma(a^i) = b": "a power, or an index",
+    r"y = a_1 + a_2 + \prod_{i=1}^{k} x_i^{a^i-1}": "a power, or an index",
     r"\lambda = 31.2 \eta^\circ G": "in degrees, or in the standard state",
     r"y = \sqrt{(x - \mu)^H (x - \mu)}": "conjugated and transposed",
     r"f(x) = C_n^{2 l + 1 / 2}(x)": "a power, or a label",

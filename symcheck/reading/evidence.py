@@ -186,7 +186,17 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
-_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\()")  # `SS_{res}`, a sum of squares, and `DD(x)`
+# `SS_{res}` and `SS`, sums of squares, and `DD(x)`
+_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\(|(?<![A-Z] . .)(?:=|-|\+|\}|$))")
+_PALINDROME = re.compile(r"\s*([A-Z]) [A-Z] \1 =")  # `SGS`, a name that an equation begins with
+# a word before brackets that hold a number and a letter
+_WORD_TIMES = re.compile(
+    r"\\(?:text|mathrm) (\{ [a-z](?: [a-z])+ \}) (?:\\left )?\( \d+ [-+] (?:[a-z]|\\[a-z]+) (?:\\right )?\)"
+)
+# what has a number above it that a sum or a product runs over
+_ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})")
+# such a sum or product, from 1 to a number
+_FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z]|\{ [A-Za-z] \})")
 # `fct(x)` and `fc_i(x)`, names of functions
 _OF_FUNCTION = re.compile(r"(?<![A-Za-z\\])f ([a-z]) (?:t )?(?:_ (?:\w|\{[^{}]*\}) )?(?:\\left )?\(")
 _SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
@@ -224,6 +234,13 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
         function = _OF_FUNCTION.search(text)
         if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
             found["f"] = f"a factor, or part of the name f{function[1]}? say what it is"
+        for run in {*_FROM_ONE.findall(text)}:
+            over = [base for base, *above in _ABOVE.findall(text) if run in above]
+            if tex.texts(text).count(run) != len(over) + len(_FROM_ONE.findall(text)):
+                over = [base for base in over if re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)]
+            found |= dict.fromkeys(over, f"a power, or an index? say what {run} is above it")
+        for word in _WORD_TIMES.findall(text):
+            found[rf"\text{{{''.join(word[2:-2].split())}}}"] = "a function, or a factor? say what it is"
     outside = [NO_FACTORS.sub("", formula) for formula in formulas]
     for text in outside:
         word = _WORD.search(_COMMAND.sub(r"\\", text)) if " e " in text else None
@@ -235,12 +252,19 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
     runs += [match for formula in formulas for match in _CAPITALS_BELOW.finditer(formula)]
     twice = [(x, formula) for formula in formulas for x in _TWICE.findall(formula)]
     alone = [each for formula in formulas for each in _ALONE.findall(formula)]
+    for text in formulas:
+        if palindrome := _PALINDROME.match(text):
+            found[palindrome[1]] = "one name, or a product? say what the letters are"
     if not (first or runs or twice or alone):
         return found
     toks = [text for formula in formulas for text in tex.texts(formula)]
     bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
     named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
-    doubled = [x for x, text in twice if bare.count(x) == text.count(f"{x} {x} _") + 2 * text.count(f"{x} {x} (")]
+    doubled = [
+        x
+        for x, text in twice
+        if bare.count(x) == text.count(f"{x} {x} _") + 2 * len(_TWICE.findall(text)) - 2 * text.count(f"{x} {x} _")
+    ]
     named += [([x, x], True) for x in doubled]
     for letters, begins in named:
         *before, last = letters

@@ -62,6 +62,7 @@ class Scripted:
     framed: bool  # does a script stand at its left?
     plain: bool = False  # is it a power for certain unless it is a label for certain?
     applied: bool = False  # do brackets stand behind it that hold no sum?
+    changed: bool = False  # does the sign of a change stand before it?
 
 
 # where names of the other kinds can be
@@ -186,7 +187,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
     below = of.word != of.bare
-    if (inside == ["0"] and (of.applied or below or of.word in told.applied)) or (inside == ["1"] and below):
+    if (inside == ["0"] and (of.applied or below or of.word in told.applied or of.changed)) or (
+        inside == ["1"] and below
+    ):
         return ""  # nobody prints such a power
     if below and of.word in told.framed and (inside[0].isdigit() or letters):
         return ""
@@ -207,7 +210,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.framed or "," in inside or letters[0].startswith(BOLD):
         return ""
     if points and all(letter[:1].isupper() for letter in letters):
-        return ""
+        series = len(inside) == 1 and not below and {chr(ord(inside[0]) + k) for k in (-1, 1)} <= {*told.numbers}
+        return POWER_OR_LABEL.format(letters[0]) if series else ""  # among the coefficients A, B and C
     style, _, base = of.word.partition("{")
     if style in BOLD and base[:1].islower() and not {"+", "-"} & set(inside):
         return ""
@@ -308,7 +312,8 @@ def _scripted(formula: str) -> Iterator[Scripted]:
     texts = reader.texts
     while reader.i < len(texts):
         start, text = reader.i, reader.peek()
-        framed, changed = text == r"\prescript", text in (r"\Delta", r"\delta") and _begins_letter(reader.peek(1))
+        framed = text == r"\prescript"
+        changed = _change(texts, start) if text in (r"\Delta", r"\delta") else 0
         if not framed and not tex.is_letter(text):
             reader.i += 1
             continue
@@ -335,7 +340,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 before = texts[:start]
                 coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}")
                 plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
-                yield Scripted(name, bare, word, tuple(above), framed, plain, _is_applied(texts[end:]))
+                yield Scripted(name, bare, word, tuple(above), framed, plain, _is_applied(texts[end:]), changed > 0)
             reader.i = start + 1 if changed and not above else behind
         except SymcheckError:
             reader.i = max(reader.i, start + 1)
@@ -361,9 +366,10 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             reader.i = end
             continue
         reader.i += 1
-        if text not in (r"\Delta", r"\delta", r"\nabla") or not _begins_letter(reader.peek()):
+        if text not in (r"\Delta", r"\delta", r"\nabla") or not (count := _change(texts, start)):
             continue
         try:
+            reader.i = start + count
             reader.spelling()
             while reader.peek() == "_":
                 reader.i += 1
@@ -465,6 +471,24 @@ def _accented(formula: str) -> Iterator[tuple[str, str]]:
         name = " ".join(texts[start : reader.i])
         points = text == r"\vec" and len(letters) == 2 and all(letter.isupper() for letter in letters)
         yield name, "" if points else f"one name, or something done with {' '.join(inside)}? say what {name} is"
+
+
+def _change(texts: Sequence[str], start: int) -> int:
+    r"""The number of tokens of the sign of a change that stands here before its letter, as `\Delta` or `\Delta_{vap}`.
+
+    A word below it says of which reaction it is, and a capital letter follows.
+    """
+    behind = texts[start + 1 : start + 2]
+    if behind != ("_",) or texts[start] != r"\Delta" or texts[start + 2 : start + 3] != ("{",):
+        return 1 if behind and _begins_letter(behind[0]) else 0
+    count, depth = 3, 1
+    while depth and start + count < len(texts):
+        depth += (texts[start + count] == "{") - (texts[start + count] == "}")
+        count += 1
+    inside = texts[start + 3 : start + count - 1]
+    word = [text for text in inside if text.isalpha()]
+    of_reaction = len(word) > 1 or {*inside} & {*ROMAN, r"\text"}
+    return count if word and of_reaction and "".join(texts[start + count : start + count + 1]).isupper() else 0
 
 
 def _begins_letter(text: str) -> bool:

@@ -23,6 +23,15 @@ _SPELLINGS = (  # of one thing in several tokens, behind what always stands in i
     ("°", re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
     ("v m a t r i x", re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
     ("v m a t r i x", re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
+    # a binomial coefficient printed as a column, whose lower number is an exponent too
+    (
+        "p m a t r i x",
+        re.compile(
+            r"\\begin \{ p m a t r i x \} (\w) \\\\ (\w) (?:\\\\ )?\\end \{ p m a t r i x \}"
+            r"(?=.* \^ (?:\2(?!\w)|\{ \2 \}))"
+        ),
+        r"\\binom { \1 } { \2 }",
+    ),
     # a fraction at a place, with a bar on one side
     (
         "| _ {",

@@ -52,7 +52,7 @@ def _with_words(source: str) -> list[tex.Tok]:
             k += 1 + count
             continue
         elif tok.text.isalpha() and len(word := _letters(toks, k)) > 1:
-            if _is_greek(word, toks, k):
+            if _is_greek(word, toks, k) or _is_command(word, toks, k):
                 made = [f"\\{word}"]
             elif _is_function(word, toks, k):
                 made = [f"\\{_OTHERWISE.get(word, word)}"]
@@ -118,6 +118,12 @@ def _is_greek(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     return begins and len(word) > 2 and f"\\{word}" in LETTER_COMMANDS
 
 
+def _is_command(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
+    """Is this a command whose backslash is missing: `(z - hat{x})^2`?"""
+    begins = not k or not toks[k - 1].text.isalpha() or toks[k - 1].at != toks[k].at - 1
+    return begins and word in _COMMANDS and [tok.text for tok in toks[k + len(word) :][:1]] == ["{"]
+
+
 def _is_function(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     """Is this a function whose name is typed as letters: `max(a, b)`, `v cos\\theta`?"""
     if word not in _TYPED:
@@ -146,10 +152,15 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     behind = toks[end].text if end < len(toks) and first else ""
     defined = (len(word) > 3 and behind in ("(", "=")) or (len(word) > 4 and word.istitle())
     named = (word in _ANGLES and behind == "=") or (len(word) > 2 and (word in _OPERATORS or "o" in word or defined))
-    named = named and not _WITH_FUNCTION.search(word)
+    applied = word in _OF_VARIABLES and [tok.text for tok in toks[end : end + 2]][:1] in (["("], ["["], [r"\left"])
+    named = (named and not _WITH_FUNCTION.search(word)) or applied
     return word.isascii() and named and not inside
 
 
+# commands whose backslash is missing, before a brace
+_COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mathbf"})
+# operators of statistics, before brackets
+_OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
