@@ -14402,6 +14402,156 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(f; Given(x; A, \\mu, \\sigma, m; ;)), Mul(Div(A; Mul(\\sigma, Call(\\beta; Add(m, Neg(Div(1; 2))), Div(1; 2)))), Pow(Add(1, Div(Pow(Add(x, Neg(\\mu)); 2); Pow(\\sigma; 2))); Neg(m))); =)",
         "lmfit/lmfit-py/lmfit/models.py",
     ),
+    (
+        "A = (T_{c} - T - \\omega)",
+        "Chain(A, Add(T_c, Neg(T), Neg(\\omega)); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "\\mathbf{C} = \\mathbf{A}^{1/2} \\left( \\mathbf{A}^{-1/2} \\mathbf{B} \\mathbf{A}^{-1/2} \\right)^\\alpha \\mathbf{A}^{1/2}",
+        "Chain(\\mathbf{C}, Mul(Pow(\\mathbf{A}; Div(1; 2)), Pow(Mul(Pow(\\mathbf{A}; Neg(Div(1; 2))), \\mathbf{B}, Pow(\\mathbf{A}; Neg(Div(1; 2)))); \\alpha), Pow(\\mathbf{A}; Div(1; 2))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/geodesic.py",
+    ),
+    (
+        "v_A = 0.5(2g H \\beta\\delta \\Delta T)^{0.5}",
+        "Chain(v_A, Mul(0.5, Pow(Mul(2, g, H, \\beta, \\delta, \\Delta T); 0.5)); =)",
+        "CalebBell/ht/ht/conv_jacket.py",
+    ),
+    (
+        "\\alpha_R = \\frac{1}{1 - K_{min}}",
+        "Chain(\\alpha_R, Div(1; Add(1, Neg(K_{min}))); =)",
+        "CalebBell/chemicals/chemicals/rachford_rice.py",
+    ),
+    (
+        "x_i \\sim \\mathcal{N}(\\mu_i, \\sigma_i)",
+        "Chain(x_i, Call(\\mathcal{N}; \\mu_i, \\sigma_i); \\sim)",
+        "cornellius-gp/gpytorch/examples/01_Exact_GPs/GP_Regression_DistributionalKernel.ipynb",
+    ),
+    (
+        "S_{\\text{reactive}} = \\sum_i^p S_{\\text{reactive}, i} \\beta_i",
+        "Chain(S_{reactive}, Limiting(sum; _{ i }^{ p }; Mul(S_{reactive,i}, \\beta_i)); =)",
+        "CalebBell/thermo/thermo/bulk.py",
+    ),
+    (
+        "M = 0.1615\\omega^2 - 0.2349\\omega + 0.8876",
+        "Chain(M, Add(Mul(0.1615, Pow(\\omega; 2)), Neg(Mul(0.2349, \\omega)), 0.8876); =)",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "\\Lambda_{ij} = \\frac{V_j}{V_i} \\exp\\left(\\frac{-\\lambda_{i,j}}{RT}\\right)",
+        "Chain(\\Lambda_{ij}, Mul(Div(V_j; V_i), Call(exp; Div(Neg(\\lambda_{i,j}); Mul(R, T)))); =)",
+        "CalebBell/thermo/thermo/wilson.py",
+    ),
+    (
+        "r_o = 0.5 D_{o}",
+        "Chain(r_o, Mul(0.5, D_o); =)",
+        "CalebBell/ht/ht/core.py",
+    ),
+    (
+        "C_\\mathrm{FDM}(kr) = \\ln\\left(\\frac{2kr}{M_\\sigma}\\right) \\left[ \\mathrm{erf}(X) - \\frac{2X}{\\sqrt{\\pi}} \\exp(-X^2) \\right]",
+        "Chain(Call(C_{FDM}; Mul(k, r)), Mul(Call(ln; Div(Mul(2, k, r); M_\\sigma)), Add(Call(erf; X), Neg(Mul(Div(Mul(2, X); Sqrt(\\pi)), Call(exp; Neg(Pow(X; 2))))))); =)",
+        "jobovy/galpy/galpy/potential/FDMDynamicalFrictionForce.py",
+    ),
+    (
+        "\\tau = \\frac{2\\pi}{N}",
+        "Chain(\\tau, Div(Mul(2, \\pi); N); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\chi = n_e \\Lambda_{deBroglie} ^ 3",
+        "Chain(\\chi, Mul(n_e, Pow(\\Lambda_{deBroglie}; 3)); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "\\Phi(R,\\phi) = \\frac{\\mathrm{amp}\\times A}{\\alpha}\\,\\cos\\left(\\alpha\\,\\ln R - m\\,(\\phi-\\Omega_s\\,t-\\gamma)\\right)",
+        "Chain(Call(\\Phi; R, \\phi), Mul(Div(Cross(\\text{amp}; A); \\alpha), Call(cos; Add(Mul(\\alpha, Call(ln; R)), Neg(Mul(m, Add(\\phi, Neg(Mul(\\Omega_s, t)), Neg(\\gamma))))))); =)",
+        "jobovy/galpy/galpy/potential/SteadyLogSpiralPotential.py",
+    ),
+    (
+        "C = (1 - \\gamma) C_\\text{scm} + \\gamma T",
+        "Chain(C, Add(Mul(Add(1, Neg(\\gamma)), C_{scm}), Mul(\\gamma, T)); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/covariance.py",
+    ),
+    (
+        "f = 2 \\pi v (\\pi v_{Th}^2)^{-1} \\exp(-v^2 / v_{Th}^2)",
+        "Chain(f, Mul(2, \\pi, v, Pow(Mul(\\pi, Pow(v_{Th}; 2)); Neg(1)), Call(exp; Neg(Div(Pow(v; 2); Pow(v_{Th}; 2))))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/distribution.py",
+    ),
+    (
+        "\\Pi = \\left( \\frac{p}{p_0} \\right)^\\kappa",
+        "Chain(\\Pi, Pow(Div(p; p_0); \\kappa); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "c(s) = c(0) + \\int_0^s q(u) |q(u)|du",
+        "Chain(Call(c; s), Add(Call(c; 0), Integral(Mul(Call(q; u), Bars(Call(q; u))); u; 0; s)); =)",
+        "geomstats/geomstats/geomstats/geometry/discrete_curves.py",
+    ),
+    (
+        "p(f(X)) = \\mathcal{N}(m(X), k(X, X))",
+        "Chain(Call(p; Call(f; X)), Call(\\mathcal{N}; Call(m; X), Call(k; X, X)); =)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/gpr.py",
+    ),
+    (
+        "F_j (x) = -Li_{j+1}\\left(-e^{x}\\right)",
+        "Chain(Call(F_j; x), Neg(Call(\\text{Li}_{j+1}; Neg(Pow(e; x)))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/mathematics.py",
+    ),
+    (
+        "f(x; A, \\mu, \\sigma, \\gamma) = \\frac{A \\textrm{Re}[w(z)]}{\\sigma\\sqrt{2 \\pi}}",
+        "Chain(Call(f; Given(x; A, \\mu, \\sigma, \\gamma; ;)), Div(Mul(A, Call(Re; Call(w; z))); Mul(\\sigma, Sqrt(Mul(2, \\pi)))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "f(x; x_0, a, b, c) = \\begin{cases} c & \\quad \\text{for} \\> x < x_0 \\\\ a + bx^2 & \\quad \\text{for} \\> x > x_0 \\end{cases}",
+        "Chain(Call(f; Given(x; x_0, a, b, c; ;)), Piecewise(c, Chain(x, x_0; <), Add(a, Mul(b, Pow(x; 2))), Chain(x, x_0; >)); =)",
+        "lmfit/lmfit-py/doc/faq.rst",
+    ),
+    (
+        "\\frac{dx}{dt} = force(x, t)",
+        "Chain(Derivative(Call(x); t, 1), Call(\\text{force}; Call(x), t); =)",
+        "geomstats/geomstats/geomstats/integrator.py",
+    ),
+    (
+        "G_{d_1}(h, h) = \\sum_{f \\in F} \\operatorname{tr}\\left(g_f^{-1} \\xi_f g_f^{-1} \\xi_f^T\\right) \\operatorname{vol}_f",
+        "Chain(Call(G_{d_1}; h, h), Limiting(sum; _{ f \\in F }; Mul(Call(tr; Mul(Pow(g_f; Neg(1)), \\xi_f, Pow(g_f; Neg(1)), Transpose(\\xi_f))), \\text{vol}_f)); =)",
+        "geomstats/geomstats/geomstats/geometry/discrete_surfaces.py",
+    ),
+    (
+        "\\|x\\|_p = \\left(\\sum_i |x_i|^p \\right)^{1/p}",
+        "Chain(Marked(Norm(x); _{ p }), Pow(BigSum(i; Pow(Bars(x_i); p)); Div(1; p)); =)",
+        "cvxpy/cvxpy/cvxpy/atoms/pnorm.py",
+    ),
+    (
+        "\\epsilon(r) = (1 - r^2)^{-\\frac{3}{2}} \\exp\\left[1.1^2\\left( 1 - \\frac{1}{1 - r^2}\\right)\\right]",
+        "Chain(Call(\\epsilon; r), Mul(Pow(Add(1, Neg(Pow(r; 2))); Neg(Div(3; 2))), Call(exp; Mul(Pow(1.1; 2), Add(1, Neg(Div(1; Add(1, Neg(Pow(r; 2))))))))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "ax + by + c = 0",
+        "Chain(Add(Mul(a, x), Mul(b, y), c), 0; =)",
+        "bdaiinstitute/spatialmath-python/spatialmath/geom2d.py",
+    ),
+    (
+        "I(r) = 2a_1",
+        "Chain(Call(I; r), Mul(2, a_1); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "I(r) = \\frac{8}{105}a_1(19 + 34r^2 - 125r^4 + 72r^6)",
+        "Chain(Call(I; r), Mul(Div(8; 105), a_1, Add(19, Mul(34, Pow(r; 2)), Neg(Mul(125, Pow(r; 4))), Mul(72, Pow(r; 6)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "x^2 + \\epsilon_1 y^2 + \\epsilon_2 xy + \\epsilon_3 x + \\epsilon_4 y + \\epsilon_5 = 0",
+        "Chain(Add(Pow(x; 2), Mul(\\epsilon_1, Pow(y; 2)), Mul(\\epsilon_2, x, y), Mul(\\epsilon_3, x), Mul(\\epsilon_4, y), \\epsilon_5), 0; =)",
+        "bdaiinstitute/spatialmath-python/spatialmath/geom2d.py",
+    ),
+    (
+        "V_{th,i} = \\sqrt{(2 \\kappa - 3)\\frac{2 k_B T_i}{\\kappa m_i}}",
+        "Chain(V_{th,i}, Sqrt(Mul(Add(Mul(2, \\kappa), Neg(3)), Div(Mul(2, k_B, T_i); Mul(\\kappa, m_i)))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -14612,5 +14762,21 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "Y = \\frac{A\\cdot T^B}{1 + \\frac{C}{T} + \\frac{D}{T^2}}",
         "CalebBell/chemicals/chemicals/dippr.py",
+    ),
+    (
+        "e_{i}\\cdot e^{j} = I^{2}\\delta_{i}^{j}",
+        "pygae/galgebra/galgebra/ga.py",
+    ),
+    (
+        "g_{i}(\\mathbf{x}) = \\begin{cases} [0, 0]^{T} & \\delta_{i}(\\mathbf{x}) = \\text{false}\\\\ \\omega_{i} \\left[ \\sin{\\pi\\rho_{i}\\frac{x_{i}}{u_{i}-l_{i}}}, \\cos{\\pi\\rho_{i}\\frac{x_{i}}{u_{i}-l_{i}}} \\right] & \\text{otherwise} \\end{cases}",
+        "cornellius-gp/gpytorch/gpytorch/kernels/arc_kernel.py",
+    ),
+    (
+        "{i}\\cdot e^{j} = \\delta_{i}^{j}",
+        "pygae/galgebra/galgebra/ga.py",
+    ),
+    (
+        "\\quad \\frac{8}{9}r^2\\left[4(1 + r^2)\\ln\\frac{1 + a_1}{r} - (4 + 31r^2)\\ln\\frac{0.25 + a_{0.25}}{r}\\right] 0 \\le r \\le 0.25",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
     ),
 )

@@ -190,6 +190,9 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"\Sigma_{i=1}^n a_i = \Pi_{j=1}^n b_j": r"\sum_{i=1}^n a_i = \prod_{j=1}^n b_j",
+    r"y = -Li_{j+1}(x)": r"y = -\mathrm{Li}_{j+1}(x)",
+    r"y = R \left( \begin{matrix} a \\ b \end{matrix} \right)": r"y = R \begin{pmatrix} a \\ b \end{pmatrix}",
     r"y = (z - hat{x})^2": r"y = (z - \hat{x})^2",
     r"P = \begin{pmatrix} n \\ k \end{pmatrix} p^k": r"P = \binom{n}{k} p^k",
     r"t = \frac{b}{SE(b)}": r"t = \frac{b}{\mathrm{SE}(b)}",
@@ -390,6 +393,9 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"x_{ss} = N_x \cdot ref": "one name ref, or a product",
     r"y = fct(t)": "a factor, or part of the name fc",
     r"y = FDD(t)": "one name DD, or a product",
+    r"\sigma(t) = \sigma \sqrt{1 + t^2}": r"is \\sigma what \\sigma\(t\) is",
+    r"e_i \cdot e^j = \delta_i^j": "a power, or a label",
+    r"y = \omega [\sin x, \cos x]": "a factor, or applied to what follows",
     r"SS = 2 a": "one name SS, or a product",
     r"SGS = SG + b": "one name, or a product",
     r"y = \mathrm{amp}(3 - a)": "a function, or a factor",

@@ -23,6 +23,9 @@ _ECCENTRIC = re.compile(
 _INCLINED = re.compile(
     r"\\(?:sin|cos|tan|cot)\s*(?:\^\s*(?:\w|\{[^{}]*\})\s*)?(?:\(\s*|\{\s*)?i(?![A-Za-z])\s*(?![\w\\(])"
 )
+_TURN = r"[A-Z] _ (?:\{ )?\d (?:\} )?\( "
+# and the angle of a turn among those by `\Omega` and `\omega`
+_TURNED = re.compile(rf"{_TURN}\\Omega \).*{_TURN}i \)|{_TURN}i \).*{_TURN}\\Omega \)")
 _ORBITAL = {"e": _ECCENTRIC, "i": _INCLINED}
 # a multiple of the identity, by its tokens
 _MULTIPLE = r"(?:\d |\\[a-z]+ |\\[a-z]+ _ (?:\w|\{ \w+ \}) |[sz] )*I"
@@ -170,6 +173,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.square = latex in square
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
+        own.orbital = own.orbital or (latex == "i" and any(map(_TURNED.search, formulas)))
         for low, high in (ends.get(t, ("", "")) for t in tokens) if family else ():
             low, high = (phrases.get(end, "").removeprefix("the number ") or end for end in (low, high))
             if low.isdigit() and high.isdigit():
@@ -186,6 +190,10 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
+# what a function of the time is equal to: `\sigma(t) = \sigma + b`
+_OF_TIME = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( t \) = ((?:(?!\\quad|\\\\|=).)*)")
+# rates, in equations in which letters are functions without brackets
+_RATES = re.compile(r"\\d?dot|\\partial|d t|\\mathrm \{ d \}")
 # `SS_{res}` and `SS`, sums of squares, and `DD(x)`
 _TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\(|(?<![A-Z] . .)(?:=|-|\+|\}|$))")
 _PALINDROME = re.compile(r"\s*([A-Z]) [A-Z] \1 =")  # `SGS`, a name that an equation begins with
@@ -230,6 +238,12 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
         if critical and tex.texts(text).count("c") == len(critical) < tex.texts(text).count(critical[0]):
             name = f"{critical[0]}c"
             found["c"] = f"one name {name}, or a product? say what its letters are, or write {critical[0]}_c"
+    for text in formulas:
+        for value, rest in _OF_TIME.findall(text):
+            if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", rest + " ") and not _RATES.search(
+                text
+            ):
+                found[value] = f"is {value} what {value}(t) is? write {value}(t), or name the constant otherwise"
     for text in formulas:
         function = _OF_FUNCTION.search(text)
         if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):

@@ -95,6 +95,11 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         loose,
         {each.word for each in scripted if each.above == ("0",) and each.word != each.bare},
         {word for formula in raised for word in _APPLIED.findall(formula)},
+        {
+            each.above[0]
+            for each in scripted
+            if each.word == r"\delta" and each.bare != each.word and len(each.above) == 1
+        },
     )
     labelled = {
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
@@ -161,6 +166,7 @@ class Told:
     loose: Collection[str]  # indices of sums without bounds
     framed: Collection[str]  # letters between two frames that have numbers, as in T_2^1
     applied: Collection[str]  # letters before brackets
+    mixed: Collection[str]  # indices above Kronecker's delta
 
 
 def _is_power(above: Sequence[str]) -> bool:
@@ -174,6 +180,10 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     """What is in doubt about a superscript that may be a label; None if it is a power, transposes, or is none."""
     inside = [text for text in of.above if text not in SPACES]
     sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
+    if of.word == "e" and len(inside) == 1 and inside[0] in told.mixed:
+        return POWER_OR_LABEL.format(inside[0])  # one of the reciprocal vectors
+    if of.word == r"\delta" and of.word != of.bare and len(inside) == 1 and _letters(inside):
+        return ""  # Kronecker's
     if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
@@ -480,7 +490,7 @@ def _change(texts: Sequence[str], start: int) -> int:
     """
     behind = texts[start + 1 : start + 2]
     if behind != ("_",) or texts[start] != r"\Delta" or texts[start + 2 : start + 3] != ("{",):
-        return 1 if behind and _begins_letter(behind[0]) else 0
+        return 1 if behind and _begins_letter(behind[0]) and behind[0] not in (r"\Delta", r"\delta", r"\nabla") else 0
     count, depth = 3, 1
     while depth and start + count < len(texts):
         depth += (texts[start + count] == "{") - (texts[start + count] == "}")

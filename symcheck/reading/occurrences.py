@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -419,6 +420,8 @@ class Scan(tex.Reader):
             if depth == 0:
                 if parts[0][:1] == [r"\prescript"] and self.transposed(k + 1):
                     return None  # they are needed around a letter in a frame
+                if self.peek_at(ahead + 1) == r"\begin" and _MATRIX.fullmatch(" ".join(self.texts[ahead + 1 : k])):
+                    return None  # they are those of a matrix
                 break
             if text == "," and depth == 1:
                 parts.append([])
@@ -428,6 +431,8 @@ class Scan(tex.Reader):
         return tuple(found)
 
 
+# a matrix or an array without brackets of its own
+_MATRIX = re.compile(r"\\begin \{ (m a t r i x|a r r a y) \} (?:(?!\\begin).)*\\end \{ \1 \}(?: \\right)?")
 _UNPRINTED = SPACES | SIZES
 _OPENING, _CLOSING = frozenset({*OPEN, "{", r"\langle"}), frozenset({*CLOSE, "}", r"\rangle"})
 _OF_DIFFERENTIALS = DIFFERENTIALS | {"^", "{", "}"}

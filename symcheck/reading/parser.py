@@ -984,7 +984,8 @@ class Builder:
         if not after.square or inside is None or told or self.notation.bracket or self.kind(name) == "index":
             return ()
         if isinstance(inside, Interval | Tuple):
-            return children(inside)
+            known = any(isinstance(node, Call) and isinstance(node.function, str) for node in nodes(inside))
+            return () if known else children(inside)  # a row of sines and cosines is no place
         if name.letter in EXPECTED and not (name.letter == "E" and _BARE_E.search(self.source)):
             return (inside,)
         counted = isinstance(inside, Add) and all(

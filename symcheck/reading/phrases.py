@@ -32,6 +32,11 @@ _SPELLINGS = (  # of one thing in several tokens, behind what always stands in i
         ),
         r"\\binom { \1 } { \2 }",
     ),
+    # sums and products whose sign is typed as a letter
+    (r"\Sigma _ {", re.compile(r"\\Sigma (?=_ \{ [a-zA-Z] = )"), r"\\sum "),
+    (r"\Pi _ {", re.compile(r"\\Pi (?=_ \{ [a-zA-Z] = )"), r"\\prod "),
+    # a value and its range behind it
+    ("] ", re.compile(r"(?<=\] )(?=\d+(?:\.\d+)? (?:\\le|\\leq|<) )"), r", \\quad "),
     # a fraction at a place, with a bar on one side
     (
         "| _ {",

@@ -152,7 +152,9 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     behind = toks[end].text if end < len(toks) and first else ""
     defined = (len(word) > 3 and behind in ("(", "=")) or (len(word) > 4 and word.istitle())
     named = (word in _ANGLES and behind == "=") or (len(word) > 2 and (word in _OPERATORS or "o" in word or defined))
-    applied = word in _OF_VARIABLES and [tok.text for tok in toks[end : end + 2]][:1] in (["("], ["["], [r"\left"])
+    opening = [tok.text for tok in toks[end : end + 1]]
+    applied = word in _OF_VARIABLES and opening in (["("], ["["], [r"\left"])
+    applied = applied or (word == "Li" and opening in (["_"], ["("]))  # the logarithmic integral, and polylogarithms
     named = (named and not _WITH_FUNCTION.search(word)) or applied
     return word.isascii() and named and not inside
 
