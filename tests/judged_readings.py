@@ -14552,6 +14552,131 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(V_{th,i}, Sqrt(Mul(Add(Mul(2, \\kappa), Neg(3)), Div(Mul(2, k_B, T_i); Mul(\\kappa, m_i)))); =)",
         "PlasmaPy/PlasmaPy/plasmapy/formulary/parameters.py",
     ),
+    (
+        "\\ln \\phi = \\frac{P V}{R T} + \\log{\\left(V \\right)} - \\log{\\left(\\frac{P V}{R T} \\right)} - \\log{\\left(V - b \\right)} - 1 - \\frac{2 a {\\alpha} \\operatorname{atanh}{\\left(\\frac{2 V}{\\sqrt{\\delta^{2} - 4 \\epsilon}} + \\frac{\\delta}{\\sqrt{\\delta^{2} - 4 \\epsilon}} \\right)}} {R T \\sqrt{\\delta^{2} - 4 \\epsilon}}",
+        "Chain(Call(ln; \\phi), Add(Div(Mul(P, V); Mul(R, T)), Call(log; V), Neg(Call(log; Div(Mul(P, V); Mul(R, T)))), Neg(Call(log; Add(V, Neg(b)))), Neg(1), Neg(Div(Mul(2, a, \\alpha, Call(atanh; Add(Div(Mul(2, V); Sqrt(Add(Pow(\\delta; 2), Neg(Mul(4, \\epsilon))))), Div(\\delta; Sqrt(Add(Pow(\\delta; 2), Neg(Mul(4, \\epsilon)))))))); Mul(R, T, Sqrt(Add(Pow(\\delta; 2), Neg(Mul(4, \\epsilon)))))))); =)",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "\\frac{\\partial^2 P}{\\partial \\rho^2} = -V^2\\left( -V^2 \\left(\\frac{\\partial^2 P}{\\partial V^2}\\right)_T -2 V \\left(\\frac{\\partial P}{\\partial V}\\right)_T \\right)",
+        "Chain(Derivative(Call(P); \\rho, 2; True), Neg(Mul(Pow(V; 2), Add(Neg(Mul(Pow(V; 2), Marked(Derivative(Call(P); V, 2; True); _{ T }))), Neg(Mul(2, V, Marked(Derivative(Call(P); V, 1; True); _{ T })))))); =)",
+        "CalebBell/thermo/thermo/phases/phase.py",
+    ),
+    (
+        "\\sigma = 0.841 V_c^{1/3}",
+        "Chain(\\sigma, Mul(0.841, Pow(V_c; Div(1; 3))); =)",
+        "CalebBell/chemicals/chemicals/lennard_jones.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\mathrm{amp}}{r_1^3}\\,\\left(\\frac{r_1}{r}\\right)^{\\alpha}",
+        "Chain(Call(\\rho; r), Mul(Div(\\text{amp}; Pow(r_1; 3)), Pow(Div(r_1; r); \\alpha)); =)",
+        "jobovy/galpy/galpy/potential/PowerSphericalPotential.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\mathrm{amp}}{4\\,\\pi\\,a^3}\\,\\frac{1}{(r/a)^2\\,(1+r/a)^{2}}",
+        "Chain(Call(\\rho; r), Mul(Div(\\text{amp}; Mul(4, \\pi, Pow(a; 3))), Div(1; Mul(Pow(Div(r; a); 2), Pow(Add(1, Div(r; a)); 2)))); =)",
+        "jobovy/galpy/galpy/potential/TwoPowerSphericalPotential.py",
+    ),
+    (
+        "\\lambda = \\text{softplus}(f)",
+        "Chain(\\lambda, Call(\\text{softplus}; f); =)",
+        "cornellius-gp/gpytorch/gpytorch/likelihoods/poisson_likelihood.py",
+    ),
+    (
+        "F=\\frac{1}{2}\\left|\\nabla \\theta\\right|[D cos(2\\beta)-\\delta]",
+        "Chain(F, Mul(Div(1; 2), Bars(\\nabla \\theta), Add(Mul(D, Call(cos; Mul(2, \\beta))), Neg(\\delta))); =)",
+        "Unidata/MetPy/metpy/calc/kinematics.py",
+    ),
+    (
+        "C = \\frac{A^{(1 + \\lambda)/2}}{\\lambda - 1 + (1 + \\lambda)A^\\lambda}",
+        "Chain(C, Div(Pow(A; Div(Add(1, \\lambda); 2)); Add(\\lambda, Neg(1), Mul(Add(1, \\lambda), Pow(A; \\lambda)))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "E_F = \\frac{\\pi^2 \\hbar^2}{2 m_{e}} \\left( \\frac{3 n_{e}}{\\pi} \\right )^{2/3}",
+        "Chain(E_F, Mul(Div(Mul(Pow(\\pi; 2), Pow(\\hbar; 2)); Mul(2, m_e)), Pow(Div(Mul(3, n_e); \\pi); Div(2; 3))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/quantum.py",
+    ),
+    (
+        "\\alpha = 3\\,\\frac{A_f}{v_0^2}\\,\\left(\\frac{R_b}{r_0}\\right)^3",
+        "Chain(\\alpha, Mul(3, Div(A_f; Pow(v_0; 2)), Pow(Div(R_b; r_0); 3)); =)",
+        "jobovy/galpy/galpy/potential/DehnenBarPotential.py",
+    ),
+    (
+        "\\Theta = T (P_0 / P)^\\kappa",
+        "Chain(\\Theta, Mul(T, Pow(Div(P_0; P); \\kappa)); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\mathbf{X}_\\text{original} = \\mathbf{C}_\\text{ref}^{1/2} \\exp(\\mathbf{X}) \\mathbf{C}_\\text{ref}^{1/2}",
+        "Chain(\\mathbf{X}_{original}, Mul(Pow(\\mathbf{C}_{ref}; Div(1; 2)), Call(exp; \\mathbf{X}), Pow(\\mathbf{C}_{ref}; Div(1; 2))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/tangentspace.py",
+    ),
+    (
+        "\\lambda_{mfp} = \\frac{v}{\\nu}",
+        "Chain(\\lambda_{mfp}, Div(v; \\nu); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "\\Lambda = \\frac{r/\\gamma}{\\mathrm{max}\\left(r_{\\mathrm{hm}},GM/|\\mathbf{v}|^2\\right)}",
+        "Chain(\\Lambda, Div(Div(r; \\gamma); Call(max; r_{hm}, Div(Mul(G, M); Pow(Bars(\\mathbf{v}); 2)))); =)",
+        "jobovy/galpy/galpy/potential/ChandrasekharDynamicalFrictionForce.py",
+    ),
+    (
+        "f(x; A, x_0, kt, {\\mathrm{form={}'bose{}'}}) = \\frac{1}{A \\exp(\\frac{x - x_0}{kt}) - 1}",
+        "Chain(Call(f; Given(x; A, x_0, Mul(k, t), \\text{form='bose'}; ;)), Div(1; Add(Mul(A, Call(exp; Div(Add(x, Neg(x_0)); Mul(k, t)))), Neg(1))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "I_e = I_{es} \\textrm{exp} \\left( -\\frac{e\\left(V_P - V \\right)}{T_e} \\right)",
+        "Chain(I_e, Mul(I_{es}, Call(exp; Neg(Div(Mul(e, Add(V_P, Neg(V))); T_e)))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/diagnostics/langmuir.py",
+    ),
+    (
+        "I(\\theta) = \\mathbb{E}[YY^T]",
+        "Chain(Call(I; \\theta), Indexed(\\mathbb{E}; Mul(Y, Transpose(Y))); =)",
+        "geomstats/geomstats/geomstats/information_geometry/fisher_rao_metric.py",
+    ),
+    (
+        "\\epsilon(r) = 0.1 + 5.51r^2 - 5.25r^3",
+        "Chain(Call(\\epsilon; r), Add(0.1, Mul(5.51, Pow(r; 2)), Neg(Mul(5.25, Pow(r; 3)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\frac{d\\mathbf{y}}{dt} \\approx \\frac{\\mathbf{y}_{i+1} - \\mathbf{y}_{i}}{h}",
+        "Chain(Derivative(Call(\\mathbf{y}); t, 1), Div(Add(\\mathbf{y}_{i+1}, Neg(\\mathbf{y}_i)); h); \\approx)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "Q(c) = c'/ |c'|^{1/2}",
+        "Chain(Call(Q; c), Div(c'; Pow(Bars(c'); Div(1; 2))); =)",
+        "geomstats/geomstats/geomstats/geometry/discrete_curves.py",
+    ),
+    (
+        "p(f\\mid X, X_u, u) = \\mathcal{N}(m, k(X, X) - Q)",
+        "Chain(Call(p; Given(f; X, X_u, u; |)), Call(\\mathcal{N}; m, Add(Call(k; X, X), Neg(Q))); =)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/sgpr.py",
+    ),
+    (
+        "\\nu_i = \\frac{8}{3 * 4 * \\sqrt{\\pi}} \\nu(v_{Ti})",
+        "Chain(\\nu_i, Mul(Div(8; Mul(3, 4, Sqrt(\\pi))), Call(\\nu; v_{Ti})); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "\\epsilon(r) = 0.75 + 12r^2 - 32r^3",
+        "Chain(Call(\\epsilon; r), Add(0.75, Mul(12, Pow(r; 2)), Neg(Mul(32, Pow(r; 3)))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "I(r) = \\frac{\\sqrt{\\pi}}{1.1a_1} \\exp\\left[1.1^2\\left( 1 - \\frac{1}{1 - r^2}\\right)\\right]",
+        "Chain(Call(I; r), Mul(Div(Sqrt(\\pi); Mul(1.1, a_1)), Call(exp; Mul(Pow(1.1; 2), Add(1, Neg(Div(1; Add(1, Neg(Pow(r; 2))))))))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "I = \\frac{\\sigma_\\text{total}}{4\\pi} [ 1 + \\beta P_2(\\cos\\theta) ]",
+        "Chain(I, Mul(Div(\\sigma_{total}; Mul(4, \\pi)), Add(1, Mul(\\beta, Call(P_2; Call(cos; \\theta))))); =)",
+        "PyAbel/PyAbel/abel/tools/vmi.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -14778,5 +14903,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\quad \\frac{8}{9}r^2\\left[4(1 + r^2)\\ln\\frac{1 + a_1}{r} - (4 + 31r^2)\\ln\\frac{0.25 + a_{0.25}}{r}\\right] 0 \\le r \\le 0.25",
         "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\mathbf{xf}_i = \\log ( \\mathrm{diag} (\\mathbf{Xf}_i) )",
+        "pyRiemann/pyRiemann/pyriemann/spatialfilters.py",
+    ),
+    (
+        "d_A f (X) = X A^\\top + A X^\\top",
+        "geomstats/geomstats/geomstats/geometry/matrices.py",
+    ),
+    (
+        "G_{a_2}(h, h) = \\sum_{i=1}^N\\left\\|\\left(\\Delta_q h\\right)_{v_i} \\right\\|^2 \\operatorname{vol}_{x_i}",
+        "geomstats/geomstats/geomstats/geometry/discrete_surfaces.py",
     ),
 )

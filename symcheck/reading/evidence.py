@@ -190,6 +190,14 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
+# two bold letters with a subscript that an equation begins with, which may be one name
+_BOLD_NAME = re.compile(r"\\mathbf \{ ([a-z]) \} \\mathbf \{ [a-z] \} _ (?:\w|\{ [^{}]* \}) =")
+# a differential, or a Laplacian, of a function: `d_A f(X)` and `\Delta_q h`
+_OPERATOR_BELOW = re.compile(r"(?<![A-Za-z\\])(d|\\Delta) _ (?:[A-Zq]|\{ [A-Zq] \}) (?:f \(|[a-z](?! [A-Za-z]))")
+# the change of a name of several letters: `\Delta KE`
+_CHANGED = re.compile(r"\\Delta ([A-Z]) ([A-Z])(?! ?[A-Za-z_^'(\\])")
+# a coefficient before a product: `b(aNP)`
+_OF_PRODUCT = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-eikmr]) \( [a-z](?: [A-Z])+ \)")
 # what a function of the time is equal to: `\sigma(t) = \sigma + b`
 _OF_TIME = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( t \) = ((?:(?!\\quad|\\\\|=).)*)")
 # rates, in equations in which letters are functions without brackets
@@ -239,6 +247,14 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             name = f"{critical[0]}c"
             found["c"] = f"one name {name}, or a product? say what its letters are, or write {critical[0]}_c"
     for text in formulas:
+        if bold := _BOLD_NAME.match(text):
+            found[rf"\mathbf{{{bold[1]}}}"] = "one name, or a product? say what the letters are"
+        for operator in _OPERATOR_BELOW.findall(text):
+            found[operator] = "a factor, or applied to what follows? say what it is"
+        for changed, last in _CHANGED.findall(text):
+            found[last] = f"one name {changed}{last} that changes, or a factor? say what its letters are"
+        for factor in _OF_PRODUCT.findall(text):
+            found[factor] = "a factor, or a function of what is in the brackets? say what it is"
         for value, rest in _OF_TIME.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", rest + " ") and not _RATES.search(
                 text

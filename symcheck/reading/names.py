@@ -113,7 +113,9 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found.setdefault(each.bare, DEGREES if each.bare.startswith(r"\prescript { \circ }") else "")
     for formula in formulas:
         if _SQUARE_OR_CHANGE.search(formula):
-            found |= {x: _unit(x, formula) for x in _matrices_and_differences(formula) if x not in found}
+            product = r"\delta" in formula and _COEFFICIENTS.search(formula) is not None
+            changes = [x for x in _matrices_and_differences(formula) if not (product and x.startswith(r"\delta"))]
+            found |= {x: _unit(x, formula) for x in changes if x not in found}
         if _ACCENT.search(formula):
             found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
         if _ABBREVIATED.search(formula):
@@ -363,6 +365,13 @@ def _is_applied(behind: Sequence[str]) -> bool:
         return False
     end = inner.index(")") if ")" in inner else len(inner)
     return not {"+", "-", "=", r"\pm"} & set(inner[:end]) and inner[end + 1 : end + 2] != ["^"]
+
+
+# a rate among coefficients that are Greek letters, in which a factor `\delta` is one of them
+_COEFFICIENTS = re.compile(
+    r"\\frac \{ d ([A-Za-z]) \} \{ d t \} .*"
+    r"(?:\\(?:beta|gamma) .*\\delta (?:[A-Za-z] )?\1(?!\w)|\\delta (?:[A-Za-z] )?\1(?!\w).*\\(?:beta|gamma) )"
+)
 
 
 def _matrices_and_differences(formula: str) -> Iterator[str]:

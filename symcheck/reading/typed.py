@@ -163,6 +163,7 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
 _COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mathbf"})
 # operators of statistics, before brackets
 _OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
+_OF_VARIABLES |= {"sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}  # and functions
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
