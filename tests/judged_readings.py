@@ -14677,6 +14677,261 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(I, Mul(Div(\\sigma_{total}; Mul(4, \\pi)), Add(1, Mul(\\beta, Call(P_2; Call(cos; \\theta))))); =)",
         "PyAbel/PyAbel/abel/tools/vmi.py",
     ),
+    (
+        "\\frac{\\partial \\rho}{\\partial P} = \\frac{-1}{V^2} \\frac{\\partial V}{\\partial P}",
+        "Chain(Derivative(Call(\\rho); P, 1; True), Mul(Div(Neg(1); Pow(Call(V); 2)), Derivative(Call(V); P, 1; True)); =)",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "\\rho(x,y,z) = \\frac{\\mathrm{amp}}{4\\,\\pi\\,a^3}\\,\\frac{1}{(m/a)\\,(1+m/a)^{3}}",
+        "Chain(Call(\\rho; x, y, z), Mul(Div(\\text{amp}; Mul(4, \\pi, Pow(a; 3))), Div(1; Mul(Div(m; a), Pow(Add(1, Div(m; a)); 3)))); =)",
+        "jobovy/galpy/galpy/potential/TwoPowerTriaxialPotential.py",
+    ),
+    (
+        "\\Delta \\lambda_{ij} = a_{ij} + b_{ij}T + c T^2 + d_{ij}T\\ln T + e_{ij}T^3 + f_{ij}/T",
+        "Chain(\\Delta \\lambda _ { i j }, Add(a_{ij}, Mul(b_{ij}, T), Mul(c, Pow(T; 2)), Mul(d_{ij}, T, Call(ln; T)), Mul(e_{ij}, Pow(T; 3)), Div(f_{ij}; T)); =)",
+        "CalebBell/thermo/thermo/wilson.py",
+    ),
+    (
+        "D = c_{i}*D_{i}",
+        "Chain(D, Operated(*; c_i; D_i); =)",
+        "pygae/galgebra/galgebra/dop.py",
+    ),
+    (
+        "\\rho = \\rho_{0} - k(T-T_m)",
+        "Chain(\\rho, Add(\\rho_0, Neg(Mul(k, Add(T, Neg(T_m))))); =)",
+        "CalebBell/chemicals/chemicals/volume.py",
+    ),
+    (
+        "\\frac{\\partial C_p}{\\partial T} = \\sum_i z_i \\frac{\\partial C_{p,i}^{ig}}{\\partial T}",
+        "Chain(Derivative(Call(C_p); T, 1; True), BigSum(i; Mul(z_i, Derivative(Call(C _ { p , i } ^ { i g }); T, 1; True))); =)",
+        "CalebBell/thermo/thermo/phases/ideal_gas.py",
+    ),
+    (
+        "A(t) = d_1 t^2 + d_2 t + d_3",
+        "Chain(Call(A; t), Add(Mul(d_1, Pow(t; 2)), Mul(d_2, t), d_3); =)",
+        "CalebBell/thermo/thermo/electrochem.py",
+    ),
+    (
+        "\\left(\\frac{\\partial \\delta}{\\partial n_i}\\right)_{T, P, n_{i\\ne j}} = (2 c_i + b^0_i) - \\delta",
+        "Chain(Marked(Derivative(Call(\\delta); n_i, 1; True); _{ T , P , n _ { i \\ne j } }), Add(Add(Mul(2, c_i), b _ { i } ^ { 0 }), Neg(Call(\\delta))); =)",
+        "CalebBell/thermo/thermo/eos_mix.py",
+    ),
+    (
+        "T_b = \\sum x_i T_{b,i}",
+        "Chain(T_b, Limiting(sum; ; Mul(x_i, T_{b,i})); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "\\textrm{Prior on mapping: } p(\\mathbf{f}|X, \\mathbf{\\theta}) = \\displaystyle \\prod_{d=1}^{D}\\mathcal{N}(\\mathbf{f}_{d}; \\mathbf{0}, K_{ff}^{(d)})",
+        "System(Words(\\text{Prior~on~mapping:}), Chain(Call(p; Given(\\mathbf{f}; X, \\mathbf{\\theta}; |)), BigProduct(d; 1; D; Call(\\mathcal{N}; Given(\\mathbf{f}_d; 0, K _ { f f } ^ { ( d ) }; ;))); =))",
+        "cornellius-gp/gpytorch/examples/045_GPLVM/Gaussian_Process_Latent_Variable_Models_with_Stochastic_Variational_Inference.ipynb",
+    ),
+    (
+        "0 \\le r \\le 0.25",
+        "Chain(0, r, 0.25; \\le, \\le)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "Q = 0.1196 \\left[ 1 + \\frac{T_{br}\\ln (P_c/1.01325)}{1-T_{br}}\\right]-0.279",
+        "Chain(Q, Add(Mul(0.1196, Add(1, Div(Mul(T_{br}, Call(ln; Div(P_c; 1.01325))); Add(1, Neg(T_{br}))))), Neg(0.279)); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "P_c(x, y) = \\frac{1 - \\exp[-x(1 - y)]}{1 - y\\exp[-x(1 - y)]}",
+        "Chain(Call(P_c; x, y), Div(Add(1, Neg(Call(exp; Neg(Mul(x, Add(1, Neg(y))))))); Add(1, Neg(Mul(y, Call(exp; Neg(Mul(x, Add(1, Neg(y))))))))); =)",
+        "CalebBell/ht/ht/hx.py",
+    ),
+    (
+        "\\sigma^* = \\frac{\\sigma n_{ass}^{1/3}} {(kT_c)^{1/3} T_{rm}P_c^{2/3}}",
+        "Chain(\\sigma ^ { * }, Div(Mul(\\sigma, Pow(n_{ass}; Div(1; 3))); Mul(Pow(Mul(k, T_c); Div(1; 3)), T_{rm}, Pow(P_c; Div(2; 3)))); =)",
+        "CalebBell/chemicals/chemicals/interface.py",
+    ),
+    (
+        "\\nabla \\mu(\\mathbf x) = \\mathbf W",
+        "Chain(Call(\\nabla \\mu; \\mathbf{x}), \\mathbf{W}; =)",
+        "cornellius-gp/gpytorch/gpytorch/means/linear_mean_grad.py",
+    ),
+    (
+        "\\Phi(R,z) = -\\frac{\\mathrm{amp}}{\\sqrt{R^2 + (a + |z|)^2}}",
+        "Chain(Call(\\Phi; R, z), Neg(Div(\\text{amp}; Sqrt(Add(Pow(R; 2), Pow(Add(a, Bars(z)); 2))))); =)",
+        "jobovy/galpy/galpy/potential/KuzminDiskPotential.py",
+    ),
+    (
+        "\\rho(x,y,z) = \\frac{\\mathrm{amp}}{\\pi^{1.5} a^3 b c} \\frac{\\Gamma(n+\\frac{5}{2})}{\\Gamma(n+1)}\\,(1-(m/a)^2)^n",
+        "Chain(Call(\\rho; x, y, z), Mul(Div(\\text{amp}; Mul(Pow(\\pi; 1.5), Pow(a; 3), b, c)), Div(Call(Gamma; Add(n, Div(5; 2))); Call(Gamma; Add(n, 1))), Pow(Add(1, Neg(Pow(Div(m; a); 2))); n)); =)",
+        "jobovy/galpy/galpy/potential/FerrersPotential.py",
+    ),
+    (
+        "N_e \\left( \\epsilon \\right) = \\frac{2}{A_pe^2} \\sqrt{\\frac{2 m \\epsilon}{e}} \\frac{\\textrm{d}^2 I}{\\textrm{d} V^2}",
+        "Chain(Call(N_e; \\epsilon), Mul(Div(2; Mul(A_p, Pow(e; 2))), Sqrt(Div(Mul(2, m, \\epsilon); e)), Derivative(Call(I); V, 2)); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/diagnostics/langmuir.py",
+    ),
+    (
+        "A = (Z^TD^{-1})D(D^{-1}Z)",
+        "Chain(A, Mul(Mul(Transpose(Z), Pow(D; Neg(1))), D, Mul(Pow(D; Neg(1)), Z)); =)",
+        "cvxpy/cvxpy/cvxpy/reductions/dcp2cone/canonicalizers/log_det_canon.py",
+    ),
+    (
+        "\\boldsymbol \\theta_\\text{vec} = \\mathbf S^{-1} \\mathbf m",
+        "Chain(\\boldsymbol{\\theta}_{vec}, Mul(Pow(\\mathbf{S}; Neg(1)), \\mathbf{m}); =)",
+        "cornellius-gp/gpytorch/docs/source/variational.rst",
+    ),
+    (
+        "\\mathbf{X}_\\text{original} = \\mathbf{X} + \\mathbf{C}_\\text{ref}",
+        "Chain(\\mathbf{X}_{original}, Add(\\mathbf{X}, \\mathbf{C}_{ref}); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/tangentspace.py",
+    ),
+    (
+        "E_{kinetic} = k_B T_e",
+        "Chain(E_{kinetic}, Mul(k_B, T_e); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/collisions.py",
+    ),
+    (
+        "C_n = \\left[\\frac{8}{3 \\pi}\\,,\\frac{1}{2} \\,, \\frac{8}{15 \\pi}\\right]",
+        "Chain(C_n, Tuple(Div(8; Mul(3, \\pi)), Div(1; 2), Div(8; Mul(15, \\pi)); []); =)",
+        "jobovy/galpy/galpy/potential/SpiralArmsPotential.py",
+    ),
+    (
+        "\\rho(x,y,z) = \\frac{\\mathrm{amp}}{4\\,\\pi\\,a^3}\\,\\frac{1}{(m/a)\\,(1+m/a)^{2}}",
+        "Chain(Call(\\rho; x, y, z), Mul(Div(\\text{amp}; Mul(4, \\pi, Pow(a; 3))), Div(1; Mul(Div(m; a), Pow(Add(1, Div(m; a)); 2)))); =)",
+        "jobovy/galpy/galpy/potential/TwoPowerTriaxialPotential.py",
+    ),
+    (
+        "Q = k(X, X_u) k(X_u,X_u)^{-1} k(X_u, X)",
+        "Chain(Q, Mul(Call(k; X, X_u), Pow(Call(k; X_u, X_u); Neg(1)), Call(k; X_u, X)); =)",
+        "pyro-ppl/pyro/pyro/contrib/gp/models/sgpr.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\mathrm{amp}}{4\\,\\pi\\,a^3}\\,\\frac{1}{(r/a)\\,(1+r/a)^{3}}",
+        "Chain(Call(\\rho; r), Mul(Div(\\text{amp}; Mul(4, \\pi, Pow(a; 3))), Div(1; Mul(Div(r; a), Pow(Add(1, Div(r; a)); 3)))); =)",
+        "jobovy/galpy/galpy/potential/TwoPowerSphericalPotential.py",
+    ),
+    (
+        "q = \\frac{w}{1+w}",
+        "Chain(q, Div(w; Add(1, w)); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "f = (\\pi v_{Th}^2)^{-1} \\exp \\left [-(\\vec{v} - \\vec{V}_{drift})^2 / v_{Th}^2 \\right ]",
+        "Chain(f, Mul(Pow(Mul(\\pi, Pow(v_{Th}; 2)); Neg(1)), Call(exp; Neg(Div(Pow(Add(\\vec{v}, Neg(\\vec{V}_{drift})); 2); Pow(v_{Th}; 2))))); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/distribution.py",
+    ),
+    (
+        "p(x) = \\frac {e^{-x}} {(1 + e^{-x})^2}",
+        "Chain(Call(p; x), Div(Pow(e; Neg(x)); Pow(Add(1, Pow(e; Neg(x))); 2)); =)",
+        "pyro-ppl/pyro/pyro/distributions/logistic.py",
+    ),
+    (
+        "f(\\mathcal{E}) = \\frac{\\nu_0\\,\\Gamma\\!\\left(\\frac{\\gamma}{\\alpha-2}+1\\right)}{2\\sqrt{2}\\,\\pi^{3/2}\\,\\Gamma\\!\\left(\\frac{\\gamma}{\\alpha-2}-\\frac{1}{2}\\right)\\,\\Psi_0^{\\gamma/(\\alpha-2)}}\\,\\mathcal{E}^{\\gamma/(\\alpha-2) - 3/2}",
+        "Chain(Call(f; \\mathcal{E}), Mul(Div(Mul(\\nu_0, Call(Gamma; Add(Div(\\gamma; Add(\\alpha, Neg(2))), 1))); Mul(2, Sqrt(2), Pow(\\pi; Div(3; 2)), Call(Gamma; Add(Div(\\gamma; Add(\\alpha, Neg(2))), Neg(Div(1; 2)))), Pow(\\Psi_0; Div(\\gamma; Add(\\alpha, Neg(2)))))), Pow(\\mathcal{E}; Add(Div(\\gamma; Add(\\alpha, Neg(2))), Neg(Div(3; 2))))); =)",
+        "jobovy/galpy/galpy/df/isotropicPowerLawdf.py",
+    ),
+    (
+        "\\mathbf{g}_{\\mathbf{C}_\\text{ref}}(\\mathbf{X}, \\mathbf{Y}) = \\text{tr} \\left( (\\mathbf{C}_\\text{ref}^{-1/2} \\mathbf{X} \\mathbf{C}_\\text{ref}^{-1/2})^* \\mathbf{C}_\\text{ref}^{-1/2} \\mathbf{Y} \\mathbf{C}_\\text{ref}^{-1/2} \\right)",
+        "Chain(Call(\\mathbf{g}_{\\mathbf C_ref}; \\mathbf{X}, \\mathbf{Y}), Call(tr; Mul(Marked(Mul(Pow(\\mathbf{C}_{ref}; Neg(Div(1; 2))), \\mathbf{X}, Pow(\\mathbf{C}_{ref}; Neg(Div(1; 2)))); ^*), Pow(\\mathbf{C}_{ref}; Neg(Div(1; 2))), \\mathbf{Y}, Pow(\\mathbf{C}_{ref}; Neg(Div(1; 2))))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/tangentspace.py",
+    ),
+    (
+        "\\mathbf{u}^L \\leq \\mathbf{u} \\leq \\mathbf{u}^U",
+        "Chain(\\mathbf { u } ^ { L }, \\mathbf{u}, \\mathbf { u } ^ { U }; \\le, \\le)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "f(x; A, \\mu, \\sigma, \\beta) = A \\big[(\\frac{x-\\mu}{\\sigma})^2+1\\big]^{-\\beta}",
+        "Chain(Call(f; Given(x; A, \\mu, \\sigma, \\beta; ;)), Mul(A, Pow(Add(Pow(Div(Add(x, Neg(\\mu)); \\sigma); 2), 1); Neg(\\beta))); =)",
+        "lmfit/lmfit-py/lmfit/models.py",
+    ),
+    (
+        "\\Psi = gZ + C_pT",
+        "Chain(\\Psi, Add(Mul(g, Z), Mul(C_p, T)); =)",
+        "Unidata/MetPy/metpy/calc/kinematics.py",
+    ),
+    (
+        "I(r) = \\frac{32}{27}\\left[a_1 - 7a_1 r + 3r^2(1 + r^2) \\ln\\frac{1 + a_1}{r}\\right]",
+        "Chain(Call(I; r), Mul(Div(32; 27), Add(a_1, Neg(Mul(7, a_1, r)), Mul(3, Pow(r; 2), Add(1, Pow(r; 2)), Call(ln; Div(Add(1, a_1); r))))); =)",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "p = p_0 e^{\\frac{g}{R \\Gamma} \\text{ln}(1-\\frac{Z \\Gamma}{T_0})}",
+        "Chain(p, Mul(p_0, Pow(e; Mul(Div(g; Mul(R, \\varGamma)), Call(ln; Add(1, Neg(Div(Mul(Z, \\varGamma); T_0))))))); =)",
+        "Unidata/MetPy/metpy/calc/basic.py",
+    ),
+    (
+        "f(\\mathbf{x}) = \\max \\{ g_1(\\mathbf{x}), g_2(\\mathbf{x}), \\ldots, g_N(\\mathbf{x}) \\}",
+        "Chain(Call(f; \\mathbf{x}), Call(max; Call(g_1; \\mathbf{x}), Call(g_2; \\mathbf{x}), Dots(), Call(g_N; \\mathbf{x})); =)",
+        "stevengj/nlopt/extern/nlopt/doc/docs/NLopt_Introduction.md",
+    ),
+    (
+        "\\mathrm{classDis}(K_1, K_2, p) = \\frac{d \\left( \\mathbf{M}_{K_1}, \\mathbf{M}_{K_2} \\right)^p} {\\frac{1}{2} \\left( \\sigma_{K_1}^p + \\sigma_{K_2}^p \\right)}",
+        "Chain(Call(\\text{classDis}; K_1, K_2, p), Div(Pow(Call(d; \\mathbf{M}_{K_1}, \\mathbf{M}_{K_2}); p); Mul(Div(1; 2), Add(Pow(\\sigma_{K_1}; p), Pow(\\sigma_{K_2}; p)))); =)",
+        "pyRiemann/pyRiemann/pyriemann/classification.py",
+    ),
+    (
+        "\\textrm{ Prior on latents: } p(X) = \\displaystyle \\prod _{n=1}^N \\mathcal{N} (\\mathbf{x}_{n};\\mathbf{0}, \\mathbb{I}_{Q})",
+        "System(Words(\\text{Prior~on~latents:}), Chain(Call(p; X), BigProduct(n; 1; N; Call(\\mathcal{N}; Given(\\mathbf{x}_n; 0, \\mathbb{I}_Q; ;))); =))",
+        "cornellius-gp/gpytorch/examples/045_GPLVM/Gaussian_Process_Latent_Variable_Models_with_Stochastic_Variational_Inference.ipynb",
+    ),
+    (
+        "\\chi^2 = \\sum_i^N r_i^2",
+        "Chain(Pow(\\chi; 2), Limiting(sum; _{ i }^{ N }; Pow(r_i; 2)); =)",
+        "lmfit/lmfit-py/doc/fitting.rst",
+    ),
+    (
+        "Z(\\zeta) = \\pi^{-0.5} \\int_{-\\infty}^{+\\infty} \\frac{e^{-x^2}}{x-\\zeta} dx",
+        "Chain(Call(Z; \\zeta), Mul(Pow(\\pi; Neg(0.5)), Integral(Div(Pow(e; Neg(Pow(x; 2))); Add(x, Neg(\\zeta))); x; Neg(Infinity()); Infinity())); =)",
+        "PlasmaPy/PlasmaPy/plasmapy/formulary/dispersionfunction.py",
+    ),
+    (
+        "\\mathbf{p}^L \\leq \\mathbf{p} \\leq \\mathbf{p}^U",
+        "Chain(\\mathbf { p } ^ { L }, \\mathbf{p}, \\mathbf { p } ^ { U }; \\le, \\le)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\Vert \\log(\\mathbf{A}) - \\log(\\mathbf{B}) \\Vert_F",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Marked(Norm(Add(Call(log; \\mathbf{A}), Neg(Call(log; \\mathbf{B})))); _{ F }); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\Vert \\mathbf{A}^{-1} - \\mathbf{B}^{-1} \\Vert_F",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Marked(Norm(Add(Pow(\\mathbf{A}; Neg(1)), Neg(Pow(\\mathbf{B}; Neg(1))))); _{ F }); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "F(v_1,...,a*v_j,...,v_r) = a*F(v_1,...,v_j,...,v_r)",
+        "Chain(Call(F; v_1, Dots(), Operated(*; a; v_j), Dots(), v_r), Operated(*; a; Call(F; v_1, Dots(), v_j, Dots(), v_r)); =)",
+        "pygae/galgebra/galgebra/lt.py",
+    ),
+    (
+        "\\frac{dT}{dP} = \\frac{1}{P} \\frac{R_d T + L_v r_s} {C_{pd} + \\frac{L_v^2 r_s \\epsilon}{R_d T^2}}",
+        "Chain(Derivative(Call(T); P, 1), Mul(Div(1; P), Div(Add(Mul(R_d, Call(T)), Mul(L_v, r_s)); Add(C_{pd}, Div(Mul(Pow(L_v; 2), r_s, \\epsilon); Mul(R_d, Pow(Call(T); 2)))))); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "\\theta_{DL}=T_{K}\\left(\\frac{1000}{p-e}\\right)^k",
+        "Chain(\\theta_{DL}, Mul(T_K, Pow(Div(1000; Add(p, Neg(e))); k)); =)",
+        "Unidata/MetPy/metpy/calc/thermo.py",
+    ),
+    (
+        "d(\\mathbf{A},\\mathbf{B}) = \\sqrt{ \\text{tr} \\left(\\mathbf{A} + \\mathbf{B} - 2(\\mathbf{B}^{1/2} \\mathbf{A} \\mathbf{B}^{1/2})^{1/2} \\right) }",
+        "Chain(Call(d; \\mathbf{A}, \\mathbf{B}), Sqrt(Call(tr; Add(\\mathbf{A}, \\mathbf{B}, Neg(Mul(2, Pow(Mul(Pow(\\mathbf{B}; Div(1; 2)), \\mathbf{A}, Pow(\\mathbf{B}; Div(1; 2))); Div(1; 2))))))); =)",
+        "pyRiemann/pyRiemann/pyriemann/geometry/distance.py",
+    ),
+    (
+        "q(f \\mid f_{loc}, f_{scale\\_tril}) \\sim p(f | X, y)",
+        "Chain(Call(q; Given(f; f_{loc}, f_{scale\\_tril}; |)), Call(p; Given(f; X, y; |)); \\sim)",
+        "pyro-ppl/pyro/pyro/contrib/gp/util.py",
+    ),
+    (
+        "\\mathbf{y}(t_i) = \\frac{\\mathbf{y}_i + \\mathbf{y}_{i+1}}{2}",
+        "Chain(Call(\\mathbf{y}; t_i), Div(Add(\\mathbf{y}_i, \\mathbf{y}_{i+1}); 2); =)",
+        "csu-hmc/opty/docs/theory.rst",
+    ),
+    (
+        "\\cos(\\theta) = \\cos(-\\theta)",
+        "Chain(Call(cos; \\theta), Call(cos; Neg(\\theta)); =)",
+        "PlasmaPy/PlasmaPy/docs/development/testing_guide.rst",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -14915,5 +15170,25 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "G_{a_2}(h, h) = \\sum_{i=1}^N\\left\\|\\left(\\Delta_q h\\right)_{v_i} \\right\\|^2 \\operatorname{vol}_{x_i}",
         "geomstats/geomstats/geomstats/geometry/discrete_surfaces.py",
+    ),
+    (
+        "\\Delta T_m = \\frac{R T_m^2 (MW) M}{1000 \\Delta H_m}",
+        "CalebBell/chemicals/chemicals/solubility.py",
+    ),
+    (
+        "\\quad r^4\\left(55.5525\\ln\\frac{1 + a_1}{r} - 59.49\\ln\\frac{0.7 + a_{0.7}}{r}\\right) 0 \\le r \\le 0.7",
+        "PyAbel/PyAbel/abel/tools/transform_pairs.py",
+    ),
+    (
+        "\\left(\\frac{\\partial a \\alpha}{\\partial P}\\right)_{V} = \\left(\\frac{\\partial a \\alpha}{\\partial T}\\right)_{P} \\cdot\\left( \\frac{\\partial T}{\\partial P}\\right)_V",
+        "CalebBell/thermo/thermo/eos.py",
+    ),
+    (
+        "\\ln \\gamma_i = \\frac{\\frac{\\partial n_i G^E}{\\partial n_i }}{RT}",
+        "CalebBell/thermo/thermo/activity.py",
+    ),
+    (
+        "d_C \\Theta (X)=\\Theta(C) \\operatorname{Low}_s\\left(L^{-1} X L^{-\\top}\\right) -\\frac{1}{2} \\operatorname{Diag}\\left(L^{-1} X L^{-\\top}\\right) \\Theta(C)",
+        "geomstats/geomstats/geomstats/geometry/full_rank_correlation_matrices.py",
     ),
 )

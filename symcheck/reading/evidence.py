@@ -193,7 +193,16 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 # two bold letters with a subscript that an equation begins with, which may be one name
 _BOLD_NAME = re.compile(r"\\mathbf \{ ([a-z]) \} \\mathbf \{ [a-z] \} _ (?:\w|\{ [^{}]* \}) =")
 # a differential, or a Laplacian, of a function: `d_A f(X)` and `\Delta_q h`
-_OPERATOR_BELOW = re.compile(r"(?<![A-Za-z\\])(d|\\Delta) _ (?:[A-Zq]|\{ [A-Zq] \}) (?:f \(|[a-z](?! [A-Za-z]))")
+_OPERATOR_BELOW = re.compile(
+    r"(?<![A-Za-z\\])(d|\\Delta) _ (?:[A-Zq]|\{ [A-Zq] \}) (?:(?:f|\\[A-Z]\w+) (?:\\left )?\(|[a-z](?! [A-Za-z]))"
+)
+# the derivative of a product of which only the first letter would depend on the variable
+_PRODUCT_DERIVED = re.compile(
+    r"\\frac \{ \\partial (?:[A-Za-z]|\\[a-z]+) (?:_ (?:\w|\{ \w \}) )?"
+    r"((?!\\partial|\\left|\\right|\\frac)(?:[A-Za-z]|\\[a-z]+)) (?:\^ (\w|\{ \w \}) )?\} \{ \\partial"
+)
+# a square before capitals in brackets, which no function has
+_SQUARE_OF = re.compile(r"([A-Za-z]|\\[a-z]+) (?:_ (?:\w|\{ \w \}) )?\^ (?:2|\{ 2 \}) \( [A-Z](?: [A-Z])+ \)")
 # the change of a name of several letters: `\Delta KE`
 _CHANGED = re.compile(r"\\Delta ([A-Z]) ([A-Z])(?! ?[A-Za-z_^'(\\])")
 # a coefficient before a product: `b(aNP)`
@@ -203,7 +212,7 @@ _OF_TIME = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( t \) = ((?:(?!\\q
 # rates, in equations in which letters are functions without brackets
 _RATES = re.compile(r"\\d?dot|\\partial|d t|\\mathrm \{ d \}")
 # `SS_{res}` and `SS`, sums of squares, and `DD(x)`
-_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\(|(?<![A-Z] . .)(?:=|-|\+|\}|$))")
+_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\(|(?<![A-Z] . .)(?:=|-|\+|\}|$)|(?<=[A-Z] . . )(?:=|,))")
 _PALINDROME = re.compile(r"\s*([A-Z]) [A-Z] \1 =")  # `SGS`, a name that an equation begins with
 # a word before brackets that hold a number and a letter
 _WORD_TIMES = re.compile(
@@ -251,6 +260,12 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             found[rf"\mathbf{{{bold[1]}}}"] = "one name, or a product? say what the letters are"
         for operator in _OPERATOR_BELOW.findall(text):
             found[operator] = "a factor, or applied to what follows? say what it is"
+        for letter, above in _PRODUCT_DERIVED.findall(text):
+            found[f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter] = (
+                "constant, or not? write brackets behind what depends on the variable"
+            )
+        for factor in _SQUARE_OF.findall(text):
+            found[factor] = "a factor, or a function of what is in the brackets? say what it is"
         for changed, last in _CHANGED.findall(text):
             found[last] = f"one name {changed}{last} that changes, or a factor? say what its letters are"
         for factor in _OF_PRODUCT.findall(text):

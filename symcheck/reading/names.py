@@ -499,7 +499,10 @@ def _change(texts: Sequence[str], start: int) -> int:
     """
     behind = texts[start + 1 : start + 2]
     if behind != ("_",) or texts[start] != r"\Delta" or texts[start + 2 : start + 3] != ("{",):
-        return 1 if behind and _begins_letter(behind[0]) and behind[0] not in (r"\Delta", r"\delta", r"\nabla") else 0
+        upright = texts[start] == r"\Delta" and behind[:1] in ((r"\mathrm",), (r"\text",))
+        upright = upright and "".join(texts[start + 3 : start + 5]).isupper()  # a quantity with initials as its name
+        letter = behind and _begins_letter(behind[0]) and behind[0] not in (r"\Delta", r"\delta", r"\nabla")
+        return 1 if letter or upright else 0
     count, depth = 3, 1
     while depth and start + count < len(texts):
         depth += (texts[start + count] == "{") - (texts[start + count] == "}")
@@ -518,6 +521,8 @@ def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
+        return True
+    if [*inside] == ["i", "g"]:  # of an ideal gas
         return True
     if r"\times" in inside[1:]:  # rows and columns
         return True

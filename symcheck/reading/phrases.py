@@ -36,6 +36,7 @@ _SPELLINGS = (  # of one thing in several tokens, behind what always stands in i
     (r"\Sigma _ {", re.compile(r"\\Sigma (?=_ \{ [a-zA-Z] = )"), r"\\sum "),
     (r"\Pi _ {", re.compile(r"\\Pi (?=_ \{ [a-zA-Z] = )"), r"\\prod "),
     # a value and its range behind it
+    (" 0 ", re.compile(r"(?<=\) )(?=0 (?:\\le|\\leq|<) )"), r", \\quad "),
     ("] ", re.compile(r"(?<=\] )(?=\d+(?:\.\d+)? (?:\\le|\\leq|<) )"), r", \\quad "),
     # a fraction at a place, with a bar on one side
     (
