@@ -10,7 +10,7 @@ import itertools
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -81,15 +81,13 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
     found = {latex: "" for latex in said if not is_letter(latex)}
     declared = {re.sub(r"[\s{}]", "", latex) for latex in found}
     raised = [formula for formula in formulas if "^" in formula or r"\prescript" in formula]
-    numbers = (
-        {word for formula in formulas for word in _Numbers(formula).run()} | said.keys() if raised else said.keys()
-    )
     summed = [formula for formula in formulas if any(sign in formula for sign in SIGNED_SUMS)]
     indices = [place for formula in summed for place in occurrences(formula) if place.role == "index"]
     bound, loose = {place.word for place in indices}, {p.word for p in indices if not "".join(p.arguments or ())}
     scripted = [each for formula in raised for each in _scripted(formula)]
     told = Told(
-        numbers,
+        formulas,
+        said.keys(),
         {each.word for each in scripted if _is_power(each.above)},
         {each.above for each in scripted if each.applied and each.word != each.bare and _letters(each.above)},
         loose,
@@ -158,11 +156,12 @@ def _is_of_letters(place: Occurrence) -> bool:
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Told:
     """What formulas tell of superscripts."""
 
-    numbers: Collection[str]  # letters that stand for numbers somewhere
+    formulas: Sequence[str]
+    said: Collection[str]  # letters of which something is said
     powers: Collection[str]  # letters that are raised to powers for certain
     labels: Collection[tuple[str, ...]]  # superscripts of functions that have subscripts too, as in P_n^m(x)
     loose: Collection[str]  # indices of sums without bounds
@@ -170,12 +169,17 @@ class Told:
     applied: Collection[str]  # letters before brackets
     mixed: Collection[str]  # indices above Kronecker's delta
 
+    @cached_property
+    def numbers(self) -> Collection[str]:
+        """Letters that stand for numbers somewhere."""
+        return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
 
 def _is_power(above: Sequence[str]) -> bool:
     """Is this superscript a power for certain, as 2n and N + 2 are?"""
     texts = [text for text in above if text not in SPACES]
-    plain = all(text.isalnum() or text in "+-" for text in texts) and not _letters(texts)
-    return plain and any(text.isalpha() for text in texts) and any(text.isdigit() for text in texts)
+    mixed = any(text.isalpha() for text in texts) and any(text.isdigit() for text in texts)
+    return mixed and all(text.isalnum() or text in "+-" for text in texts) and not _letters(texts)
 
 
 def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:

@@ -30,22 +30,25 @@ def _with_norms(toks: Sequence[tex.Tok]) -> list[tex.Tok]:
 
 def _with_words(source: str) -> list[tex.Tok]:
     """The tokens of TeX; functions printed as italic letters become commands, and words in text keep a space."""
-    toks, found = _with_norms(tex.tokenize(source)), list[tex.Tok]()
-    k, text_ends = 0, -1
+    toks, found = tex.tokenize(source), list[tex.Tok]()
+    if "||" in source:
+        toks = _with_norms(toks)
+    k, text_ends, inside = 0, -1, 0
     scripts: list[bool] = []  # is each open brace that of a script, or of an argument?
     while k < len(toks):
         tok = toks[k]
         if tok.text == "{":
             before = toks[k - 1].text if k else ""
             scripts.append(before in ("_", "^") or (before[:1] == "\\" and before not in _OF_FORMULAS))
+            inside += scripts[-1]
         elif tok.text == "}" and scripts:
-            scripts.pop()
+            inside -= scripts.pop()
         if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
             text_ends = _closing(toks, k + 1)
         if k < text_ends:
             spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
             found += [tex.Tok("~", tok.at - 1)] if spaced else []
-        elif tok.text.isalpha() and not any(scripts) and (count := _digits_behind(toks, k)):
+        elif tok.text.isalpha() and not inside and (count := _digits_behind(toks, k)):
             found += [
                 tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
             ]
@@ -56,7 +59,7 @@ def _with_words(source: str) -> list[tex.Tok]:
                 made = [f"\\{word}"]
             elif _is_function(word, toks, k):
                 made = [f"\\{_OTHERWISE.get(word, word)}"]
-            elif not any(scripts) and _is_word(word, toks, k):
+            elif not inside and _is_word(word, toks, k):
                 made = [r"\bmod"] if word == "mod" else [r"\text", "{", *word, "}"]
             else:
                 made, word = [tok.text], tok.text
