@@ -245,6 +245,43 @@ _CAPITALS_BELOW = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([A-Z](?: [A-Z]){2,}
 _RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 
+_FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
+
+
+def _doubted(text: str) -> Iterator[tuple[str, str]]:
+    """The letters of one formula of which its print leaves open what they are, each with what is open."""
+    if text.startswith(r"\mathbf") and (bold := _BOLD_NAME.match(text)):
+        yield rf"\mathbf{{{bold[1]}}}", "one name, or a product? say what the letters are"
+    if "d _ " in text or r"\Delta _ " in text:
+        for operator in _OPERATOR_BELOW.findall(text):
+            yield operator, "a factor, or applied to what follows? say what it is"
+    if r"\partial" in text:
+        for letter, above in _PRODUCT_DERIVED.findall(text):
+            name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
+            yield name, "constant, or not? write brackets behind what depends on the variable"
+    if "^ 2 ( " in text or "^ { 2 } ( " in text:
+        yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
+    if r"\Delta " in text:
+        for changed, last in _CHANGED.findall(text):
+            yield last, f"one name {changed}{last} that changes, or a factor? say what its letters are"
+    yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
+    if "( t ) = " in text and not _RATES.search(text):
+        for value, rest in _OF_TIME.findall(text):
+            if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", rest + " "):
+                yield value, f"is {value} what {value}(t) is? write {value}(t), or name the constant otherwise"
+    function = _OF_FUNCTION.search(text)
+    if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
+        yield "f", f"a factor, or part of the name f{function[1]}? say what it is"
+    for run in {*_FROM_ONE.findall(text)} if " = 1 } ^ " in text else ():
+        over = [base for base, *above in _ABOVE.findall(text) if run in above]
+        if tex.texts(text).count(run) != len(over) + len(_FROM_ONE.findall(text)):
+            over = [base for base in over if re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)]
+        yield from ((base, f"a power, or an index? say what {run} is above it") for base in over)
+    if r"\text {" in text or r"\mathrm {" in text:
+        for word in _WORD_TIMES.findall(text):
+            yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"
+
+
 def _initials(formulas: Sequence[str]) -> dict[str, str]:
     """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
     found: dict[str, str] = {}
@@ -256,36 +293,7 @@ def _initials(formulas: Sequence[str]) -> dict[str, str]:
             name = f"{critical[0]}c"
             found["c"] = f"one name {name}, or a product? say what its letters are, or write {critical[0]}_c"
     for text in formulas:
-        if bold := _BOLD_NAME.match(text):
-            found[rf"\mathbf{{{bold[1]}}}"] = "one name, or a product? say what the letters are"
-        for operator in _OPERATOR_BELOW.findall(text):
-            found[operator] = "a factor, or applied to what follows? say what it is"
-        for letter, above in _PRODUCT_DERIVED.findall(text):
-            found[f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter] = (
-                "constant, or not? write brackets behind what depends on the variable"
-            )
-        for factor in _SQUARE_OF.findall(text):
-            found[factor] = "a factor, or a function of what is in the brackets? say what it is"
-        for changed, last in _CHANGED.findall(text):
-            found[last] = f"one name {changed}{last} that changes, or a factor? say what its letters are"
-        for factor in _OF_PRODUCT.findall(text):
-            found[factor] = "a factor, or a function of what is in the brackets? say what it is"
-        for value, rest in _OF_TIME.findall(text):
-            if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", rest + " ") and not _RATES.search(
-                text
-            ):
-                found[value] = f"is {value} what {value}(t) is? write {value}(t), or name the constant otherwise"
-    for text in formulas:
-        function = _OF_FUNCTION.search(text)
-        if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
-            found["f"] = f"a factor, or part of the name f{function[1]}? say what it is"
-        for run in {*_FROM_ONE.findall(text)}:
-            over = [base for base, *above in _ABOVE.findall(text) if run in above]
-            if tex.texts(text).count(run) != len(over) + len(_FROM_ONE.findall(text)):
-                over = [base for base in over if re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)]
-            found |= dict.fromkeys(over, f"a power, or an index? say what {run} is above it")
-        for word in _WORD_TIMES.findall(text):
-            found[rf"\text{{{''.join(word[2:-2].split())}}}"] = "a function, or a factor? say what it is"
+        found |= dict(_doubted(text))
     outside = [NO_FACTORS.sub("", formula) for formula in formulas]
     for text in outside:
         word = _WORD.search(_COMMAND.sub(r"\\", text)) if " e " in text else None
