@@ -38,6 +38,8 @@ gamma(t): t > 0 |- gamma(t) > 0 and gamma(t + 1) == t * gamma(t)
 gamma_values(): |- gamma(1) == 1 and gamma(1/2)**2 == pi and gamma(1/2) > 0
 circle_number(): |- pi > 0
 right_half(a): {QUADRANTS} |- cos(a) >= 0
+positive_cosine(a): -(pi/2) < a; a < pi/2 |- cos(a) > 0
+positive_sine(a): 0 < a; a < pi |- sin(a) > 0
 principal_value_arctan(t): |- -(pi/2) < arctan(t) and arctan(t) < pi/2
 principal_value_arcsin(t): t**2 <= 1 |- -(pi/2) <= arcsin(t) and arcsin(t) <= pi/2
 principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi
@@ -91,10 +93,10 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
 }  # fmt: skip
 CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integral between any two numbers
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
-SHOWN = (  # by their premises integrands and addends are defined between the ends: no divisor is zero there
+SHOWN = (  # by premises, or beside them, integrands and addends are defined between the ends: no divisor is zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
     "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd",
-    "scaled", "telescope",
+    "scaled", "telescope", "constant",
 )  # fmt: skip
 
 

@@ -20,7 +20,8 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
-from symcheck.proof.search.number_points import refute_at_some
+from symcheck.proof.rules.compute import Point
+from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
@@ -463,11 +464,13 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
     return found
 
 
-def _refuted_by_digits(numbers: jets.Jets | None) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
-    """A counterexample among a few numbers, where the search for a proof took too long."""
-    with suppress(OutOfTime, Unsupported), limited(DIGITS):
+def _refuted_by_digits(
+    numbers: jets.Jets | None, at: Callable[[Problem], Point | None] = refute_at_some
+) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
+    """A counterexample among a few numbers, where the search for a proof takes long."""
+    with suppress(OutOfTime, Unsupported, RecursionError), limited(DIGITS):
         about = numbers.refutable() if numbers is not None else None
-        if about is not None and (point := refute_at_some(checked(about))) is not None:
+        if about is not None and (point := at(checked(about))) is not None:
             used = tuple(name for name, _ in about.hypotheses)
             made = certificate(about, Outcome(Verdict.REFUTED, point=point, used=used))
             return (Verdict.REFUTED, made, used) if check(made) is None else None
@@ -486,6 +489,8 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
             with limited(LIMIT):
                 if (numbers := way(problem)) is None:
                     continue
+                if (found := _refuted_by_digits(numbers, refute_at_corners)) is not None:
+                    return found
                 about = numbers.problem
                 outcome = identity.decide(_hinted(about))
                 if outcome.verdict is Verdict.REFUTED and numbers.calls:

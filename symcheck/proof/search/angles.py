@@ -29,6 +29,7 @@ from symcheck.proof.rules.implies import by_contrary, implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, applied
+from symcheck.proof.search.functions import SIGNS
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
 SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
@@ -68,6 +69,8 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     always = [applied("circle_number"), *_of_atoms(whole), *(_circular(whole) if arcs else ())]
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
     signs = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
+    turned = {turn[1] for turn in map(circle, ring.names) if turn is not None}
+    signs += [applied(name, angle) for name in SIGNS for angle in sorted(turned.intersection(ring.names))]
     pending = dict.fromkeys((*always, *_forward(given, known.ring), *signs))
     return _Prover(prove_here, hints_of(problem), frozenset(arcs)).prove(claim, known, list(pending))
 

@@ -36,6 +36,7 @@ from symcheck.proof.algebra.polynomial import (
 from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
+SIGNS = ("positive_sine", "positive_cosine")  # theorems about these between their zeros
 # acute angles, in half turns, and the theorems that say of which numbers they are the inverse functions
 ACUTE = {
     Fraction(1, 6): "known_angle_arcsin_1",
@@ -242,7 +243,7 @@ def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         if mirrored == canonical(node("-", body)):
             yield applied("odd", of(x, body))
     if not any(isinstance(end, End) for end in ends):
-        if x not in variables(body):
+        if x not in letters(body):
             yield applied("constant", body, *ends)
         else:  # c x b^v with b = p x^2 + q is the derivative of c b^(v+1) / (2 p (v + 1))
             c, k, u, r, p, q = _shape(body, x)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from itertools import product
+from itertools import islice, product
+from typing import Any
 
 from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Unknown, domain, letters
@@ -19,10 +20,18 @@ from symcheck.proof.rules.identity import prove_identity
 
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
+_UNITS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, 0, 1))
+_TURNS = (
+    ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    ((0, -1, 0), (1, 0, 0), (0, 0, 1)),
+    ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
+    ((-1, 0, 0), (0, -1, 0), (0, 0, 1)),
+)
 FEW = 3  # letters of which all combinations of values can be tried
 TRIES_OF_MANY = (
     20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
 )
+CORNERS = 40  # points: where vectors are units and matrices turns, what is given mostly holds at one of the first few
 TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
@@ -33,16 +42,45 @@ def refute_numbers(problem: Problem) -> Point | None:
 
 def refute_at_some(problem: Problem) -> Point | None:
     """The same where letters are free: a few values of them are tried, of many letters at random."""
+    if chosen := _free(problem):
+        return refute_at_first(problem, (dict(zip(chosen, values, strict=True)) for values in _values(len(chosen))))
+    return None
+
+
+def refute_at_corners(problem: Problem) -> Point | None:
+    """The same where vectors are units, matrices quarter turns, and numbers are simple; without vectors no point."""
+    return refute_at_first(problem, _corners(_free(problem)))
+
+
+def _free(problem: Problem) -> list[str]:
+    """The letters that no equation says, if digits can tell anything of the problem that algebra does not."""
     definitions = dict(problem.definitions)
     formulas = formulas_of(problem)
     if not any(part.tag in IRRATIONAL for part in subterms(*formulas) if isinstance(part, Node)):
-        return None
+        return []
     free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
     fixed = {side for formula in formulas[1:] if formula.tag == "=" for side in formula.terms if isinstance(side, str)}
-    chosen = [x for x in free if x not in fixed]
-    if not chosen:
-        return None
-    return refute_at_first(problem, (dict(zip(chosen, values, strict=True)) for values in _values(len(chosen))))
+    return [x for x in free if x not in fixed]
+
+
+def _corners(names: Iterable[str]) -> Iterator[dict[str, Term]]:
+    families: dict[tuple[str, int], list[str]] = {}
+    for name in names:
+        stem, _, tail = name.rpartition("_")
+        indices = len(tail) if stem and len(tail) in (1, 2) and set(tail) <= {*"123"} else 0
+        families.setdefault((stem if indices else name, indices), []).append(name)
+    if not any(indices for _, indices in families):
+        return
+    kinds = (TRIED, _UNITS, _TURNS)
+    for ks in islice(sorted(product(range(len(_UNITS)), repeat=len(families)), key=sum), CORNERS):
+        point = dict[str, Term]()
+        for k, ((_, indices), members) in zip(ks, families.items(), strict=True):
+            for name in members:
+                value: Any = kinds[indices][k]
+                for index in name[len(name) - indices :]:
+                    value = value[int(index) - 1]
+                point[name] = value
+        yield point
 
 
 def _values(count: int) -> Iterator[tuple[Term, ...]]:

@@ -15,7 +15,8 @@ from symcheck.proof.algebra.flint import fraction, occurring
 from symcheck.proof.algebra.forms import positive_form, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.algebra.polynomial import Ratio, Ring, beneath, unfold, variables, with_arguments
-from symcheck.proof.algebra.variables import Unsupported, atoms, prime
+from symcheck.proof.algebra.printed import term_of_text
+from symcheck.proof.algebra.variables import Unsupported, atoms, circle, prime, table
 from symcheck.proof.rules.cases_or import in_cases
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of, prove_all
@@ -26,7 +27,7 @@ from symcheck.proof.rules.implies import implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, Said, applied
-from symcheck.proof.search.functions import expanded, instances, simplified
+from symcheck.proof.search.functions import SIGNS, expanded, instances, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
 SPLIT = {"beta": ">", "equal_squares": ">="}  # theorems whose premises of this sign may hold in some cases alone
@@ -84,6 +85,7 @@ class _Plan:
         for instance in hinted:
             plan._add(instance, plan.inner if _around(instance) & bound else plan.outer)
         plan._collect()
+        plan._add_signs()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
             plan._add(applied("root", p), plan.outer)
         if "pi" in plan.names:
@@ -103,6 +105,16 @@ class _Plan:
                 )  # nothing is assumed of what is bound
                 if instance not in kept and len(kept) < MAX_INSTANCES:
                     self._add(instance, kept)
+
+    def _add_signs(self) -> None:
+        """Those of sines and cosines whose angles are compared with something."""
+        bound = {x for name in self.names & atoms().keys() for x in atoms()[name].bound}
+        first = list[Instance]()  # what they say is not zero may be divided by in all others
+        for x in dict.fromkeys(turn[1] for turn in map(circle, sorted(self.names)) if turn is not None):
+            term = table().angles.get(x, x)
+            for name in SIGNS:
+                self._add(applied(name, term), self.inner if letters(term) & bound else first)
+        self.outer[:0] = first
 
     def _instances(self, name: str) -> Iterator[Instance]:
         if name not in atoms():
@@ -140,6 +152,8 @@ class _Search:
             below = partial(self.prove, pending=pending, cases=cases)
             return (implication if goal.tag == "=>" else all_of)(goal, known, below)
         for k, instance in enumerate(pending):
+            if instance.name in SIGNS and not _is_compared(next(instance.terms), known):
+                continue
             theorem = _said(instance, known)
             premises = self._premises(theorem.premises, known)
             if premises is not None:
@@ -171,7 +185,7 @@ class _Search:
             case "or":
                 return first_of(formula, known, self._premise)
             case "!=":
-                return self.prove_here(formula, known)
+                return self.prove_here(formula, _not_divided_by(formula, known))
         return prove_order(formula, known) or order_of_numbers(formula, known.ring.definitions)
 
     def _conclusion(self, formula: Formula, known: Knowledge) -> Step | None:
@@ -188,7 +202,10 @@ class _Search:
         nested = [instance for instance in self.inner if instance.name.startswith("antiderivative")]
         bound = {instance.letter for instance in nested}
         deeper = [instance for instance in nested if _around(instance) & bound]
-        here = [instance for instance in self.inner if instance not in deeper]
+        apart = nested if formula.tag == "!=" else deeper  # what they say may divide by what is to be shown not to be 0
+        met = with_arguments(variables(formula))
+        others = [i for i in nested if i not in apart and not variables(_said(i, known).conclusion.terms[0]) & met]
+        here = [instance for instance in self.inner if instance not in (*apart, *others)]
         return _Search(below._premise, deeper).prove(formula, known, here, 0) if here else None
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
@@ -216,6 +233,18 @@ def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
     if value.den or known.nonzero(value.num) is not None:
         return None
     return prove_order(node(">", divisor, 0), known)
+
+
+def _is_compared(angle: Term, known: Knowledge) -> bool:
+    """Whether anything is known of the size of an angle: no basis of all facts is needed to see that nothing is."""
+    return any(variables(angle) & variables(sign.term) for sign in known.signs)
+
+
+def _not_divided_by(formula: Formula, known: Knowledge) -> Knowledge:
+    """What is known without equations that divide by what is to be shown not to be zero: these hold if it is so."""
+    about = variables(*formula.terms)
+    kept = tuple(fact for fact in known.facts if not any(about & variables(term_of_text(t)) for t in fact[0].cleared))
+    return replace(known, facts=kept)
 
 
 def _are_squares(formula: Formula) -> bool:
