@@ -36,13 +36,14 @@ from symcheck.proof.algebra.polynomial import (
 from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
-SIGNS = ("positive_sine", "positive_cosine")  # theorems about these between their zeros
+SIGNS = ("positive_cosine", "right_half")  # theorems about sines and cosines between their zeros
 # acute angles, in half turns, and the theorems that say of which numbers they are the inverse functions
 ACUTE = {
     Fraction(1, 6): "known_angle_arcsin_1",
     Fraction(1, 4): "known_angle_arctan_2",
     Fraction(1, 3): "known_angle_arccos_3",
 }
+QUARTERS = (0, -1, 1, -2, 2, -3, 3)  # by which an angle is turned: beyond, authors write multiples of whole turns
 MAX_ADDENDS = 8  # of an exponent or angle that is expanded: each becomes a variable
 MAX_POWER_SUM = 8  # of an index: the sums that people print have at most the fourth
 HALF_LINE = (0, INFINITY)
@@ -58,6 +59,13 @@ def instances(name: str, names: set[str]) -> Iterator[Instance]:
             yield from _ABOUT[tree.tag](tree, [other for other in others if other.tag == tree.tag])
     except (Unsupported, Unknown):
         return
+
+
+def signs(angle: Term) -> Iterator[Instance]:
+    """The signs of the sine and the cosine of an angle in every quarter of a turn, from -270 to 270 degrees."""
+    for quarter in QUARTERS:
+        turned = node("+", angle, node("*", node("/", quarter, 2), PI)) if quarter else angle
+        yield from (applied(name, turned) for name in SIGNS)
 
 
 def expanded(name: str) -> Iterator[Instance]:

@@ -27,7 +27,7 @@ from symcheck.proof.rules.implies import implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, Said, applied
-from symcheck.proof.search.functions import SIGNS, expanded, instances, simplified
+from symcheck.proof.search.functions import SIGNS, expanded, instances, signs, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
 SPLIT = {"beta": ">", "equal_squares": ">="}  # theorems whose premises of this sign may hold in some cases alone
@@ -112,8 +112,8 @@ class _Plan:
         first = list[Instance]()  # what they say is not zero may be divided by in all others
         for x in dict.fromkeys(turn[1] for turn in map(circle, sorted(self.names)) if turn is not None):
             term = table().angles.get(x, x)
-            for name in SIGNS:
-                self._add(applied(name, term), self.inner if letters(term) & bound else first)
+            for instance in signs(term):
+                self._add(instance, self.inner if letters(term) & bound else first)
         self.outer[:0] = first
 
     def _instances(self, name: str) -> Iterator[Instance]:
@@ -152,10 +152,11 @@ class _Search:
             below = partial(self.prove, pending=pending, cases=cases)
             return (implication if goal.tag == "=>" else all_of)(goal, known, below)
         for k, instance in enumerate(pending):
-            if instance.name in SIGNS and not _is_compared(next(instance.terms), known):
-                continue
             theorem = _said(instance, known)
-            premises = self._premises(theorem.premises, known)
+            if instance.name in SIGNS:
+                premises = prove_all(theorem.premises, _linear(known), prove_order)
+            else:
+                premises = self._premises(theorem.premises, known)
             if premises is not None:
                 then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
                 return None if then is None else instance.step(premises, then)
@@ -235,9 +236,9 @@ def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
     return prove_order(node(">", divisor, 0), known)
 
 
-def _is_compared(angle: Term, known: Knowledge) -> bool:
-    """Whether anything is known of the size of an angle: no basis of all facts is needed to see that nothing is."""
-    return any(variables(angle) & variables(sign.term) for sign in known.signs)
+def _linear(known: Knowledge) -> Knowledge:
+    """What is known of sizes: all that the order of angles follows from, without a basis of everything."""
+    return replace(known, facts=tuple(fact for fact in known.facts if fact[1].total_degree() == 1))
 
 
 def _not_divided_by(formula: Formula, known: Knowledge) -> Knowledge:
