@@ -2558,6 +2558,31 @@ THEOREMS: dict[str, Forgery] = {
             theorem("right_half", {"a": "x"}, [above(["+", "x", HALF_PI]), above(minus(HALF_PI, "x"))], above(COS)),
         ),
     ),
+    "a positive cosine of a whole turn's half": Forgery(
+        NOT_THE_FORM,
+        proved(
+            [">", ["cos", PI], 0],
+            theorem("positive_cosine", {"a": PI}, [above(["*", ["/", 3, 2], PI]), above(HALF_PI)], above(["cos", PI])),
+        ),
+    ),
+    "a positive cosine at a right angle": Forgery(
+        NO_SIGN,
+        proved(
+            [">", ["cos", HALF_PI], 0],
+            theorem("positive_cosine", {"a": HALF_PI}, [above(PI), above(0)], above(["cos", HALF_PI])),
+        ),
+    ),
+    "a positive sine of nothing": Forgery(
+        NO_SIGN,
+        proved([">", ["sin", 0], 0], theorem("positive_sine", {"a": 0}, [above(0), above(PI)], above(["sin", 0]))),
+    ),
+    "a positive sine of any angle": Forgery(
+        NO_SIGN,
+        proved(
+            [">", ["sin", "x"], 0],
+            theorem("positive_sine", {"a": "x"}, [above("x"), above(minus(PI, "x"))], above(["sin", "x"])),
+        ),
+    ),
     "an arctangent of a quarter of a turn": Forgery(
         "('here', 1) is no such fact",
         proved(["=", ["arctan", "x"], HALF_PI], theorem("principal_value_arctan", {"t": "x"}, [], by(here(1)))),

@@ -294,6 +294,14 @@ THEOREMS: dict[str, JSON] = {
             theorem("right_half", {"a": 0}, [above(HALF_PI), above(HALF_PI)], above(["cos", 0])),
         ),
     ),
+    "positive_cosine": proved(
+        [">", ["cos", 0], 0],
+        theorem("positive_cosine", {"a": 0}, [above(HALF_PI), above(HALF_PI)], above(["cos", 0])),
+    ),
+    "positive_sine": proved(
+        [">", ["sin", HALF_PI], 0],
+        theorem("positive_sine", {"a": HALF_PI}, [above(HALF_PI), above(HALF_PI)], above(["sin", HALF_PI])),
+    ),
     "principal_value_arctan": proved(
         ["<", ["arctan", "x"], HALF_PI],
         theorem("principal_value_arctan", {"t": "x"}, [], above(minus(HALF_PI, ["arctan", "x"]))),

@@ -335,7 +335,7 @@ def sign(term: Term, told: Callable[[Term, int], int] | None = None) -> int:
     match term:
         case int():
             return (term >= 0) + (term > 0)
-        case Value(tag="pi" | "exp") | Value(tag="cos", terms=(0,)):
+        case Value(tag="pi" | "exp"):
             return 2
         case Value(tag="+", terms=parts) if parts:
             level = max(levels := [sign(t, told) for t in parts]) * all(levels)

@@ -39,6 +39,7 @@ gamma_values(): |- gamma(1) == 1 and gamma(1/2)**2 == pi and gamma(1/2) > 0
 circle_number(): |- pi > 0
 right_half(a): {QUADRANTS} |- cos(a) >= 0
 positive_cosine(a): -(pi/2) < a; a < pi/2 |- cos(a) > 0
+positive_sine(a): 0 < a; a < pi |- sin(a) > 0
 principal_value_arctan(t): |- -(pi/2) < arctan(t) and arctan(t) < pi/2
 principal_value_arcsin(t): t**2 <= 1 |- -(pi/2) <= arcsin(t) and arcsin(t) <= pi/2
 principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi

@@ -68,11 +68,12 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     whole = Ring(with_arguments({"pi", *ring.names, *names}), definitions)
     always = [applied("circle_number"), *_of_atoms(whole), *(_circular(whole) if arcs else ())]
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
-    turned = {turn[1] for turn in map(circle, ring.names) if turn is not None}
     of_angles = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
-    of_angles += [instance for angle in sorted(turned.intersection(ring.names)) for instance in signs(angle)]
-    pending = dict.fromkeys((*always, *_forward(given, known.ring), *of_angles))
-    return _Prover(prove_here, hints_of(problem), frozenset(arcs)).prove(claim, known, list(pending))
+    pending = list(dict.fromkeys((*always, *_forward(given, known.ring), *of_angles)))
+    turned = {turn[1] for turn in map(circle, ring.names) if turn is not None}.intersection(ring.names)
+    more = [instance for angle in sorted(turned) for instance in signs(angle)]
+    prover = _Prover(prove_here, hints_of(problem), frozenset(arcs))
+    return prover.prove(claim, known, pending) or prover.prove(claim, known, [*pending, *more])
 
 
 Usable = Instance | Lemma  # in a proof, once its premises have proofs

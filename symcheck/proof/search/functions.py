@@ -36,7 +36,7 @@ from symcheck.proof.algebra.polynomial import (
 from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
-SIGNS = ("positive_cosine", "right_half")  # theorems about sines and cosines between their zeros
+SIGNS = ("positive_cosine", "right_half", "positive_sine")  # theorems about sines and cosines between their zeros
 # acute angles, in half turns, and the theorems that say of which numbers they are the inverse functions
 ACUTE = {
     Fraction(1, 6): "known_angle_arcsin_1",
@@ -63,9 +63,12 @@ def instances(name: str, names: set[str]) -> Iterator[Instance]:
 
 def signs(angle: Term) -> Iterator[Instance]:
     """The signs of the sine and the cosine of an angle in every quarter of a turn, from -270 to 270 degrees."""
+    if not letters(angle):  # turned, it is another number, whose sine has another name
+        yield from (applied(name, angle) for name in ("positive_cosine", "positive_sine"))
+        return
     for quarter in QUARTERS:
         turned = node("+", angle, node("*", node("/", quarter, 2), PI)) if quarter else angle
-        yield from (applied(name, turned) for name in SIGNS)
+        yield from (applied(name, turned) for name in ("positive_cosine", "right_half"))
 
 
 def expanded(name: str) -> Iterator[Instance]:

@@ -41,8 +41,12 @@ def has_functions(ring: Ring) -> bool:
 
 def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
     """A proof of a statement about functions; `prove_here` finishes it when no theorem is left to apply."""
-    plan = _Plan.of(problem)
-    return _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+    for signed in (False, True):
+        plan = _Plan.of(problem, signed)
+        found = _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+        if found is not None or not any(map(circle, plan.names)):
+            return found
+    return None
 
 
 def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
@@ -72,8 +76,8 @@ class _Plan:
     known: Knowledge = field(init=False)
 
     @classmethod
-    def of(cls, problem: Problem) -> _Plan:
-        """All theorems that may help."""
+    def of(cls, problem: Problem, signed: bool = False) -> _Plan:
+        """All theorems that may help; those about the signs of sines and cosines on demand."""
         definitions, own = dict(problem.definitions), ring_of(problem)
         assumed = starting(problem, Ring(with_arguments(own.names), definitions))
         if problem.claim[0] == "=>":
@@ -85,7 +89,8 @@ class _Plan:
         for instance in hinted:
             plan._add(instance, plan.inner if _around(instance) & bound else plan.outer)
         plan._collect()
-        plan._add_signs()
+        if signed:
+            plan._add_signs()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
             plan._add(applied("root", p), plan.outer)
         if "pi" in plan.names:
