@@ -44,6 +44,7 @@ from symcheck.question.prepare import (
     unlowered,
     with_scopes,
 )
+from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences
 from symcheck.question.repairs import EVERYWHERE, repairs
 from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
@@ -153,6 +154,12 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    if open_ and asked and (sequences := with_sequences(asked)) is not None:
+        by_places = answered(
+            sequences.relation, sequences.where, sequences.given, dict(sequences.letters), wanted=wanted
+        )
+        if by_places.verdict in (Status.PROVED, Status.REFUTED):
+            return replace(by_places, used=(*printed.where, *printed.given), seconds=time.perf_counter() - started)
     if open_ and asked and (at := _of_some_size(asked)):
         several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
@@ -240,6 +247,8 @@ def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool = False) -> Answer:
     base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
+    if (cases := induction(reading.problems, _whole_letters(reading))) is not None:
+        return _by_induction(base, reading, cases)
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
@@ -305,6 +314,42 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
+    """Refuted at one of the first whole numbers; proved if the claim holds at the first ones, and then at the next."""
+    made = list[Certificate]()
+    used = tuple(text for text in reading.stated.values())
+    for number in range(cases.first, cases.first + max(FIRST, cases.order)):
+        for printed, problem in zip(reading.problems, cases.at(number), strict=True):
+            definitions = tuple((x, _with_factorials(t)) for x, t in problem.definitions)
+            at = replace(problem, claim=_with_factorials(problem.claim), definitions=definitions)
+            verdict, certificate_, _ = _decided_one(at)
+            if certificate_ is not None and verdict is Verdict.REFUTED:
+                if reason := doubt(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                if said := _says_otherwise(printed, reading, None):
+                    return replace(base, reason=said)
+                point = {cases.letter: str(number)} | {
+                    x: term(value) for x, value in certificate_["point"]["values"].items()
+                }
+                return replace(
+                    base, verdict=Status.REFUTED, counterexample=point, used=used, certificate=(certificate_,)
+                )
+            if number < cases.first + cases.order:
+                if certificate_ is None:
+                    return replace(base, reason=f"it is not decided at {cases.letter} = {number}")
+                made.append(certificate_)
+    for problem in cases.step:
+        verdict, certificate_, _ = _decided_one(problem)
+        if certificate_ is None or verdict is not Verdict.PROVED:
+            return replace(base, reason="it holds for the first whole numbers; no induction for the others was found")
+        if (raised := _whole_power(reading, problem)) is not None:
+            return replace(base, reason=f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0")
+        made.append(certificate_)
+    if reason := doubt_of_proofs(reading) or held(reading, ()):
+        return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+    return replace(base, verdict=Status.PROVED, used=used, certificate=tuple(made))
 
 
 def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slips] | None) -> str:

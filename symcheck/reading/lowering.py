@@ -1003,10 +1003,25 @@ class Lowering:
         return total(term, varying)
 
     def of_indexed(self, tree: Indexed, env: Env) -> Value:
+        """A sequence at a whole number; other brackets behind a letter may be those of a product."""
         name = to_latex(tree.name)
-        raise (Unsaid if is_sequence(tree) else SymcheckError)(
-            f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
-        )
+        whole = is_sequence(tree) and len(tree.places) == 1 and self.is_whole(tree.places[0])
+        if not whole or not isinstance(tree.name, Name) or tree.name.dots or tree.name.primes:
+            raise (Unsaid if is_sequence(tree) else SymcheckError)(
+                f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
+            )
+        letter = self.notation.letter(tree.name.letter, len(tree.name.subscripts))
+        place, indices = self.scalar(tree.places[0], env), self.places(tree.name, letter, env)
+        if letter.depends or letter.number or letter.components is not None or letter.identity or letter.skew:
+            raise Unsaid(f"{to_latex(tree)}: {name} is no sequence")
+
+        def entry(k: tuple[int, ...]) -> Term:
+            stem = variable(letter.stem, (*indices, *k))
+            if not self.inside:
+                self.met.setdefault(stem, tree.name)
+            return node("call", stem, (0,), place)
+
+        return self.of_places(letter, entry) if letter.kind in ("vector", "matrix") else entry(())
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):

@@ -1,0 +1,310 @@
+"""Recurrences: what follows by induction from the first values of sequences and an equation for the next one.
+
+A recurrence is said of all whole numbers from that of the first value on; a condition that its letter is whole and not
+below some number is a condition of the claim. In each case of the induction the values of sequences are letters.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from symcheck.core.calculus import domain, functions, letters, nodes, substituted
+from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Call, Formula, Node, T, Term, mapped, node
+from symcheck.proof.algebra.knowledge import larger_first
+from symcheck.question.prepare import DEFINED, Asked, members
+
+# a letter with a subscript: one in bold or with an accent, a Greek or a Latin one
+_SUBSCRIPT = re.compile(
+    r"(?P<letter>\\[a-z]+\{\\?[A-Za-z]+\}|\\[A-Za-z]+|(?<![A-Za-z\\])[A-Za-z])_(?:\{(?P<group>[^{}]*)\}|(?P<token>[A-Za-z0-9]))"
+)
+_SUMMED = r"_\{{?{}="  # an index of a sum is no letter of a sequence
+FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fails at the first or second
+MOST = 8  # numbers by which places differ: of longer recurrences people print systems
+
+
+class Place(NamedTuple):
+    """A place of a sequence: a whole number, or that many more than the letter."""
+
+    moving: bool
+    number: int
+
+
+@dataclass(frozen=True)
+class Induction:
+    """The cases of a claim about all whole numbers from the first one on.
+
+    Parameters
+    ----------
+    letter
+        The letter of the whole numbers.
+    first
+        The least of them.
+    order
+        How many claims the next one rests on: they are shown at so many numbers.
+    at
+        The claims at one whole number.
+    step
+        The claims at the next whole number, if they hold at as many before it as the order says.
+    """
+
+    letter: str
+    first: int
+    order: int
+    at: Callable[[int], tuple[Problem, ...]]
+    step: tuple[Problem, ...]
+
+
+def with_sequences(asked: Asked) -> Asked | None:
+    """The same with places in brackets for subscripts that move along with a whole number: x[n + 1] for x_{n+1}.
+
+    None where no letter has such subscripts, and none but these and numbers.
+    """
+    texts = (asked.relation, *asked.where, *asked.given)
+    _, said = members(asked.given, dict(asked.letters))
+    for n in (x for x, phrase in said.items() if phrase == "integer"):
+        if any(re.search(_SUMMED.format(re.escape(n)), text) for text in texts):
+            continue
+        below: dict[str, set[str]] = {}
+        for text in texts:
+            for match in _SUBSCRIPT.finditer(text):
+                below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
+        moving = re.compile(rf"{re.escape(n)}(?:[+-]\d+)?|\d+")
+        named = {
+            letter
+            for letter, subscripts in below.items()
+            if all(map(moving.fullmatch, subscripts))
+            and n in subscripts
+            and any(s.startswith((f"{n}+", f"{n}-")) for s in subscripts)
+        }
+
+        def bracketed(match: re.Match[str], named: set[str] = named) -> str:
+            at = match["group"] or match["token"]
+            return f"{match['letter']}[{at}]" if match["letter"] in named else match[0]
+
+        if named:
+            relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
+            where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
+            return replace(asked, relation=relation, where=where, given=given)
+    return None
+
+
+def induction(problems: Sequence[Problem], whole: Iterable[str]) -> Induction | None:
+    """The cases of an induction; None where no recurrence is given for the sequences of the claims."""
+    known = {*whole}
+    claimed = {call for part in _all(p.claim for p in problems) if isinstance(part, Call) for call in [part]}
+    free = set().union(*map(letters, claimed)) & known
+    if len(free) != 1 or any(functions(t) for p in problems for _, t in p.definitions):
+        return None
+    (n,) = free
+    given = [(name, _of(n, part, known)) for name, fs in problems[0].hypotheses for f in fs for part in conjuncts(f)]
+    stated = [*(p.claim for p in problems), *(f for _, f in given)]
+    if any(isinstance(part, Call) and place_of(part, n) is None for part in _all(stated)):
+        return None
+    return _Sequences.of(problems, n, given)
+
+
+def _of(n: str, formula: Formula, whole: set[str]) -> Formula:
+    """A recurrence in another letter as one in this letter: it is said of all whole numbers."""
+    calls = [part for part in _all([formula]) if isinstance(part, Call)]
+    other = set().union(*map(letters, calls)) & whole
+    return substituted(formula, dict.fromkeys(other, n)) if len(other) == 1 and n not in letters(formula) else formula
+
+
+def _all(trees: Iterable[Term]) -> Iterator[Node]:
+    """All nodes, also those under binders."""
+    for part in nodes(*trees):
+        yield part
+        yield from _all(part.inside)
+
+
+def place_of(call: Call, n: str) -> Place | None:
+    """The place of a sequence, if it is one."""
+    match call.orders, call.terms:
+        case (0,), (str(x),) if x == n:
+            return Place(True, 0)
+        case (0,), (int(k),):
+            return Place(False, k)
+        case (0,), (Node() as t,):
+            match t.outside:
+                case (str(x), int(k)) | (int(k), str(x)) if t.tag == "+" and x == n:
+                    return Place(True, k)
+                case (str(x), Node(tag="-", outside=(int(k),))) if t.tag == "+" and x == n:
+                    return Place(True, -k)
+    return None
+
+
+@dataclass(frozen=True)
+class _Rule:
+    """An equation that says a value of a sequence by earlier ones of the same or of others."""
+
+    function: str
+    top: int
+    body: Term
+
+
+class _Sequences:
+    """The values of sequences from a first place on."""
+
+    def __init__(self, problems: Sequence[Problem], n: str) -> None:
+        self.problems, self.n = problems, n
+        self.initial: dict[tuple[str, int], Term] = {}
+        self.rules: dict[str, _Rule] = {}
+        self.plain: list[tuple[str, Formula]] = []
+        self.bounds: list[int] = []
+
+    @classmethod
+    def of(cls, problems: Sequence[Problem], n: str, given: Iterable[tuple[str, Formula]]) -> Induction | None:
+        """The induction; None if an equation is no recurrence and no first value, or the letter is bounded above."""
+        found = cls(problems, n)
+        if not all(found._told(name, part) for name, part in given) or not found.rules or not found.initial:
+            return None
+        lowest = min(k for _, k in found.initial)
+        first = max([lowest, *found.bounds])
+        if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
+            return None  # a value is said twice
+        shifts = [place.number for part in found._calls(*(p.claim for p in problems)) if (place := part[1]).moving]
+        reach = max(shifts, default=0)
+        order = max(rule.top - low for rule in found.rules.values() for low in [found._lowest(rule)])
+        if not shifts or not 0 < order <= MOST or first - lowest > MOST or reach > MOST or min(shifts) < lowest - first:
+            return None
+
+        def at(number: int) -> tuple[Problem, ...]:
+            return tuple(found._at(problem, number, lowest) for problem in problems)
+
+        steps = tuple(found._step(problem, order, reach, first) for problem in problems)
+        return Induction(n, first, order, at, steps)
+
+    def _told(self, name: str, formula: Formula) -> bool:
+        """Takes in what is given; False if nothing is known of such a formula here."""
+        calls = list(self._calls(formula))
+        moving = [(call, place.number) for call, place in calls if place.moving]
+        if not calls:
+            return self._condition(name, formula)
+        if formula.tag != "=":
+            return False
+        for left, right in (formula.terms, formula.terms[::-1]):
+            if not isinstance(left, Call):
+                continue
+            place = place_of(left, self.n)
+            assert place is not None
+            if not moving and not functions(right) and self.n not in letters(right):
+                return self.initial.setdefault((left.function, place.number), right) == right
+            others = [k for _, k in self._places(right)]
+            if place.moving and all(k.moving and k.number < place.number for k in others):
+                smooth = not any(functions(f) or self.n in letters(f) for f in domain(right, divisors=True))
+                rule = _Rule(left.function, place.number, right)
+                return smooth and self.rules.setdefault(left.function, rule) == rule
+        return False
+
+    def _condition(self, name: str, formula: Formula) -> bool:
+        """A condition without sequences: of the letter it says from where on it runs."""
+        if self.n not in letters(formula):
+            self.plain.append((name, formula))
+            return True
+        match larger_first(formula):
+            case Node(tag=">" | ">=" as sign, outside=(x, int(k))) if x == self.n:
+                self.bounds.append(k + (sign == ">"))
+                return True
+        self.plain.append((name, formula))
+        return name == DEFINED  # at each number what is printed has a value
+
+    def _calls(self, *trees: Term) -> Iterator[tuple[Call, Place]]:
+        for part in _all(trees):
+            if isinstance(part, Call) and (place := place_of(part, self.n)) is not None:
+                yield part, place
+
+    def _places(self, tree: Term) -> list[tuple[str, Place]]:
+        return [(call.function, place) for call, place in self._calls(tree)]
+
+    def _lowest(self, rule: _Rule) -> int:
+        return min((place.number for _, place in self._places(rule.body)), default=rule.top - 1)
+
+    def _is_said(self, rule: _Rule, k: int, lowest: int) -> bool:
+        """Whether a rule says the value at a place, by values from the lowest place on."""
+        return k - rule.top + self._lowest(rule) >= lowest
+
+    def _put(self, tree: T, name: Callable[[str, Place], Term], by: Mapping[str, Term]) -> T:
+        """A tree with letters for the values of sequences, and something for the letter of the whole numbers."""
+
+        def put(part: Term) -> Term:
+            if isinstance(part, Call) and (place := place_of(part, self.n)) is not None:
+                return name(part.function, place)
+            return mapped(part, put) if isinstance(part, Node) else part
+
+        return substituted(put(tree), by)  # type: ignore[return-value, type-var]
+
+    def _at(self, problem: Problem, number: int, lowest: int) -> Problem:
+        """A claim at a whole number, with all values up to it."""
+        by: dict[str, Term] = {self.n: number}
+
+        def name(function: str, place: Place) -> Term:
+            return value(function, place.number + (number if place.moving else 0))
+
+        def value(function: str, k: int) -> Term:
+            return f"{function}_at_{k}" if k >= 0 else f"{function}_before_{-k}"
+
+        claim = self._put(problem.claim, name, by)
+        last = max([number, *(place.number + number for _, place in self._places(problem.claim) if place.moving)])
+        said = dict[str, Term]()
+        for k in range(lowest, last + 1):
+            for function in dict.fromkeys((*self.rules, *(f for f, _ in self.initial))):
+                if (term := self.initial.get((function, k))) is not None:
+                    said[str(value(function, k))] = term
+                elif (rule := self.rules.get(function)) is not None and self._is_said(rule, k, lowest):
+                    shift = k - rule.top  # the letter where the top place is k
+                    said[str(value(function, k))] = self._put(
+                        rule.body, lambda f, place, shift=shift: value(f, place.number + shift), {self.n: shift}
+                    )
+        return self._problem(problem, claim, said, self._conditions(lambda f: [self._put(f, name, by)]))
+
+    def _step(self, problem: Problem, order: int, reach: int, first: int) -> Problem:
+        """A claim at so many numbers after the letter, by the same claims at all numbers between."""
+
+        def value(function: str, k: int) -> Term:
+            return f"{function}_ahead_{k}" if k >= 0 else f"{function}_behind_{-k}"
+
+        def moved(tree: T, shift: int) -> T:
+            def name(function: str, place: Place) -> Term:
+                at = value(function, place.number + shift)
+                return at if place.moving else f"{function}_at_{place.number}"
+
+            return self._put(tree, name, {self.n: node("+", self.n, shift)} if shift else {})
+
+        said = dict[str, Term]()
+        for k in range(order, order + reach + 1):
+            for function, rule in self.rules.items():
+                said[str(value(function, k))] = moved(rule.body, k - rule.top)
+        said |= {f"{function}_at_{k}": term for (function, k), term in self.initial.items()}
+        before = tuple(moved(p.claim, shift) for shift in range(order) for p in self.problems)
+        defined = self._conditions(lambda f: dict.fromkeys(moved(f, shift) for shift in range(order + 1)))
+        hypotheses = (("earlier", before), ("whole", (node(">=", self.n, first),)), *defined)
+        return self._problem(problem, moved(problem.claim, order), said, hypotheses)
+
+    def _conditions(self, at: Callable[[Formula], Iterable[Formula]]) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
+        """The conditions without sequences, at the numbers of a case; those about numbers alone hold or are claimed."""
+        found = dict[str, list[Formula]]()
+        for name, formula in self.plain:
+            found.setdefault(name, []).extend(f for f in at(formula) if letters(f))
+        return tuple((name, tuple(formulas)) for name, formulas in found.items() if formulas)
+
+    def _problem(
+        self,
+        problem: Problem,
+        claim: Formula,
+        said: Mapping[str, Term],
+        hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...],
+    ) -> Problem:
+        """The problem with what is needed of the values of sequences."""
+        open_, needed = [claim, *(f for _, fs in hypotheses for f in fs)], dict[str, Term]()
+        while open_:
+            fresh = [x for x in letters(open_.pop()) if x in said and x not in needed]
+            needed |= {x: said[x] for x in fresh}
+            open_ += [said[x] for x in fresh]
+        order = [x for x in said if x in needed]
+        definitions = (*problem.definitions, *((x, needed[x]) for x in order))
+        return replace(problem, claim=claim, definitions=definitions, hypotheses=hypotheses)
