@@ -154,12 +154,15 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
-    if open_ and asked and (sequences := with_sequences(asked)) is not None:
+    shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
+    if found and asked and not shown_as_names and (sequences := with_sequences(asked)) is not None:
         by_places = answered(
             sequences.relation, sequences.where, sequences.given, dict(sequences.letters), wanted=wanted
         )
-        if by_places.verdict in (Status.PROVED, Status.REFUTED):
-            return replace(by_places, used=(*printed.where, *printed.given), seconds=time.perf_counter() - started)
+        if by_places.verdict not in (Status.PROVED, Status.REFUTED):
+            by_places = replace(by_places, verdict=Status.UNDECIDED, certificate=())
+        used = (*printed.where, *printed.given) if by_places.used else ()
+        return replace(by_places, used=used, seconds=time.perf_counter() - started)
     if open_ and asked and (at := _of_some_size(asked)):
         several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
@@ -318,8 +321,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
 
 def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
     """Refuted at one of the first whole numbers; proved if the claim holds at the first ones, and then at the next."""
-    made = list[Certificate]()
     used = tuple(text for text in reading.stated.values())
+    direct = [_decided_one(problem) for problem in cases.direct]
+    made = [made for verdict, made, _ in direct if made is not None and verdict is Verdict.PROVED]
+    if len(made) == len(direct):
+        return _proved_in_cases(base, reading, cases.direct, made)
+    made = []
     for number in range(cases.first, cases.first + max(FIRST, cases.order)):
         for printed, problem in zip(reading.problems, cases.at(number), strict=True):
             definitions = tuple((x, _with_factorials(t)) for x, t in problem.definitions)
@@ -344,11 +351,17 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
         verdict, certificate_, _ = _decided_one(problem)
         if certificate_ is None or verdict is not Verdict.PROVED:
             return replace(base, reason="it holds for the first whole numbers; no induction for the others was found")
+        made.append(certificate_)
+    return _proved_in_cases(base, reading, cases.step, made)
+
+
+def _proved_in_cases(base: Answer, reading: Reading, cases: Iterable[Problem], made: Sequence[Certificate]) -> Answer:
+    for problem in cases:
         if (raised := _whole_power(reading, problem)) is not None:
             return replace(base, reason=f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0")
-        made.append(certificate_)
     if reason := doubt_of_proofs(reading) or held(reading, ()):
         return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+    used = tuple(text for text in reading.stated.values())
     return replace(base, verdict=Status.PROVED, used=used, certificate=tuple(made))
 
 

@@ -18,11 +18,11 @@ from symcheck.core.terms import Call, Formula, Node, T, Term, mapped, node
 from symcheck.proof.algebra.knowledge import larger_first
 from symcheck.question.prepare import DEFINED, Asked, members
 
-# a letter with a subscript: one in bold or with an accent, a Greek or a Latin one
+# a letter with a subscript, one in bold or with an accent, a Greek or a Latin one; or what is none
 _SUBSCRIPT = re.compile(
-    r"(?P<letter>\\[a-z]+\{\\?[A-Za-z]+\}|\\[A-Za-z]+|(?<![A-Za-z\\])[A-Za-z])_(?:\{(?P<group>[^{}]*)\}|(?P<token>[A-Za-z0-9]))"
+    r"(?P<letter>\\[a-z]+\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<group>[^{}]*)\}|(?P<token>[A-Za-z0-9]))"
+    r"|\\[A-Za-z]+|."
 )
-_SUMMED = r"_\{{?{}="  # an index of a sum is no letter of a sequence
 FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fails at the first or second
 MOST = 8  # numbers by which places differ: of longer recurrences people print systems
 
@@ -46,6 +46,8 @@ class Induction:
         The least of them.
     order
         How many claims the next one rests on: they are shown at so many numbers.
+    direct
+        The claims at a number, by what is said of the values there and before.
     at
         The claims at one whole number.
     step
@@ -55,41 +57,39 @@ class Induction:
     letter: str
     first: int
     order: int
+    direct: tuple[Problem, ...]
     at: Callable[[int], tuple[Problem, ...]]
     step: tuple[Problem, ...]
 
 
 def with_sequences(asked: Asked) -> Asked | None:
-    """The same with places in brackets for subscripts that move along with a whole number: x[n + 1] for x_{n+1}.
+    """The same with places in brackets for subscripts that move along with a letter: x[n + 1] for x_{n+1}.
 
-    None where no letter has such subscripts, and none but these and numbers.
+    The letter is a whole number then, and no index of a sum. None where no letter has such subscripts, and none but
+    these and numbers.
     """
     texts = (asked.relation, *asked.where, *asked.given)
-    _, said = members(asked.given, dict(asked.letters))
-    for n in (x for x, phrase in said.items() if phrase == "integer"):
-        if any(re.search(_SUMMED.format(re.escape(n)), text) for text in texts):
+    below: dict[str, set[str]] = {}
+    for match in (match for text in texts for match in _SUBSCRIPT.finditer(text) if match["letter"]):
+        below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
+    for n in sorted({n for subscripts in below.values() for n in subscripts if re.fullmatch("[a-z]", n)}):
+        moving, ahead = re.compile(rf"{n}(?:[+-]\d+)?|\d+"), (f"{n}+", f"{n}-")
+        named = {x for x, subscripts in below.items() if all(map(moving.fullmatch, subscripts)) and n in subscripts}
+        named = {x for x in named if any(subscript.startswith(ahead) for subscript in below[x])}
+        if not named or any(re.search(rf"_\{{?{n}=", text) for text in texts):
             continue
-        below: dict[str, set[str]] = {}
-        for text in texts:
-            for match in _SUBSCRIPT.finditer(text):
-                below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
-        moving = re.compile(rf"{re.escape(n)}(?:[+-]\d+)?|\d+")
-        named = {
-            letter
-            for letter, subscripts in below.items()
-            if all(map(moving.fullmatch, subscripts))
-            and n in subscripts
-            and any(s.startswith((f"{n}+", f"{n}-")) for s in subscripts)
-        }
 
         def bracketed(match: re.Match[str], named: set[str] = named) -> str:
             at = match["group"] or match["token"]
             return f"{match['letter']}[{at}]" if match["letter"] in named else match[0]
 
-        if named:
-            relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
-            where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
-            return replace(asked, relation=relation, where=where, given=given)
+        relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
+        if rest == [*texts[1:]]:
+            continue  # of these sequences nothing is said: their values are letters like others
+        where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
+        said = dict(members(given, dict(asked.letters))[1]).get(n) or dict(asked.letters).get(n)
+        letters_ = asked.letters if said else (*asked.letters, (n, "integer"))
+        return Asked(relation, where, given, letters_)
     return None
 
 
@@ -140,11 +140,12 @@ def place_of(call: Call, n: str) -> Place | None:
 
 @dataclass(frozen=True)
 class _Rule:
-    """An equation that says a value of a sequence by earlier ones of the same or of others."""
+    """An equation that says a value of a sequence by earlier ones of the same or of others, or by its number alone."""
 
     function: str
     top: int
     body: Term
+    low: int  # the first place in it; the top where there is no other
 
 
 class _Sequences:
@@ -161,23 +162,26 @@ class _Sequences:
     def of(cls, problems: Sequence[Problem], n: str, given: Iterable[tuple[str, Formula]]) -> Induction | None:
         """The induction; None if an equation is no recurrence and no first value, or the letter is bounded above."""
         found = cls(problems, n)
-        if not all(found._told(name, part) for name, part in given) or not found.rules or not found.initial:
+        if not all(found._told(name, part) for name, part in given) or not found.rules or not found._sorted():
             return None
-        lowest = min(k for _, k in found.initial)
-        first = max([lowest, *found.bounds])
+        shifts = [place.number for part in found._calls(*(p.claim for p in problems)) if (place := part[1]).moving]
+        if not shifts:
+            return None
+        below = min(0, *shifts)
+        lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
+        first = max([lowest - below, *found.bounds])
         if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
             return None  # a value is said twice
-        shifts = [place.number for part in found._calls(*(p.claim for p in problems)) if (place := part[1]).moving]
-        reach = max(shifts, default=0)
-        order = max(rule.top - low for rule in found.rules.values() for low in [found._lowest(rule)])
-        if not shifts or not 0 < order <= MOST or first - lowest > MOST or reach > MOST or min(shifts) < lowest - first:
+        reach = max(shifts)
+        order = max(rule.top - rule.low for rule in found.rules.values())
+        if max(order, first - lowest, reach) > MOST:
             return None
 
         def at(number: int) -> tuple[Problem, ...]:
             return tuple(found._at(problem, number, lowest) for problem in problems)
 
-        steps = tuple(found._step(problem, order, reach, first) for problem in problems)
-        return Induction(n, first, order, at, steps)
+        direct, step = (tuple(found._step(p, k, reach, first, min(shifts)) for p in problems) for k in (0, order))
+        return Induction(n, first, order, direct, at, step)
 
     def _told(self, name: str, formula: Formula) -> bool:
         """Takes in what is given; False if nothing is known of such a formula here."""
@@ -194,10 +198,13 @@ class _Sequences:
             assert place is not None
             if not moving and not functions(right) and self.n not in letters(right):
                 return self.initial.setdefault((left.function, place.number), right) == right
-            others = [k for _, k in self._places(right)]
-            if place.moving and all(k.moving and k.number < place.number for k in others):
+            others = self._places(right)
+            before = all(k.moving and k.number < place.number + (f != left.function) for f, k in others)
+            if place.moving and before:
                 smooth = not any(functions(f) or self.n in letters(f) for f in domain(right, divisors=True))
-                rule = _Rule(left.function, place.number, right)
+                rule = _Rule(
+                    left.function, place.number, right, min((k.number for _, k in others), default=place.number)
+                )
                 return smooth and self.rules.setdefault(left.function, rule) == rule
         return False
 
@@ -221,12 +228,24 @@ class _Sequences:
     def _places(self, tree: Term) -> list[tuple[str, Place]]:
         return [(call.function, place) for call, place in self._calls(tree)]
 
-    def _lowest(self, rule: _Rule) -> int:
-        return min((place.number for _, place in self._places(rule.body)), default=rule.top - 1)
+    def _sorted(self) -> bool:
+        """Sorts the rules, those first on whose values others rest at the same number; False if they go in a circle."""
+        todo, done = self.rules, dict[str, _Rule]()
+        while todo := {f: rule for f, rule in todo.items() if f not in done}:
+            ready = {
+                f: rule
+                for f, rule in todo.items()
+                if not any(k.number == rule.top and g in todo for g, k in self._places(rule.body))
+            }
+            if not ready:
+                return False
+            done |= ready
+        self.rules = done
+        return True
 
     def _is_said(self, rule: _Rule, k: int, lowest: int) -> bool:
         """Whether a rule says the value at a place, by values from the lowest place on."""
-        return k - rule.top + self._lowest(rule) >= lowest
+        return k - rule.top + rule.low >= lowest
 
     def _put(self, tree: T, name: Callable[[str, Place], Term], by: Mapping[str, Term]) -> T:
         """A tree with letters for the values of sequences, and something for the letter of the whole numbers."""
@@ -262,7 +281,7 @@ class _Sequences:
                     )
         return self._problem(problem, claim, said, self._conditions(lambda f: [self._put(f, name, by)]))
 
-    def _step(self, problem: Problem, order: int, reach: int, first: int) -> Problem:
+    def _step(self, problem: Problem, order: int, reach: int, first: int, lowest: int) -> Problem:
         """A claim at so many numbers after the letter, by the same claims at all numbers between."""
 
         def value(function: str, k: int) -> Term:
@@ -276,9 +295,10 @@ class _Sequences:
             return self._put(tree, name, {self.n: node("+", self.n, shift)} if shift else {})
 
         said = dict[str, Term]()
-        for k in range(order, order + reach + 1):
+        for k in range(lowest, order + reach + 1):
             for function, rule in self.rules.items():
-                said[str(value(function, k))] = moved(rule.body, k - rule.top)
+                if rule.low == rule.top or (k >= order and k - rule.top + rule.low >= lowest):
+                    said[str(value(function, k))] = moved(rule.body, k - rule.top)
         said |= {f"{function}_at_{k}": term for (function, k), term in self.initial.items()}
         before = tuple(moved(p.claim, shift) for shift in range(order) for p in self.problems)
         defined = self._conditions(lambda f: dict.fromkeys(moved(f, shift) for shift in range(order + 1)))
