@@ -29,7 +29,7 @@ from symcheck.proof.rules.implies import by_contrary, implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, applied
-from symcheck.proof.search.functions import signs
+from symcheck.proof.search.functions import is_compared, signs
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
 SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
@@ -71,9 +71,10 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     of_angles = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
     pending = list(dict.fromkeys((*always, *_forward(given, known.ring), *of_angles)))
     turned = {turn[1] for turn in map(circle, ring.names) if turn is not None}.intersection(ring.names)
-    more = [instance for angle in sorted(turned) for instance in signs(angle)]
+    more = [instance for angle in sorted(turned) if is_compared(angle, known) for instance in signs(angle)]
     prover = _Prover(prove_here, hints_of(problem), frozenset(arcs))
-    return prover.prove(claim, known, pending) or prover.prove(claim, known, [*pending, *more])
+    found = prover.prove(claim, known, pending)
+    return prover.prove(claim, known, [*pending, *more]) if found is None and more else found
 
 
 Usable = Instance | Lemma  # in a proof, once its premises have proofs

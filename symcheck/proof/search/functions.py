@@ -71,6 +71,20 @@ def signs(angle: Term) -> Iterator[Instance]:
         yield from (applied(name, turned) for name in ("positive_cosine", "right_half"))
 
 
+def is_compared(angle: Term, known: Knowledge) -> bool:
+    """Whether an order is assumed of an angle: one that has a power product of letters with it in common."""
+    if not variables(angle) <= {*known.ring.names}:
+        return False
+    pi = known.ring.names.index("pi") if "pi" in known.ring.names else None
+
+    def products(poly: Poly) -> set[tuple[int, ...]]:
+        found = (tuple(int(e) for e in exponents) for exponents, _ in poly.terms())
+        return {each for each in found if any(e for k, e in enumerate(each) if k != pi)}
+
+    own = products(known.ring.ratio(angle).num)
+    return any(own & products(sign.poly) for sign in known.signs)
+
+
 def expanded(name: str) -> Iterator[Instance]:
     """An exponential, sine or cosine of anything is that of a sum of multiples of powers of letters."""
     tree = table().term(name)

@@ -27,7 +27,7 @@ from symcheck.proof.rules.implies import implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, Said, applied
-from symcheck.proof.search.functions import SIGNS, expanded, instances, signs, simplified
+from symcheck.proof.search.functions import SIGNS, expanded, instances, is_compared, signs, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
 SPLIT = {"beta": ">", "equal_squares": ">="}  # theorems whose premises of this sign may hold in some cases alone
@@ -41,12 +41,11 @@ def has_functions(ring: Ring) -> bool:
 
 def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
     """A proof of a statement about functions; `prove_here` finishes it when no theorem is left to apply."""
-    for signed in (False, True):
-        plan = _Plan.of(problem, signed)
+    plan = _Plan.of(problem)
+    found = _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+    if found is None and plan.add_signs(problem):
         found = _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
-        if found is not None or not any(map(circle, plan.names)):
-            return found
-    return None
+    return found
 
 
 def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
@@ -76,8 +75,8 @@ class _Plan:
     known: Knowledge = field(init=False)
 
     @classmethod
-    def of(cls, problem: Problem, signed: bool = False) -> _Plan:
-        """All theorems that may help; those about the signs of sines and cosines on demand."""
+    def of(cls, problem: Problem) -> _Plan:
+        """All theorems that may help, but for those about the signs of sines and cosines."""
         definitions, own = dict(problem.definitions), ring_of(problem)
         assumed = starting(problem, Ring(with_arguments(own.names), definitions))
         if problem.claim[0] == "=>":
@@ -89,8 +88,6 @@ class _Plan:
         for instance in hinted:
             plan._add(instance, plan.inner if _around(instance) & bound else plan.outer)
         plan._collect()
-        if signed:
-            plan._add_signs()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
             plan._add(applied("root", p), plan.outer)
         if "pi" in plan.names:
@@ -111,15 +108,18 @@ class _Plan:
                 if instance not in kept and len(kept) < MAX_INSTANCES:
                     self._add(instance, kept)
 
-    def _add_signs(self) -> None:
-        """Those of sines and cosines whose angles are compared with something."""
+    def add_signs(self, problem: Problem) -> bool:
+        """Those of sines and cosines whose angles are bound, or compared with something; False if there are none."""
         bound = {x for name in self.names & atoms().keys() for x in atoms()[name].bound}
-        first = list[Instance]()  # what they say is not zero may be divided by in all others
+        first, before = list[Instance](), len(self.inner)  # what is not zero by them may be divided by in all others
         for x in dict.fromkeys(turn[1] for turn in map(circle, sorted(self.names)) if turn is not None):
             term = table().angles.get(x, x)
-            for instance in signs(term):
-                self._add(instance, self.inner if letters(term) & bound else first)
+            inside = bool(letters(term) & bound)
+            for instance in signs(term) if inside or not letters(term) or is_compared(term, self.assumed) else ():
+                self._add(instance, self.inner if inside else first)
         self.outer[:0] = first
+        self.known = starting(problem, Ring(self.names, self.definitions))
+        return bool(first) or len(self.inner) > before
 
     def _instances(self, name: str) -> Iterator[Instance]:
         if name not in atoms():
