@@ -56,6 +56,7 @@ from symcheck.reading.notation import SAID
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
+CORNERS = 2.0  # seconds for one where vectors are units, before a proof is sought: it takes a tenth if there is one
 TOTAL = 15.0  # seconds for all of them
 ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that are found take less than one
 REFUSED = "the certificate was not accepted"
@@ -523,10 +524,10 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
 
 
 def _refuted_by_digits(
-    numbers: jets.Jets | None, at: Callable[[Problem], Point | None] = refute_at_some
+    numbers: jets.Jets | None, at: Callable[[Problem], Point | None] = refute_at_some, seconds: float = DIGITS
 ) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
     """A counterexample among a few numbers, where the search for a proof takes long."""
-    with suppress(OutOfTime, Unsupported, RecursionError), limited(DIGITS):
+    with suppress(OutOfTime, Unsupported, RecursionError), limited(seconds):
         about = numbers.refutable() if numbers is not None else None
         if about is not None and (point := at(checked(about))) is not None:
             used = tuple(name for name, _ in about.hypotheses)
@@ -547,7 +548,7 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
             with limited(LIMIT):
                 if (numbers := way(problem)) is None:
                     continue
-                if (found := _refuted_by_digits(numbers, refute_at_corners)) is not None:
+                if not numbers.calls and (found := _refuted_by_digits(numbers, refute_at_corners, CORNERS)) is not None:
                     return found
                 about = numbers.problem
                 outcome = identity.decide(_hinted(about))

@@ -666,14 +666,14 @@ class Lowering:
 
     def running(self, letter: Letter, tree: Name, env: Env) -> Value:
         """A letter whose indices run up to a letter: a function of them, and of what it depends on."""
-        if letter.kind not in ("scalar", "vector", "matrix") or tree.primes:
+        if letter.kind not in ("scalar", "vector", "matrix") or (tree.primes and letter.depends != ""):
             raise NoForm(f"{to_latex(tree)}: only numbers, vectors and matrices have indices that run up to a letter")
         indices = [self.index(subscript, env) for subscript in tree.subscripts]
         if letter.depends:
             indices += self.arguments(letter, ())
 
         def entry(place: tuple[int, ...]) -> Term:
-            name = variable(letter.stem, place)
+            name = variable(letter.stem + "prime" * tree.primes, place)
             if not self.inside:
                 self.met.setdefault(name, tree)
             return node("call", name, (0,) * len(indices), *indices)
