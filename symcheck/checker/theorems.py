@@ -53,6 +53,7 @@ constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
 antiderivative(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
 antiderivative_everywhere(f, g, s, t): forall(x, f(x) == diff(g(x), x)) |- integral(f(x), x, s, t) == g(t) - g(s)
+full_turn(f, a, b, c, u, r, s): a > 0; a**2 > b**2 + c**2; r >= 0; r**2 == a**2 - (b**2 + c**2); forall(x, implies(a + b * cos(x) + c * sin(x) > 0, f(x) == u/(a + b * cos(x) + c * sin(x)))) |- integral(f(x), x, s, s + 2*pi) == 2*pi*u/r
 exp_of_log(t): t > 0 |- exp(log(t)) == t
 log_of_one(): |- log(1) == 0
 log_of_exp(t): |- log(exp(t)) == t
@@ -96,7 +97,7 @@ WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosi
 SHOWN = (  # by premises, or beside them, integrands and addends are defined between the ends: no divisor is zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
     "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd",
-    "scaled", "telescope", "constant",
+    "scaled", "telescope", "constant", "full_turn",
 )  # fmt: skip
 
 

@@ -109,7 +109,7 @@ class _Plan:
                     self._add(instance, kept)
 
     def add_signs(self, problem: Problem) -> bool:
-        """Those of sines and cosines whose angles are bound, or compared with something; False if there are none."""
+        """The signs of sines and cosines whose angles are bound or compared with something; False if there are none."""
         bound = {x for name in self.names & atoms().keys() for x in atoms()[name].bound}
         first, before = list[Instance](), len(self.inner)  # what is not zero by them may be divided by in all others
         for x in dict.fromkeys(turn[1] for turn in map(circle, sorted(self.names)) if turn is not None):
