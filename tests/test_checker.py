@@ -408,6 +408,18 @@ THEOREMS: dict[str, JSON] = {
         [[">=", "n", 0]],
         at={"n": 2},
     ),
+    "full_turn": proved(
+        ["=", integral(["/", 4, ["+", 5, ["*", 3, ["cos", "x"]]]], "x", 0, ["*", 2, PI]), ["*", 2, PI]],
+        theorem(
+            "full_turn",
+            {
+                "f": of("x", ["/", 4, ["+", 5, ["*", 3, ["cos", "x"]]]]),
+                **{"a": 5, "b": 3, "c": 0, "u": 4, "r": 4, "s": 0},
+            },
+            [above(5), above(16), above(4), ID, every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
     "decaying": proved(
         ["=", integral(FALLING, "x", 0, OO), 1],
         theorem(
