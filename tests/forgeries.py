@@ -124,7 +124,7 @@ def minus(s: JSON, t: JSON) -> JSON:
 
 
 UNDER_A_BINDER = "a denominator may be zero: under a binder"
-HOLE: JSON = ["*", "t", ["+", 1, ["*", 0, ["/", 1, ["+", "r", ["/", -1, 2]]]]]]
+HOLE: JSON = ["*", 2, "t", ["+", 1, ["*", 0, ["/", 1, ["+", "r", ["/", -1, 2]]]]]]
 POLE: JSON = ["integral", ["/", 1, ["+", "r", ["/", -1, 2]]], "r", 0, 1]
 ID: JSON = {"rule": "identity", "cofactors": []}
 ZERO_IS_ONE: JSON = ["=", 0, 1]
@@ -1949,16 +1949,16 @@ THEOREMS: dict[str, Forgery] = {
     "an integral in an integral without a value": Forgery(
         "a denominator may be zero",
         proved(
-            ["=", integral(integral(HOLE, "r"), "t"), ["/", 1, 2]],
+            ["=", integral(integral(HOLE, "r"), "t"), 1],
             theorem(
                 "antiderivative_everywhere",
-                {"f": of("t", integral(HOLE, "r")), "g": of("t", ["*", ["/", 1, 2], sq("t")]), "s": 0, "t": 1},
+                {"f": of("t", integral(HOLE, "r")), "g": of("t", sq("t")), "s": 0, "t": 1},
                 [
                     every(
                         ["t"],
                         theorem(
                             "antiderivative_everywhere",
-                            {"f": of("r", HOLE), "g": of("r", ["*", "t", "r"]), "s": 0, "t": 1},
+                            {"f": of("r", HOLE), "g": of("r", ["*", 2, "t", "r"]), "s": 0, "t": 1},
                             [every(["r"], ID)],
                             by(here()),
                         ),
