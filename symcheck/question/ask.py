@@ -56,7 +56,7 @@ from symcheck.reading.notation import SAID
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
-CORNERS = 2.0  # seconds for one where vectors are units, before a proof is sought: it takes a tenth if there is one
+CORNERS = 3.0  # seconds for one where vectors are units, before a proof is sought: it takes a third if there is one
 TOTAL = 15.0  # seconds for all of them
 ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that are found take less than one
 REFUSED = "the certificate was not accepted"

@@ -37,7 +37,7 @@ FEW = 3  # letters of which all combinations of values can be tried
 TRIES_OF_MANY = (
     20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
 )
-CORNERS = 12  # points: where vectors are units and matrices turns, what is given mostly holds at one of the first few
+CORNERS = 8  # points: where vectors are units and matrices turns, what is given mostly holds at one of the first few
 TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
