@@ -27,6 +27,14 @@ FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fai
 MOST = 8  # numbers by which places differ: of longer recurrences people print systems
 
 
+AT, AHEAD = "at", "ahead"  # in names of values: at a number, and so many after the letter
+
+
+def _name(function: str, kind: str, k: int) -> str:
+    """The letter for a value of a sequence."""
+    return f"{function}_{kind}_{k}" if k >= 0 else f"{function}_{kind}_minus_{-k}"
+
+
 class Place(NamedTuple):
     """A place of a sequence: a whole number, or that many more than the letter."""
 
@@ -247,59 +255,44 @@ class _Sequences:
         """Whether a rule says the value at a place, by values from the lowest place on."""
         return k - rule.top + rule.low >= lowest
 
-    def _put(self, tree: T, name: Callable[[str, Place], Term], by: Mapping[str, Term]) -> T:
-        """A tree with letters for the values of sequences, and something for the letter of the whole numbers."""
+    def _put(self, tree: T, kind: str, shift: int, by: Term) -> T:
+        """A tree with letters for the values of sequences, their places moved, and for the letter something else."""
 
         def put(part: Term) -> Term:
             if isinstance(part, Call) and (place := place_of(part, self.n)) is not None:
-                return name(part.function, place)
+                kind_, k = (kind, place.number + shift) if place.moving else (AT, place.number)
+                return _name(part.function, kind_, k)
             return mapped(part, put) if isinstance(part, Node) else part
 
-        return substituted(put(tree), by)  # type: ignore[return-value, type-var]
+        found: T = put(tree)  # type: ignore[assignment, arg-type]
+        return substituted(found, {self.n: by})
 
     def _at(self, problem: Problem, number: int, lowest: int) -> Problem:
         """A claim at a whole number, with all values up to it."""
-        by: dict[str, Term] = {self.n: number}
-
-        def name(function: str, place: Place) -> Term:
-            return value(function, place.number + (number if place.moving else 0))
-
-        def value(function: str, k: int) -> Term:
-            return f"{function}_at_{k}" if k >= 0 else f"{function}_before_{-k}"
-
-        claim = self._put(problem.claim, name, by)
+        claim = self._put(problem.claim, AT, number, number)
         last = max([number, *(place.number + number for _, place in self._places(problem.claim) if place.moving)])
         said = dict[str, Term]()
         for k in range(lowest, last + 1):
             for function in dict.fromkeys((*self.rules, *(f for f, _ in self.initial))):
+                name, rule = _name(function, AT, k), self.rules.get(function)
                 if (term := self.initial.get((function, k))) is not None:
-                    said[str(value(function, k))] = term
-                elif (rule := self.rules.get(function)) is not None and self._is_said(rule, k, lowest):
-                    shift = k - rule.top  # the letter where the top place is k
-                    said[str(value(function, k))] = self._put(
-                        rule.body, lambda f, place, shift=shift: value(f, place.number + shift), {self.n: shift}
-                    )
-        return self._problem(problem, claim, said, self._conditions(lambda f: [self._put(f, name, by)]))
+                    said[name] = term
+                elif rule is not None and self._is_said(rule, k, lowest):
+                    said[name] = self._put(rule.body, AT, k - rule.top, k - rule.top)
+        return self._problem(problem, claim, said, self._conditions(lambda f: [self._put(f, AT, number, number)]))
 
     def _step(self, problem: Problem, order: int, reach: int, first: int, lowest: int) -> Problem:
         """A claim at so many numbers after the letter, by the same claims at all numbers between."""
 
-        def value(function: str, k: int) -> Term:
-            return f"{function}_ahead_{k}" if k >= 0 else f"{function}_behind_{-k}"
-
         def moved(tree: T, shift: int) -> T:
-            def name(function: str, place: Place) -> Term:
-                at = value(function, place.number + shift)
-                return at if place.moving else f"{function}_at_{place.number}"
-
-            return self._put(tree, name, {self.n: node("+", self.n, shift)} if shift else {})
+            return self._put(tree, AHEAD, shift, node("+", self.n, shift) if shift else self.n)
 
         said = dict[str, Term]()
         for k in range(lowest, order + reach + 1):
             for function, rule in self.rules.items():
                 if rule.low == rule.top or (k >= order and k - rule.top + rule.low >= lowest):
-                    said[str(value(function, k))] = moved(rule.body, k - rule.top)
-        said |= {f"{function}_at_{k}": term for (function, k), term in self.initial.items()}
+                    said[_name(function, AHEAD, k)] = moved(rule.body, k - rule.top)
+        said |= {_name(function, AT, k): term for (function, k), term in self.initial.items()}
         before = tuple(moved(p.claim, shift) for shift in range(order) for p in self.problems)
         defined = self._conditions(lambda f: dict.fromkeys(moved(f, shift) for shift in range(order + 1)))
         hypotheses = (("earlier", before), ("whole", (node(">=", self.n, first),)), *defined)
@@ -320,7 +313,8 @@ class _Sequences:
         hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...],
     ) -> Problem:
         """The problem with what is needed of the values of sequences."""
-        open_, needed = [claim, *(f for _, fs in hypotheses for f in fs)], dict[str, Term]()
+        open_: list[Term] = [claim, *(f for _, fs in hypotheses for f in fs)]
+        needed = dict[str, Term]()
         while open_:
             fresh = [x for x in letters(open_.pop()) if x in said and x not in needed]
             needed |= {x: said[x] for x in fresh}

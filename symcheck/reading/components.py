@@ -83,7 +83,7 @@ def plus(terms: Iterable[Value]) -> Value:
     return added(*kept) if len(kept) > 1 else kept[0] if kept else 0
 
 
-def worked_out(t: Term) -> Term:
+def worked_out(t: Value) -> Value:
     """A term without the zeros and ones in its sums and products."""
     match t:
         case terms.Value(tag="+", terms=addends):

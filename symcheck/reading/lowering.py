@@ -1005,20 +1005,21 @@ class Lowering:
     def of_indexed(self, tree: Indexed, env: Env) -> Value:
         """A sequence at a whole number; other brackets behind a letter may be those of a product."""
         name = to_latex(tree.name)
+        own = tree.name
         whole = is_sequence(tree) and len(tree.places) == 1 and self.is_whole(tree.places[0])
-        if not whole or not isinstance(tree.name, Name) or tree.name.dots or tree.name.primes:
+        if not whole or not isinstance(own, Name) or own.dots or own.primes:
             raise (Unsaid if is_sequence(tree) else SymcheckError)(
                 f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
             )
-        letter = self.notation.letter(tree.name.letter, len(tree.name.subscripts))
-        place, indices = self.scalar(tree.places[0], env), self.places(tree.name, letter, env)
+        letter = self.notation.letter(own.letter, len(own.subscripts))
+        place, indices = self.scalar(tree.places[0], env), self.places(own, letter, env)
         if letter.depends or letter.number or letter.components is not None or letter.identity or letter.skew:
             raise Unsaid(f"{to_latex(tree)}: {name} is no sequence")
 
         def entry(k: tuple[int, ...]) -> Term:
             stem = variable(letter.stem, (*indices, *k))
             if not self.inside:
-                self.met.setdefault(stem, tree.name)
+                self.met.setdefault(stem, own)
             return node("call", stem, (0,), place)
 
         return self.of_places(letter, entry) if letter.kind in ("vector", "matrix") else entry(())
