@@ -23,8 +23,9 @@ from symcheck.proof.rules.identity import prove_identity
 
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
+# where vectors are units and matrices quarter turns most products vanish, so that equations between them are few
 _UNITS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, 0, 1))
-_TURNS = (
+_TURNS = (  # by none, and about two axes; the half turn tells a matrix from its inverse's negative
     ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     ((0, -1, 0), (1, 0, 0), (0, 0, 1)),
     ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
