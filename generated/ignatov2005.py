@@ -1848,7 +1848,7 @@ def vertex_distances_of_three_wheels(a, b):
             'ignatov2005:3.1.30': 'dc0a623feb52',
             'ignatov2005:3.1.31': '196586fd34c2',
         },
-        forms='28df6e492d9b',
+        forms='6715f551bdad',
     ),
 )
 def vertex_distances_of_six_wheels(a):
@@ -1888,7 +1888,7 @@ def vertex_distances_of_six_wheels(a):
 
     Rests on ignatov2005:3.1.28 (sha256 12102fa02278), ignatov2005:3.1.29 (sha256 05d47c77242f),
     ignatov2005:3.1.30 (sha256 dc0a623feb52), ignatov2005:3.1.31 (sha256 196586fd34c2). The forms computed are
-    proved equal to those shown (sha256 28df6e492d9b).
+    proved equal to those shown (sha256 6715f551bdad).
 
     Examples
     --------
@@ -2331,7 +2331,7 @@ def face_distances_of_five_wheels(a):
         claims={
             'ignatov2005:B.3': '54617108b327',
         },
-        forms='36bc28a1963b',
+        forms='75080f897402',
     ),
 )
 def volume_of_four_wheels(a, b):
@@ -2364,7 +2364,7 @@ def volume_of_four_wheels(a, b):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on ignatov2005:B.3 (sha256 54617108b327). The forms computed are proved equal to those shown (sha256
-    36bc28a1963b).
+    75080f897402).
 
     Examples
     --------
@@ -2396,7 +2396,7 @@ def volume_of_four_wheels(a, b):
         claims={
             'ignatov2005:B.13': 'aedd01b78464',
         },
-        forms='a7b89f376227',
+        forms='08c0ec53b77c',
     ),
 )
 def volume_of_three_wheels(a, b):
@@ -2429,7 +2429,7 @@ def volume_of_three_wheels(a, b):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on ignatov2005:B.13 (sha256 aedd01b78464). The forms computed are proved equal to those shown (sha256
-    a7b89f376227).
+    08c0ec53b77c).
 
     Examples
     --------
@@ -2460,7 +2460,7 @@ def volume_of_three_wheels(a, b):
         claims={
             'ignatov2005:B.25': 'afc28669e24e',
         },
-        forms='17e4cf272330',
+        forms='80a5ee158594',
     ),
 )
 def volume_of_six_wheels(a):
@@ -2491,7 +2491,7 @@ def volume_of_six_wheels(a):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on ignatov2005:B.25 (sha256 afc28669e24e). The forms computed are proved equal to those shown (sha256
-    17e4cf272330).
+    80a5ee158594).
 
     Examples
     --------
@@ -2521,7 +2521,7 @@ def volume_of_six_wheels(a):
         claims={
             'ignatov2005:B.35': '87fe4711f136',
         },
-        forms='41c1d7de6bff',
+        forms='e58d699f0587',
     ),
 )
 def volume_of_five_wheels(a):
@@ -2552,7 +2552,7 @@ def volume_of_five_wheels(a):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on ignatov2005:B.35 (sha256 87fe4711f136). The forms computed are proved equal to those shown (sha256
-    41c1d7de6bff).
+    e58d699f0587).
 
     Examples
     --------

@@ -1453,7 +1453,7 @@ def mean_square_of_frequency(k, g_13, g_23, d_33):
         claims={
             'poloskov2004:4.0.13': '7089048da9b5',
             'poloskov2004:4.0.14': '6193d8c6bbde',
-            'poloskov2004:4.0.15': 'c8497c4d28b1',
+            'poloskov2004:4.0.15': 'b03164dba5cf',
         },
     ),
 )
@@ -1488,7 +1488,7 @@ def mode_of_amplitude(alpha, beta, gamma):
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
     Rests on poloskov2004:4.0.13 (sha256 7089048da9b5), poloskov2004:4.0.14 (sha256 6193d8c6bbde),
-    poloskov2004:4.0.15 (sha256 c8497c4d28b1).
+    poloskov2004:4.0.15 (sha256 b03164dba5cf).
 
     Examples
     --------

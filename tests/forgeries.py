@@ -123,6 +123,9 @@ def minus(s: JSON, t: JSON) -> JSON:
     return ["+", s, ["-", t]]
 
 
+UNDER_A_BINDER = "a denominator may be zero: under a binder"
+HOLE: JSON = ["*", 2, "t", ["+", 1, ["*", 0, ["/", 1, ["+", "r", ["/", -1, 2]]]]]]
+POLE: JSON = ["integral", ["/", 1, ["+", "r", ["/", -1, 2]]], "r", 0, 1]
 ID: JSON = {"rule": "identity", "cofactors": []}
 ZERO_IS_ONE: JSON = ["=", 0, 1]
 PI: JSON = ["pi"]
@@ -1915,6 +1918,74 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    **{
+        f"a full turn {what}": Forgery(
+            why,
+            proved(
+                ["=", integral(["/", 4, ["+", a, ["*", b, COS]]], "x", 0, ["*", 2, PI]), value],
+                theorem(
+                    "full_turn",
+                    {"f": of("x", ["/", 4, ["+", a, ["*", b, COS]]]), "a": a, "b": b, "c": 0, "u": 4, "r": r, "s": 0},
+                    [above(a), above(["+", ["^", a, 2], ["-", ["^", b, 2]]]), above(r), ID, every(["y"], implies(ID))],
+                    by(here()),
+                ),
+            ),
+        )
+        for what, why, a, b, r, value in (
+            ("through a zero below", NO_SIGN, 3, 5, 4, ["*", 2, PI]),
+            ("with another root", NOT_EQUAL, 5, 3, 3, ["*", 2, PI]),
+            ("with a negative root", NO_SIGN, 5, 3, -4, ["*", -2, PI]),
+            ("of a negative sum", NO_SIGN, -5, 3, 4, ["*", 2, PI]),
+            ("with another value", NOT_EQUAL, 5, 3, 4, PI),
+        )
+    },
+    "a constant without a value": Forgery(
+        UNDER_A_BINDER,
+        proved(
+            ["=", integral(POLE, "t"), POLE],
+            theorem("constant", {"c": POLE, "s": 0, "t": 1}, [], by(here())),
+        ),
+    ),
+    "an integral in an integral without a value": Forgery(
+        "a denominator may be zero",
+        proved(
+            ["=", integral(integral(HOLE, "r"), "t"), 1],
+            theorem(
+                "antiderivative_everywhere",
+                {"f": of("t", integral(HOLE, "r")), "g": of("t", sq("t")), "s": 0, "t": 1},
+                [
+                    every(
+                        ["t"],
+                        theorem(
+                            "antiderivative_everywhere",
+                            {"f": of("r", HOLE), "g": of("r", ["*", 2, "t", "r"]), "s": 0, "t": 1},
+                            [every(["r"], ID)],
+                            by(here()),
+                        ),
+                    )
+                ],
+                by(here()),
+            ),
+        ),
+    ),
+    "an end of an integral that divides by zero": Forgery(
+        "a denominator may be zero: y",
+        proved(
+            ["=", integral(integral("t", "r", 0, ["/", 1, "t"]), "t", -1, 1), 2],
+            theorem(
+                "antiderivative",
+                {"f": of("t", integral("t", "r", 0, ["/", 1, "t"])), "g": of("t", "t"), "s": -1, "t": 1},
+                [
+                    above(2),
+                    every(
+                        ["y"],
+                        implies(theorem("constant", {"c": "y", "s": 0, "t": ["/", 1, "y"]}, [], by(here(2)))),
+                    ),
+                ],
+                by(here()),
+            ),
+        ),
+    ),
     "half a Gaussian without its end": Forgery(
         NOT_EQUAL,
         proved(
@@ -2556,6 +2627,31 @@ THEOREMS: dict[str, Forgery] = {
         proved(
             [">=", COS, 0],
             theorem("right_half", {"a": "x"}, [above(["+", "x", HALF_PI]), above(minus(HALF_PI, "x"))], above(COS)),
+        ),
+    ),
+    "a positive cosine of a whole turn's half": Forgery(
+        NOT_THE_FORM,
+        proved(
+            [">", ["cos", PI], 0],
+            theorem("positive_cosine", {"a": PI}, [above(["*", ["/", 3, 2], PI]), above(HALF_PI)], above(["cos", PI])),
+        ),
+    ),
+    "a positive cosine at a right angle": Forgery(
+        NO_SIGN,
+        proved(
+            [">", ["cos", HALF_PI], 0],
+            theorem("positive_cosine", {"a": HALF_PI}, [above(PI), above(0)], above(["cos", HALF_PI])),
+        ),
+    ),
+    "a positive sine of nothing": Forgery(
+        NO_SIGN,
+        proved([">", ["sin", 0], 0], theorem("positive_sine", {"a": 0}, [above(0), above(PI)], above(["sin", 0]))),
+    ),
+    "a positive sine of any angle": Forgery(
+        NO_SIGN,
+        proved(
+            [">", ["sin", "x"], 0],
+            theorem("positive_sine", {"a": "x"}, [above("x"), above(minus(PI, "x"))], above(["sin", "x"])),
         ),
     ),
     "an arctangent of a quarter of a turn": Forgery(

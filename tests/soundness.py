@@ -305,6 +305,17 @@ class Forger:
             s, c = ["sin", "x"], ["cos", "x"]
             double = ["+", ["^", c, 2], ["-", ["^", s, 2]]]
             given["f"] = {"letter": "x", "term": ["+", ["*", self.term(1), double], ["*", self.number(), s, c]]}
+        if name in ("positive_cosine", "positive_sine"):
+            given["a"] = self.rng.choice(
+                (["/", ["pi"], 3], ["/", ["pi"], -4], 0, ["pi"], ["arctan", "x"], ["+", "x", 1])
+            )
+        if name == "full_turn":
+            a, b, c, r = self.rng.choice(
+                ((5, 3, 0, 4), (3, 2, 2, 1), (2, 1, 0, ["sqrt", 3]), (1, 2, 0, 1), (5, 3, 0, -4))
+            )
+            given |= {"a": a, "b": b, "c": c, "r": r, "u": self.number(), "s": self.rng.choice((0, ["-", ["pi"]], 1))}
+            below = ["+", a, ["*", b, ["cos", "x"]], ["*", c, ["sin", "x"]]]
+            given["f"] = {"letter": "x", "term": ["/", given["u"], below]}
         if name in ("even", "odd"):
             k = self.rng.choice((0, 2) if name == "even" else (1, 3))
             bottom = ["+", ["^", "x", 2], self.rng.choice((1, 2, "a"))]

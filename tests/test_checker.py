@@ -294,6 +294,14 @@ THEOREMS: dict[str, JSON] = {
             theorem("right_half", {"a": 0}, [above(HALF_PI), above(HALF_PI)], above(["cos", 0])),
         ),
     ),
+    "positive_cosine": proved(
+        [">", ["cos", 0], 0],
+        theorem("positive_cosine", {"a": 0}, [above(HALF_PI), above(HALF_PI)], above(["cos", 0])),
+    ),
+    "positive_sine": proved(
+        [">", ["sin", HALF_PI], 0],
+        theorem("positive_sine", {"a": HALF_PI}, [above(HALF_PI), above(HALF_PI)], above(["sin", HALF_PI])),
+    ),
     "principal_value_arctan": proved(
         ["<", ["arctan", "x"], HALF_PI],
         theorem("principal_value_arctan", {"t": "x"}, [], above(minus(HALF_PI, ["arctan", "x"]))),
@@ -399,6 +407,18 @@ THEOREMS: dict[str, JSON] = {
         ),
         [[">=", "n", 0]],
         at={"n": 2},
+    ),
+    "full_turn": proved(
+        ["=", integral(["/", 4, ["+", 5, ["*", 3, ["cos", "x"]]]], "x", 0, ["*", 2, PI]), ["*", 2, PI]],
+        theorem(
+            "full_turn",
+            {
+                "f": of("x", ["/", 4, ["+", 5, ["*", 3, ["cos", "x"]]]]),
+                **{"a": 5, "b": 3, "c": 0, "u": 4, "r": 4, "s": 0},
+            },
+            [above(5), above(16), above(4), ID, every(["y"], implies(ID))],
+            by(here()),
+        ),
     ),
     "decaying": proved(
         ["=", integral(FALLING, "x", 0, OO), 1],

@@ -145,7 +145,7 @@ class Certificate:
 
     def assume(self, prover: Prover) -> None:
         """The terms listed are denominators of the statement, so that they may be assumed not to vanish."""
-        met = {*self.denominators(self.claim, prover.algebra), *prover.algebra.divisors}
+        met = {*self.denominators(self.claim), *prover.algebra.divisors}
         for k, formula in enumerate(self.nonzero):
             term = formula.outside[0]
             value = Algebra(self.context.known).value(term) % PRIME
@@ -154,16 +154,16 @@ class Certificate:
             if isinstance(term, Node) and term.tag == "/":  # nor does the numerator vanish
                 prover.nonzero.add(prover.value(term.outside[0]))
 
-    def denominators(self, formula: Formula, algebra: Algebra, bound: frozenset[str] = frozenset()) -> Iterator[int]:
+    def denominators(self, formula: Formula, bound: frozenset[str] = frozenset()) -> Iterator[int]:
         """The values of denominators; of those under quantifiers, if they are the same for all letters bound there."""
         if isinstance(formula, Relation):
-            inner = Algebra(algebra.known) if bound else algebra
+            inner = Algebra(self.context.known)
             inner.residues(formula.terms)
-            yield from (v for v, term in inner.divisors.items() if term is not None and not letters(term) & bound)
+            yield from (v for v, term in inner.divisors.items() if not (letters(term) & bound if term else bound))
         else:
             for part in (*formula.inside, *formula.outside):
                 assert isinstance(part, Node)
-                yield from self.denominators(part, algebra, bound.union(formula.bound))
+                yield from self.denominators(part, bound.union(formula.bound))
 
     def check_witnesses(self) -> None:
         """Everything that is assumed holds somewhere, the premises of each implication too, and all terms have values.

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from symcheck.checker.algebra import Algebra, Divisors, Known, exact, height, sign
+from symcheck.checker.algebra import Algebra, Divisors, Known, exact, sign
 from symcheck.checker.residues import PRIME, Reject, inverse, polynomials, rational, require
 from symcheck.checker.theorems import Argument, instance, shown
 from symcheck.core.calculus import letters, substituted
@@ -258,8 +258,7 @@ class Prover:
         premises, conclusion = instance(name, given, {self.reader.letter(x): t for x, t in numbers.items()})
         for premise, proof in paired(premises, step.take("premises", LIST)):
             self.branch(premise, proof)
-        integrals = [part for part in shown(name, given) if height(part) == 1]  # defined there, as the premises show
-        nonzero = [value for value, term in self.met(integrals).items() if term is None]
+        nonzero = [value for value, term in self.met(shown(name, given)).items() if term is None]  # by the premises
         if isinstance(conclusion, Quantified):
             conclusion = self.opened(conclusion, step, goal)
         self.branch(goal, step.take("then", raw), conclusion, nonzero=nonzero)
@@ -323,6 +322,7 @@ class Prover:
             if term is None or not exact(term):
                 shown = self.is_known(divisor, term) or divisor in self.nonzero or self.sign(term or 0) == 2
                 shown = shown or self.not_zero_at_point(term or 0)
+                shown = shown or (term is not None and rational(divisor) is not None)  # the same number everywhere
                 require(shown, "a denominator may be zero: {}", term or "under a binder")
 
     def is_known(self, divisor: int, term: Term | None = None) -> bool:

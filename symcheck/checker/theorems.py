@@ -38,6 +38,8 @@ gamma(t): t > 0 |- gamma(t) > 0 and gamma(t + 1) == t * gamma(t)
 gamma_values(): |- gamma(1) == 1 and gamma(1/2)**2 == pi and gamma(1/2) > 0
 circle_number(): |- pi > 0
 right_half(a): {QUADRANTS} |- cos(a) >= 0
+positive_cosine(a): -(pi/2) < a; a < pi/2 |- cos(a) > 0
+positive_sine(a): 0 < a; a < pi |- sin(a) > 0
 principal_value_arctan(t): |- -(pi/2) < arctan(t) and arctan(t) < pi/2
 principal_value_arcsin(t): t**2 <= 1 |- -(pi/2) <= arcsin(t) and arcsin(t) <= pi/2
 principal_value_arccos(t): t**2 <= 1 |- 0 <= arccos(t) and arccos(t) <= pi
@@ -51,6 +53,7 @@ constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
 antiderivative(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
 antiderivative_everywhere(f, g, s, t): forall(x, f(x) == diff(g(x), x)) |- integral(f(x), x, s, t) == g(t) - g(s)
+full_turn(f, a, b, c, u, r, s): a > 0; a**2 > b**2 + c**2; r >= 0; r**2 == a**2 - (b**2 + c**2); forall(x, implies(a + b * cos(x) + c * sin(x) > 0, f(x) == u/(a + b * cos(x) + c * sin(x)))) |- integral(f(x), x, s, s + 2*pi) == 2*pi*u/r
 exp_of_log(t): t > 0 |- exp(log(t)) == t
 log_of_one(): |- log(1) == 0
 log_of_exp(t): |- log(exp(t)) == t
@@ -91,10 +94,10 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
 }  # fmt: skip
 CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integral between any two numbers
 WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
-SHOWN = (  # by their premises integrands and addends are defined between the ends: no divisor is zero there
+SHOWN = (  # by premises, or beside them, integrands and addends are defined between the ends: no divisor is zero there
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
     "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd",
-    "scaled", "telescope",
+    "scaled", "telescope", "constant", "full_turn",
 )  # fmt: skip
 
 

@@ -167,6 +167,20 @@ Theorem theorem_right_half :
   cos a >= 0.
 Proof. intros a L H. apply Rle_ge, cos_ge_0; lra. Qed.
 
+Theorem theorem_positive_cosine :
+  forall (a : R),
+  - (PI / 2) < a ->
+  a < PI / 2 ->
+  cos a > 0.
+Proof. intros a L H. apply Rlt_gt, cos_gt_0; lra. Qed.
+
+Theorem theorem_positive_sine :
+  forall (a : R),
+  0 < a ->
+  a < PI ->
+  sin a > 0.
+Proof. intros a L H. apply Rlt_gt, sin_gt_0; lra. Qed.
+
 Theorem theorem_mean :
   forall (f : R -> R) (c : R) (g : R -> R),
   polynomial_in_circle g ->

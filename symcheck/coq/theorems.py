@@ -22,6 +22,7 @@ CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions o
 RELATION_NAMES = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 UNSTATED = {  # theorems without a proof in Theorems.v
     "enclosure": "it is computed anew for each number, by the lemmas of Digits.v",
+    "full_turn": "this integral, by the tangent of half an angle, is not in Coq's libraries",
     "beta": "Euler's beta integral is not in Coq's libraries",
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",

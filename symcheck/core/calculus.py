@@ -210,8 +210,10 @@ DOMAINS: dict[str, Callable[[Term], Formula]] = {  # where a function of t has a
 
 
 def divisor(term: Node) -> Term:
-    """What the term divides by."""
+    """What the term divides by; of a power, the base."""
     match term:
+        case Value(tag="/", terms=(_, Value(tag="^", terms=(base, int(n))))) if n > 0:
+            return base
         case Value(tag="/", terms=(_, bottom)):
             return bottom
         case Value(tag="^", terms=(base, int(n))) if n < 0:

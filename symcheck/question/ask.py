@@ -20,7 +20,8 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
-from symcheck.proof.search.number_points import refute_at_some
+from symcheck.proof.rules.compute import Point
+from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
 from symcheck.question.answer import Answer, Status
@@ -43,6 +44,7 @@ from symcheck.question.prepare import (
     unlowered,
     with_scopes,
 )
+from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences
 from symcheck.question.repairs import EVERYWHERE, repairs
 from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
@@ -54,6 +56,7 @@ from symcheck.reading.notation import SAID
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
+CORNERS = 3.0  # seconds for one where vectors are units, before a proof is sought: it takes a third if there is one
 TOTAL = 15.0  # seconds for all of them
 ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that are found take less than one
 REFUSED = "the certificate was not accepted"
@@ -152,6 +155,15 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
+    if found and asked and not shown_as_names and (sequences := with_sequences(asked)) is not None:
+        by_places = answered(
+            sequences.relation, sequences.where, sequences.given, dict(sequences.letters), wanted=wanted
+        )
+        if by_places.verdict not in (Status.PROVED, Status.REFUTED):
+            by_places = replace(by_places, verdict=Status.UNDECIDED, certificate=())
+        used = (*printed.where, *printed.given) if by_places.used else ()
+        return replace(by_places, used=used, seconds=time.perf_counter() - started)
     if open_ and asked and (at := _of_some_size(asked)):
         several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
@@ -239,6 +251,8 @@ def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool = False) -> Answer:
     base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
+    if (cases := induction(reading.problems, _whole_letters(reading))) is not None:
+        return _by_induction(base, reading, cases)
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
@@ -304,6 +318,52 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
+    """Refuted at one of the first whole numbers; proved if the claim holds at the first ones, and then at the next."""
+    used = tuple(text for text in reading.stated.values())
+    direct = [_decided_one(problem) for problem in cases.direct]
+    made = [made for verdict, made, _ in direct if made is not None and verdict is Verdict.PROVED]
+    if len(made) == len(direct):
+        return _proved_in_cases(base, reading, cases.direct, made)
+    made = []
+    for number in range(cases.first, cases.first + max(FIRST, cases.order)):
+        for printed, problem in zip(reading.problems, cases.at(number), strict=True):
+            definitions = tuple((x, _with_factorials(t)) for x, t in problem.definitions)
+            at = replace(problem, claim=_with_factorials(problem.claim), definitions=definitions)
+            verdict, certificate_, _ = _decided_one(at)
+            if certificate_ is not None and verdict is Verdict.REFUTED:
+                if reason := doubt(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                if said := _says_otherwise(printed, reading, None):
+                    return replace(base, reason=said)
+                point = {cases.letter: str(number)} | {
+                    x: term(value) for x, value in certificate_["point"]["values"].items()
+                }
+                return replace(
+                    base, verdict=Status.REFUTED, counterexample=point, used=used, certificate=(certificate_,)
+                )
+            if number < cases.first + cases.order:
+                if certificate_ is None:
+                    return replace(base, reason=f"it is not decided at {cases.letter} = {number}")
+                made.append(certificate_)
+    for problem in cases.step:
+        verdict, certificate_, _ = _decided_one(problem)
+        if certificate_ is None or verdict is not Verdict.PROVED:
+            return replace(base, reason="it holds for the first whole numbers; no induction for the others was found")
+        made.append(certificate_)
+    return _proved_in_cases(base, reading, cases.step, made)
+
+
+def _proved_in_cases(base: Answer, reading: Reading, cases: Iterable[Problem], made: Sequence[Certificate]) -> Answer:
+    for problem in cases:
+        if (raised := _whole_power(reading, problem)) is not None:
+            return replace(base, reason=f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0")
+    if reason := doubt_of_proofs(reading) or held(reading, ()):
+        return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+    used = tuple(text for text in reading.stated.values())
+    return replace(base, verdict=Status.PROVED, used=used, certificate=tuple(made))
 
 
 def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slips] | None) -> str:
@@ -463,11 +523,13 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
     return found
 
 
-def _refuted_by_digits(numbers: jets.Jets | None) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
-    """A counterexample among a few numbers, where the search for a proof took too long."""
-    with suppress(OutOfTime, Unsupported), limited(DIGITS):
+def _refuted_by_digits(
+    numbers: jets.Jets | None, at: Callable[[Problem], Point | None] = refute_at_some, seconds: float = DIGITS
+) -> tuple[Verdict, Certificate, tuple[str, ...]] | None:
+    """A counterexample among a few numbers, where the search for a proof takes long."""
+    with suppress(OutOfTime, Unsupported, RecursionError), limited(seconds):
         about = numbers.refutable() if numbers is not None else None
-        if about is not None and (point := refute_at_some(checked(about))) is not None:
+        if about is not None and (point := at(checked(about))) is not None:
             used = tuple(name for name, _ in about.hypotheses)
             made = certificate(about, Outcome(Verdict.REFUTED, point=point, used=used))
             return (Verdict.REFUTED, made, used) if check(made) is None else None
@@ -486,6 +548,8 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
             with limited(LIMIT):
                 if (numbers := way(problem)) is None:
                     continue
+                if not numbers.calls and (found := _refuted_by_digits(numbers, refute_at_corners, CORNERS)) is not None:
+                    return found
                 about = numbers.problem
                 outcome = identity.decide(_hinted(about))
                 if outcome.verdict is Verdict.REFUTED and numbers.calls:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import reduce
+from math import factorial
 from typing import Any
 
+from symcheck.core import terms
 from symcheck.core.terms import Term, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading.complexes import Complex, Number, added, divided, multiplied, negative, parts
@@ -80,6 +83,18 @@ def plus(terms: Iterable[Value]) -> Value:
     return added(*kept) if len(kept) > 1 else kept[0] if kept else 0
 
 
+def worked_out(t: Value) -> Value:
+    """A term without the zeros and ones in its sums and products."""
+    match t:
+        case terms.Value(tag="+", terms=addends):
+            return plus(map(worked_out, addends))
+        case terms.Value(tag="*", terms=factors):
+            return reduce(times, map(worked_out, factors), 1)
+        case terms.Value(tag="-", terms=(inner,)):
+            return minus(0, worked_out(inner))
+    return t
+
+
 def dot(u: Sequence[Number], v: Sequence[Number]) -> Value:
     """The scalar product."""
     return plus(times(a, b) for a, b in zip(u, v, strict=True))
@@ -125,14 +140,33 @@ def power(rows: Value, exponent: int) -> Value:
     return result
 
 
-def rotation(rows: Value) -> Value | None:
-    """The exponential of a skew-symmetric matrix of two or three rows; None for another one."""
+def exponential(rows: list[list[Term]]) -> Value | None:
+    """The exponential of a square matrix whose form shows it; None for another one.
+
+    Skew-symmetric matrices of two or three rows, diagonal ones, those of which a power is zero, and those of two rows
+    without a diagonal whose square is the identity times a square or its negative.
+    """
     size = len(rows)
-    if size not in (2, 3) or any(_signed(rows[k][k])[1] != 0 for k in range(size)):
+    if any(isinstance(entry, Complex) for row in rows for entry in row):
         return None
-    if any(_signed(rows[k][m]) != _signed(minus(0, rows[m][k])) for k in range(size) for m in range(k)):
+    off = [(k, m) for k in range(size) for m in range(size) if k != m]
+    if not any(rows[k][m] != 0 for k, m in off):
+        return [[node("exp", rows[k][k]) if k == m else 0 for m in range(size)] for k in range(size)]
+    powers = [identity(size), rows]
+    while len(powers) < size:
+        powers.append(matmul(powers[-1], rows))
+    if not any(entry != 0 for row in matmul(powers[-1], rows) for entry in row):
+        return _sum([(node("/", 1, factorial(n)) if n > 1 else 1, each) for n, each in enumerate(powers)])
+    if any(_signed(rows[k][k])[1] != 0 for k in range(size)) or size not in (2, 3):
         return None
-    if size == 2:
+    if all(_signed(rows[k][m]) == _signed(minus(0, rows[m][k])) for k, m in off):
+        return _rotation(rows)
+    return _oscillation(rows) if size == 2 else None
+
+
+def _rotation(rows: list[list[Term]]) -> Value:
+    """That of a skew-symmetric matrix, by Rodrigues' formula."""
+    if len(rows) == 2:
         angle = rows[1][0]
         c, s = node("cos", angle), node("sin", angle)
         return [[c, node("-", s)], [s, c]]
@@ -140,10 +174,50 @@ def rotation(rows: Value) -> Value | None:
     square = plus(node("^", t, 2) for t in (x, y, z))
     angle = node("sqrt", square)
     first, second = node("/", node("sin", angle), angle), node("/", plus([1, node("-", node("cos", angle))]), square)
-    turned = matmul(rows, rows)
-    return [
-        [plus([int(k == m), times(first, rows[k][m]), times(second, turned[k][m])]) for m in range(3)] for k in range(3)
-    ]
+    return _sum([(1, identity(3)), (first, rows), (second, matmul(rows, rows))])
+
+
+def _oscillation(rows: list[list[Term]]) -> Value | None:
+    """That of a matrix of two rows whose square is w^2 or -w^2 times the identity."""
+    if (square := _root(times(rows[0][1], rows[1][0]))) is None:
+        return None
+    sign, w = square
+    if sign < 0:
+        even, odd = node("cos", w), node("sin", w)
+    else:
+        up, down = node("exp", w), node("exp", node("-", w))
+        even, odd = node("/", node("+", up, down), 2), node("/", node("+", up, node("-", down)), 2)
+    return _sum([(even, identity(2)), (node("/", odd, w), rows)])
+
+
+def _sum(addends: Sequence[tuple[Term, list[list[Term]]]]) -> Value:
+    """A sum of multiples of square matrices."""
+    places = range(len(addends[0][1]))
+    return [[plus([times(c, rows[k][m]) for c, rows in addends]) for m in places] for k in places]
+
+
+def _root(t: Term) -> tuple[int, Term] | None:
+    """(s, w) with s w^2 the term, where that is seen: the term is a product of even powers, with a sign s."""
+    exponents, sign = dict[Term, int](), 1
+
+    def collect(part: Term, power_: int) -> None:
+        nonlocal sign
+        match part:
+            case terms.Value(tag="*", terms=factors):
+                for factor in factors:
+                    collect(factor, power_)
+            case terms.Value(tag="^", terms=(base, int(n))):
+                collect(base, power_ * n)
+            case terms.Value(tag="-", terms=(inner,)):
+                sign *= -1 if power_ % 2 else 1
+                collect(inner, power_)
+            case _ if part != 1:
+                exponents[part] = exponents.get(part, 0) + power_
+
+    collect(t, 1)
+    if any(n % 2 or n < 0 for n in exponents.values()):
+        return None
+    return sign, reduce(times, (node("^", base, n // 2) if n > 2 else base for base, n in exponents.items()), 1)
 
 
 def _signed(t: Term) -> tuple[int, Term]:

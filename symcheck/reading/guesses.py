@@ -307,13 +307,15 @@ def _sized_identity(latex: str, every: Mapping[str, Evidence]) -> re.Match[str] 
 
 
 def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
-    """The number of rows of the matrices that are said to be some, or are capital and bold; 0 if it is not said."""
+    """The number of rows of matrices that are printed, are said to be some, or are capital and bold; 0 if not said."""
     found = None
     for each in every.values():
         if each.spelling in _IDENTITIES:
             continue
         if match := re.fullmatch(r"real (\d+) (\d+)", each.said):
             return int(match[1])
+        if len(each.shape) == 2 and each.shape[0] == each.shape[1]:
+            return each.shape[0]
         if each.said.startswith(("matrix", "skew matrix")):
             return 3
         if each.square or is_styled(each.spelling, capital=True):

@@ -6,6 +6,7 @@ If D vanishes at a to the order k, N/D tends to L exactly if the derivatives of 
 from __future__ import annotations
 
 import re
+from typing import TypeGuard
 
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.terms import Formula, Node, Term, node
@@ -34,6 +35,9 @@ def equated(body: Term, x: str, place: Term | None, value: Term) -> list[Formula
     """That a term tends to a value as a letter goes to a place, or to infinity."""
     if x in letters(value):
         raise NoForm(f"a limit that depends on {x}, of which it is taken")
+    if _is_power(body, x):
+        limit_, there = limit(body, x, place)
+        return [*there, node("=", limit_, value)]
     top, bottom = quotient(body) if place is not None else _inverted(body, x)
     at: Term = 0 if place is None else place
     order = _order(bottom, x, at)
@@ -46,6 +50,10 @@ def equated(body: Term, x: str, place: Term | None, value: Term) -> list[Formula
 
 def limit(body: Term, x: str, place: Term | None) -> tuple[Term, list[Formula]]:
     """To what a term tends as a letter goes to a place, or to infinity, and that there is this limit."""
+    if _is_power(body, x):
+        base, exponent = body.outside
+        inner, there = limit(node("*", exponent, node("log", base)), x, place)
+        return node("exp", inner), there
     top, bottom = quotient(body) if place is not None else _inverted(body, x)
     at: Term = 0 if place is None else place
     order = _order(bottom, x, at)
@@ -53,6 +61,11 @@ def limit(body: Term, x: str, place: Term | None) -> tuple[Term, list[Formula]]:
         raise NoForm("a limit that may be infinite has no algebraic form")
     lower = [node("=", _slope(part, x, n, at), 0) for part in (bottom, top) for n in range(order)]
     return node("/", _slope(top, x, order, at), _slope(bottom, x, order, at)), lower
+
+
+def _is_power(term: Term, x: str) -> TypeGuard[Node]:
+    """Whether it is a power whose exponent moves: e to the exponent times the logarithm of its base."""
+    return isinstance(term, Node) and term.tag == "pow" and x in letters(term.outside[1])
 
 
 def turns(body: Term, x: str, at: Term) -> bool:

@@ -39,17 +39,18 @@ from symcheck.reading.components import (
     det,
     dot,
     each_part,
+    exponential,
     flat,
     identity,
     matmul,
     minus,
     plus,
     power,
-    rotation,
     says,
     shape,
     skew,
     times,
+    worked_out,
     zero,
     zipped,
 )
@@ -665,14 +666,14 @@ class Lowering:
 
     def running(self, letter: Letter, tree: Name, env: Env) -> Value:
         """A letter whose indices run up to a letter: a function of them, and of what it depends on."""
-        if letter.kind not in ("scalar", "vector", "matrix") or tree.primes:
+        if letter.kind not in ("scalar", "vector", "matrix") or (tree.primes and letter.depends != ""):
             raise NoForm(f"{to_latex(tree)}: only numbers, vectors and matrices have indices that run up to a letter")
         indices = [self.index(subscript, env) for subscript in tree.subscripts]
         if letter.depends:
             indices += self.arguments(letter, ())
 
         def entry(place: tuple[int, ...]) -> Term:
-            name = variable(letter.stem, place)
+            name = variable(letter.stem + "prime" * tree.primes, place)
             if not self.inside:
                 self.met.setdefault(name, tree)
             return node("call", name, (0,) * len(indices), *indices)
@@ -818,7 +819,7 @@ class Lowering:
         if isinstance(tree.base, Name) and not tree.base.primes:
             letter = self.notation.find(tree.base.letter, len(tree.base.subscripts))
             if letter is not None and letter.number == "e":
-                return self.exponential(tree, exponent)
+                return self.exponential(tree, exponent, env)
         if isinstance(exponent, list):
             raise Unsaid(f"{to_latex(tree)}: the exponent is a {says(exponent)}")
         if isinstance(exponent, tuple) and exponent[0] == "-" and isinstance(exponent[1], int):
@@ -836,14 +837,36 @@ class Lowering:
             return function_of("exp", multiplied(exponent, node("log", base)))
         return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
 
-    def exponential(self, tree: Tree, exponent: Value) -> Value:
-        """e to a number, or to a skew-symmetric matrix."""
-        if isinstance(exponent, list):
-            turned = rotation(exponent) if len(shape(exponent)) == 2 and len(exponent) == len(exponent[0]) else None
-            if turned is None:
-                raise NoForm(f"{to_latex(tree)}: only the exponential of a skew-symmetric matrix is read")
-            return turned
-        return function_of("exp", exponent)
+    def exponential(self, tree: Tree, exponent: Value, env: Env) -> Value:
+        """e to a number, or to a matrix whose form shows what that is."""
+        if not isinstance(exponent, list):
+            return function_of("exp", exponent)
+        if len(shape(exponent)) != 2 or len(exponent) != len(exponent[0]):
+            raise Unsaid(f"{to_latex(tree)}: the exponent is a {says(exponent)}")
+        found = exponential(exponent) or exponential(self.as_defined(exponent, env))
+        if found is None:
+            raise NoForm(f"{to_latex(tree)}: the exponential of this matrix has no form that is read")
+        return found
+
+    def as_defined(self, value: Value, env: Env) -> Value:
+        """The same with the entries that definitions give the matrices in it."""
+        names = {name for row in value for entry in row for name in _free_names(entry, held=False)}
+        owners = {letter.latex: letter for letter in map(self.notation.owner, sorted(names)) if letter is not None}
+        by = dict[str, Term]()
+        for letter in owners.values():
+            by |= self.entries(letter, env)
+        for name in by:
+            self.met.pop(name, None)  # what is printed stands in its definition
+        return [[worked_out(substituted(entry, by)) for entry in row] for row in value]
+
+    def entries(self, letter: Letter, env: Env) -> dict[str, Term]:
+        """What a definition says of each component of a letter; nothing if it has none."""
+        if letter.latex not in self.defined or self.defined[letter.latex][0] or letter.components is not None:
+            return {}
+        own, meant = self.components(letter, letter.stem, ()), self.value(self.defined[letter.latex][1], env)
+        if shape(own) != shape(meant):
+            return {}
+        return {name: entry for name, entry in zip(flat(own), flat(meant), strict=True) if isinstance(name, str)}
 
     def matrix_power(self, tree: Tree, base: Value, exponent: Value) -> Value:
         size = shape(base)
@@ -980,10 +1003,26 @@ class Lowering:
         return total(term, varying)
 
     def of_indexed(self, tree: Indexed, env: Env) -> Value:
+        """A sequence at a whole number; other brackets behind a letter may be those of a product."""
         name = to_latex(tree.name)
-        raise (Unsaid if is_sequence(tree) else SymcheckError)(
-            f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
-        )
+        own = tree.name
+        whole = is_sequence(tree) and len(tree.places) == 1 and self.is_whole(tree.places[0])
+        if not whole or not isinstance(own, Name) or own.dots or own.primes:
+            raise (Unsaid if is_sequence(tree) else SymcheckError)(
+                f"{to_latex(tree)}: {name} of what is in these brackets, or times it? write round brackets, or \\cdot"
+            )
+        letter = self.notation.letter(own.letter, len(own.subscripts))
+        place, indices = self.scalar(tree.places[0], env), self.places(own, letter, env)
+        if letter.depends or letter.number or letter.components is not None or letter.identity or letter.skew:
+            raise Unsaid(f"{to_latex(tree)}: {name} is no sequence")
+
+        def entry(k: tuple[int, ...]) -> Term:
+            stem = variable(letter.stem, (*indices, *k))
+            if not self.inside:
+                self.met.setdefault(stem, own)
+            return node("call", stem, (0,), place)
+
+        return self.of_places(letter, entry) if letter.kind in ("vector", "matrix") else entry(())
 
     def of_call(self, tree: Call, env: Env) -> Value:
         if isinstance(tree.function, Name):
@@ -1015,7 +1054,7 @@ class Lowering:
             if tree.function in OPERATIONS:
                 return OPERATIONS[tree.function](tree, value)
             if tree.function == "exp" and isinstance(value, list):
-                return self.exponential(tree, value)
+                return self.exponential(tree, value, env)
             if not isinstance(value, list) and (found := function_of(tree.function, value)) is not None:
                 return found
         if tree.function in ("min", "max") and len(tree.arguments) > 1:
@@ -1288,7 +1327,10 @@ class Lowering:
                 raise SymcheckError(f"{to_latex(tree)}: how does {named} depend on what it is differentiated by?")
             self.met.pop(named, None)  # what is printed stands in its definition
             self.inside = (*self.inside, letter.latex)
-            meant = self.scalar(self.defined[letter.latex][1], env)
+            several = letter.kind in ("vector", "matrix")
+            meant = self.entries(letter, env).get(named) if several else self.scalar(self.defined[letter.latex][1], env)
+            if meant is None:
+                raise SymcheckError(f"{to_latex(tree)}: how does {named} depend on what it is differentiated by?")
             term = _written(term, named, self.written_out(meant, tree, env))
             self.inside = self.inside[:-1]
         return term

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from symcheck.core.terms import Term, node
+from symcheck.core.terms import Term, Value, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, rational
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
 from symcheck.proof.algebra.variables import circle, cosine, sine, table
@@ -112,6 +112,18 @@ def _factor_form(poly: Poly, known: Knowledge, depth: int = MAX_BOUNDS) -> Term 
             if (form := _factor_form(rest, known, depth - 1)) is not None:
                 return node("+", node("*", number, bound.term), form)
     return None
+
+
+def stronger(form: Term, known: Knowledge) -> Term:
+    """The same product with a form of one sign for the base of an even power that may be zero."""
+    match form:
+        case Value(tag="*" | "/", terms=parts):
+            return node(form.tag, *(stronger(part, known) for part in parts))
+        case Value(tag="^", terms=(base, int(n))) if n % 2 == 0 and known.sign(form)[0] < 2:
+            value = known.ring.ratio(base)
+            forms = (_factor_form(each, known) for each in (value.num, -value.num)) if not value.den else ()
+            return next((node("^", each, n) for each in forms if each is not None), form)
+    return form
 
 
 def term_of(poly: Poly) -> Term:

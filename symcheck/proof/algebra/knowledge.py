@@ -60,7 +60,8 @@ class Knowledge:
         gap = self.ring.subtract(left, right)
         known = self
         if sign == "=" and gap.num not in self.ring.axioms().values():
-            known = replace(known, facts=(*known.facts, (replace(ref, cleared=gap.divisors()), gap.num)))
+            equation = gap.reduced()
+            known = replace(known, facts=(*known.facts, (replace(ref, cleared=equation.divisors()), equation.num)))
         if sign in ("!=", ">") and not gap.den:
             known = replace(known, conditions=(*known.conditions, (ref, gap.num)))
         if sign in (">", ">="):

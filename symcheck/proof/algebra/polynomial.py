@@ -408,6 +408,16 @@ class Ratio:
         """The product of the divisors."""
         return prod((poly**exponent for poly, exponent in self.den.values()), start=self.num**0)
 
+    def reduced(self) -> Ratio:
+        """The same without divisors that the numerator is a multiple of."""
+        num, den = self.num, dict[str, tuple[Poly, int]]()
+        for text, (poly, exponent) in self.den.items():
+            while exponent and not (divided := divmod(num, poly))[1]:
+                num, exponent = divided[0], exponent - 1
+            if exponent:
+                den[text] = poly, exponent
+        return Ratio(num, den)
+
 
 def _rank(name: str) -> tuple[int, str]:
     """Matrix entries first, letters that are mostly parameters later, roots of numbers last."""

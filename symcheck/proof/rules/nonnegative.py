@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain
 from typing import ClassVar
 
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.proof.algebra.facts import Fact, Signed
 from symcheck.proof.algebra.flint import Poly
-from symcheck.proof.algebra.forms import fraction_form
+from symcheck.proof.algebra.forms import fraction_form, stronger
 from symcheck.proof.algebra.knowledge import Knowledge
 from symcheck.proof.rules.identity import fewest
 from symcheck.proof.rules.step import Cofactor, Factor, Step, cleared, combination
@@ -34,7 +35,9 @@ def prove_order(
     small, large = goal.terms if goal.tag[0] == "<" else goal.terms[::-1]
     gap: Term = large if small == 0 else node("+", large, node("-", small))
     wanted = 1 if goal.tag.endswith("=") else 2
-    for form in [*forms, gap, *_derived(gap, known)]:
+    strict = replace(known, signs=tuple(sign for sign in known.signs if sign.level == 2))
+    more = (stronger(form, strict) for form in _derived(gap, strict)) if wanted == 2 else ()
+    for form in chain((*forms, gap), _derived(gap, known), more):
         level, grounds = known.sign(form)
         if level < wanted:
             continue

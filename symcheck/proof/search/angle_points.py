@@ -54,6 +54,8 @@ def refute_with_hints(problem: Problem, prove: Prover) -> Point | None:
     letters = sorted(_letters(unfold(formula, dict(problem.definitions)) for formula in formulas_of(problem)))
     for values in FEW_NUMBERS if _applied(problem) else ():
         point = dict(zip(letters, cycle(values), strict=False))
+        if _is_excluded(problem, point):
+            continue
         if (found := _proved(problem, point, prove)) is not None:
             return found
     return None
@@ -127,6 +129,15 @@ def _may_refute(problem: Problem, point: Mapping[str, Term]) -> bool:
         if numbers is None or numbers.truth(problem.claim):
             return False
         return not any(numbers.truth(formula) is False for _, formula in stated(problem))
+    except (Unknown, Unsupported, RecursionError):
+        return False
+
+
+def _is_excluded(problem: Problem, point: Mapping[str, Term]) -> bool:
+    """Whether a hypothesis fails at a point, by digits."""
+    try:
+        numbers = Numbers.of(problem, point)
+        return numbers is not None and any(numbers.truth(formula) is False for _, formula in stated(problem))
     except (Unknown, Unsupported, RecursionError):
         return False
 

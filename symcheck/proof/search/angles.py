@@ -29,6 +29,7 @@ from symcheck.proof.rules.implies import by_contrary, implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, applied
+from symcheck.proof.search.functions import is_compared, signs
 
 INVERSE = {"arctan": "arctangent", "arcsin": "arcsine", "arccos": "arccosine"}
 SWAPPED = {"=": "=", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
@@ -67,9 +68,13 @@ def prove_about_angles(problem: Problem, prove_here: Prove) -> Step | None:
     whole = Ring(with_arguments({"pi", *ring.names, *names}), definitions)
     always = [applied("circle_number"), *_of_atoms(whole), *(_circular(whole) if arcs else ())]
     known = starting(problem, Ring({*whole.names, *_names_of(always, definitions)}, definitions))
-    signs = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
-    pending = dict.fromkeys((*always, *_forward(given, known.ring), *signs))
-    return _Prover(prove_here, hints_of(problem), frozenset(arcs)).prove(claim, known, list(pending))
+    of_angles = [applied("right_half", angle) for angle in angles] + [pair.theorem(0) for pair in positive]
+    pending = list(dict.fromkeys((*always, *_forward(given, known.ring), *of_angles)))
+    turned = {turn[1] for turn in map(circle, ring.names) if turn is not None}.intersection(ring.names)
+    more = [instance for angle in sorted(turned) if is_compared(angle, known) for instance in signs(angle)]
+    prover = _Prover(prove_here, hints_of(problem), frozenset(arcs))
+    found = prover.prove(claim, known, pending)
+    return prover.prove(claim, known, [*pending, *more]) if found is None and more else found
 
 
 Usable = Instance | Lemma  # in a proof, once its premises have proofs
@@ -268,7 +273,7 @@ class _Prover:
         if goal.tag == "=":
             return identity_here(goal, known) or self.by_squares(goal, known) or self.prove_here(goal, known)
         if _comparison(goal, known.ring) is not None:
-            return contrary_signs(goal, known, products=False)
+            return contrary_signs(goal, known, products=False) or prove_order(goal, known)
         return prove_order(goal, known, self.forms) or self.without_roots(goal, known) or contrary_signs(goal, known)
 
     def without_roots(self, goal: Formula, known: Knowledge) -> Step | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from symcheck.checker.theorems import SHOWN
@@ -21,9 +21,10 @@ from symcheck.proof.algebra.variables import atoms, prime, table
 from symcheck.proof.rules.enclosure import prove_numbers
 from symcheck.proof.rules.proof import Proof
 from symcheck.proof.rules.step import Step, Whole, mentioned, printed, written
-from symcheck.proof.rules.theorem import Theorem
+from symcheck.proof.rules.theorem import Instance, Theorem
 from symcheck.proof.search import splitting
 from symcheck.proof.search.counterexample import refute
+from symcheck.proof.search.functions import SIGNS
 from symcheck.proof.search.number_points import refute_numbers
 from symcheck.proof.search.quantified import decide_alone
 from symcheck.proof.search.values import with_values
@@ -163,8 +164,11 @@ def _conditions(
     nonzero: list[tuple[str, ...]] = []
     positive: list[Term] = []
     free = set().union(*(letters(unfold(f, known.ring.definitions)) for f in formulas))
+    shown = known
+    for instance in _signs(step):
+        shown = shown.assume(instance.said(known.ring.definitions).conclusion)
     for texts, divisor in {**statement, **_divisors(mentioned(step, known.ring.definitions), known.ring)}.items():
-        refs = known.nonzero(divisor) if len(texts) == 1 else None
+        refs = shown.nonzero(divisor) if len(texts) == 1 else None
         if refs is not None:
             given |= hypotheses_of(refs)
         elif not _letters(divisor) <= free:
@@ -177,6 +181,13 @@ def _conditions(
         else:
             return None
     return nonzero, positive, given
+
+
+def _signs(step: Step) -> Iterator[Instance]:
+    """The theorems about signs that come before all else, so that what they say is in force everywhere."""
+    while isinstance(step, Theorem) and step.instance.name in SIGNS:
+        yield step.instance
+        step = step.then
 
 
 def _letters(poly: Poly) -> set[str]:

@@ -14,8 +14,10 @@ from math import comb, prod
 from symcheck.checker.theorems import KNOWN, theorem
 from symcheck.core.calculus import Unknown, letters, nodes, substituted
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, End, Node, Relation, Term, mapped, node
+from symcheck.proof.algebra.facts import by_construction
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction, occurring, rational
 from symcheck.proof.algebra.forms import number_term, term_of
+from symcheck.proof.algebra.ideal import Ideal
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
 from symcheck.proof.algebra.polynomial import (
     BINDING,
@@ -36,12 +38,14 @@ from symcheck.proof.algebra.polynomial import (
 from symcheck.proof.algebra.variables import atoms, cosine, sine, table
 from symcheck.proof.rules.theorem import Instance, applied, congruence, of
 
+SIGNS = ("positive_cosine", "right_half", "positive_sine")  # theorems about sines and cosines between their zeros
 # acute angles, in half turns, and the theorems that say of which numbers they are the inverse functions
 ACUTE = {
     Fraction(1, 6): "known_angle_arcsin_1",
     Fraction(1, 4): "known_angle_arctan_2",
     Fraction(1, 3): "known_angle_arccos_3",
 }
+QUARTERS = (0, -1, 1, -2, 2, -3, 3)  # by which an angle is turned: beyond, authors write multiples of whole turns
 MAX_ADDENDS = 8  # of an exponent or angle that is expanded: each becomes a variable
 MAX_POWER_SUM = 8  # of an index: the sums that people print have at most the fourth
 HALF_LINE = (0, INFINITY)
@@ -57,6 +61,30 @@ def instances(name: str, names: set[str]) -> Iterator[Instance]:
             yield from _ABOUT[tree.tag](tree, [other for other in others if other.tag == tree.tag])
     except (Unsupported, Unknown):
         return
+
+
+def signs(angle: Term) -> Iterator[Instance]:
+    """The signs of the sine and the cosine of an angle in every quarter of a turn, from -270 to 270 degrees."""
+    if not letters(angle):  # turned, it is another number, whose sine has another name
+        yield from (applied(name, angle) for name in ("positive_cosine", "positive_sine"))
+        return
+    for quarter in QUARTERS:
+        turned = node("+", angle, node("*", node("/", quarter, 2), PI)) if quarter else angle
+        yield from (applied(name, turned) for name in ("positive_cosine", "right_half"))
+
+
+def is_compared(angle: Term, known: Knowledge) -> bool:
+    """Whether an order is assumed of an angle: one that has a power product of letters with it in common."""
+    if not variables(angle) <= {*known.ring.names}:
+        return False
+    pi = known.ring.names.index("pi") if "pi" in known.ring.names else None
+
+    def products(poly: Poly) -> set[tuple[int, ...]]:
+        found = (tuple(int(e) for e in exponents) for exponents, _ in poly.terms())
+        return {each for each in found if any(e for k, e in enumerate(each) if k != pi)}
+
+    own = products(known.ring.ratio(angle).num)
+    return any(own & products(sign.poly) for sign in known.signs)
 
 
 def expanded(name: str) -> Iterator[Instance]:
@@ -242,7 +270,10 @@ def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         if mirrored == canonical(node("-", body)):
             yield applied("odd", of(x, body))
     if not any(isinstance(end, End) for end in ends):
-        if x not in variables(body):
+        low, high = ends
+        if number_of(node("/", node("+", high, node("-", low)), PI)) == 2:
+            yield from _full_turn(body, x, low)
+        if x not in letters(body):
             yield applied("constant", body, *ends)
         else:  # c x b^v with b = p x^2 + q is the derivative of c b^(v+1) / (2 p (v + 1))
             c, k, u, r, p, q = _shape(body, x)
@@ -257,6 +288,28 @@ def _integral(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         shape = _shape(body, x)
         yield applied("beta", of(x, body), *shape)
         yield applied("beta_diverges", of(x, body), *shape)
+
+
+def _full_turn(body: Term, x: str, low: Term) -> Iterator[Instance]:
+    """What has a sum of sine and cosine below, over one turn."""
+    ring = Ring({*variables(body), sine(x), cosine(x)})
+    value = ring.ratio(body)
+    below = [(poly, exponent) for poly, exponent in value.den.values() if _depends(poly, x)]
+    if _depends(value.num, x) or len(below) != 1 or below[0][1] != 1:
+        return
+    zero = ring.number(0)
+    by_sine = by_powers(below[0][0], sine(x))
+    by_cosine = by_powers(by_sine.get(0, zero), cosine(x))
+    a, b, c = by_cosine.get(0, zero), by_cosine.get(1, zero), by_sine.get(1, zero)
+    if {*by_sine, *by_cosine} <= {0, 1} and not any(_depends(poly, x) for poly in (a, b, c)):
+        above = Ratio(value.num, {text: each for text, each in value.den.items() if not _depends(each[0], x)})
+        square = a * a - b * b - c * c
+        whole = Ring({name for name in ring.names if not _depends(ring.generator[name], x)})
+        reduced = term_of(Ideal(whole, by_construction(whole)).reduce(whole.poly(term_of(square))))
+        roots = [_square_root(reduced)] if square != 0 else []
+        values = [each for root in roots if root is not None for each in (root, node("-", root))]
+        for root in values or [node("sqrt", reduced)]:
+            yield applied("full_turn", of(x, body), *map(term_of, (a, b, c)), _over(value.num, above), root, low)
 
 
 def _sum(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:

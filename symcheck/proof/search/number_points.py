@@ -3,26 +3,42 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
-from itertools import product
+from fractions import Fraction
+from itertools import chain, islice, product
+from typing import Any
 
 from symcheck.checker.enclosures import between
 from symcheck.core.calculus import Unknown, domain, letters
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, Node, Term, node
-from symcheck.proof.algebra.knowledge import formulas_of, ring_of, stated
-from symcheck.proof.algebra.polynomial import Unsupported, subterms, unfold
+from symcheck.proof.algebra.forms import number_term
+from symcheck.proof.algebra.knowledge import ORDERS, formulas_of, larger_first, ring_of, stated
+from symcheck.proof.algebra.polynomial import Unsupported, constant, subterms, unfold
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.enclosure import IRRATIONAL, Numbers, compared, relations
 from symcheck.proof.rules.identity import prove_identity
 
 # numbers on both sides of those that are compared in most statements
 TRIED: tuple[Term, ...] = (1, node("/", 1, 2), node("/", 3, 2), node("/", 1, 4), node("/", 5, 4), 2, 0, node("-", 1), 3)
+# where vectors are units and matrices quarter turns most products vanish, so that equations between them are few
+_UNITS = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, 0, 1))
+_TURNS = (  # by none, and about two axes; the half turn tells a matrix from its inverse's negative
+    ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    ((0, -1, 0), (1, 0, 0), (0, 0, 1)),
+    ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
+    ((-1, 0, 0), (0, -1, 0), (0, 0, 1)),
+)
+PARTS = tuple(Fraction(k, 16) for k in (8, 1, 15, 4, 12, 2, 14, 6, 10))  # of an interval: near its ends, and between
+END_DIGITS = 6  # of the ends of intervals, inside of which points are sought
+MAX_BITS = 20  # of denominators of points: beyond, the interval is shorter than its ends are known
 FEW = 3  # letters of which all combinations of values can be tried
 TRIES_OF_MANY = (
     20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
 )
+CORNERS = 8  # points: where vectors are units and matrices turns, what is given mostly holds at one of the first few
 TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
@@ -33,16 +49,71 @@ def refute_numbers(problem: Problem) -> Point | None:
 
 def refute_at_some(problem: Problem) -> Point | None:
     """The same where letters are free: a few values of them are tried, of many letters at random."""
+    if chosen := _free(problem):
+        points = (dict(zip(chosen, values, strict=True)) for values in _values(len(chosen)))
+        return refute_at_first(problem, chain(points, inside(problem, chosen)))
+    return None
+
+
+def inside(problem: Problem, names: Sequence[str]) -> Iterator[dict[str, Term]]:
+    """Points within the numbers between which letters are said to be; none where nothing is between two numbers."""
+    ends: dict[str, tuple[list[Fraction], list[Fraction]]] = {x: ([], []) for x in names}
+    for small, large in (larger_first(f).terms[::-1] for _, f in stated(problem) if f.tag in ORDERS):
+        for x, other, side in ((large, small, 0), (small, large, 1)):
+            if isinstance(x, str) and x in ends and not letters(other):
+                with suppress(Unknown, Unsupported):
+                    ends[x][side].append(constant(between(other, END_DIGITS)[1 - side]))
+    if not any(low and high for low, high in ends.values()):
+        return
+    for k in range(len(PARTS)):
+        point = dict[str, Term]()
+        for j, (x, (lows, highs)) in enumerate(ends.items()):
+            low = max(lows) if lows else min(highs) - 1 if highs else Fraction(1, 2)
+            high = min(highs) if highs else low + 1
+            point[x] = number_term(_simple(low + (high - low) * PARTS[(k + j) % len(PARTS)], (high - low) / 64))
+        yield point
+
+
+def _simple(number: Fraction, near: Fraction) -> Fraction:
+    """The number with the smallest denominator that is as near."""
+    found = (number.limit_denominator(2**k) for k in range(MAX_BITS))
+    return next((each for each in found if abs(each - number) <= abs(near)), number)
+
+
+def refute_at_corners(problem: Problem) -> Point | None:
+    """The same where vectors are units, matrices quarter turns, and numbers are simple; without vectors no point."""
+    return refute_at_first(problem, _corners(_free(problem)))
+
+
+def _free(problem: Problem) -> list[str]:
+    """The letters that no equation says, if digits can tell anything of the problem that algebra does not."""
     definitions = dict(problem.definitions)
     formulas = formulas_of(problem)
     if not any(part.tag in IRRATIONAL for part in subterms(*formulas) if isinstance(part, Node)):
-        return None
+        return []
     free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
     fixed = {side for formula in formulas[1:] if formula.tag == "=" for side in formula.terms if isinstance(side, str)}
-    chosen = [x for x in free if x not in fixed]
-    if not chosen:
-        return None
-    return refute_at_first(problem, (dict(zip(chosen, values, strict=True)) for values in _values(len(chosen))))
+    return [x for x in free if x not in fixed]
+
+
+def _corners(names: Iterable[str]) -> Iterator[dict[str, Term]]:
+    families: dict[tuple[str, int], list[str]] = {}
+    for name in names:
+        stem, _, tail = name.rpartition("_")
+        indices = len(tail) if stem and len(tail) in (1, 2) and set(tail) <= {*"123"} else 0
+        families.setdefault((stem if indices else name, indices), []).append(name)
+    if not any(indices for _, indices in families):
+        return
+    kinds = (TRIED, _UNITS, _TURNS)
+    for ks in islice(sorted(product(range(len(_UNITS)), repeat=len(families)), key=sum), CORNERS):
+        point = dict[str, Term]()
+        for k, ((_, indices), members) in zip(ks, families.items(), strict=True):
+            for name in members:
+                value: Any = kinds[indices][k]
+                for index in name[len(name) - indices :]:
+                    value = value[int(index) - 1]
+                point[name] = value
+        yield point
 
 
 def _values(count: int) -> Iterator[tuple[Term, ...]]:

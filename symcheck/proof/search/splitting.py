@@ -10,7 +10,7 @@ from symcheck.proof.algebra.forms import term_of
 from symcheck.proof.algebra.knowledge import ORDERS, Knowledge, hints_of, starting
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
-from symcheck.proof.algebra.variables import prime
+from symcheck.proof.algebra.variables import circle, prime
 from symcheck.proof.rules.absurd import absurd_at, opposite_signs, vanishing
 from symcheck.proof.rules.cases_or import split_disjunction
 from symcheck.proof.rules.choose import first_of
@@ -47,7 +47,7 @@ def prove(problem: Problem, ring: Ring) -> Step | None:
         return prove_existence(problem, ring, prove_here)
     known = starting(problem, ring)
     found = prove_order(problem.claim, known, hints, problem) if kind in ORDERS else finish(problem.claim, known)
-    if found is None and any(prime(name) for name in ring.names):  # their signs may be needed
+    if found is None and any(prime(name) or circle(name) for name in ring.names):  # their signs may be needed
         found = prove_with_theorems(problem, finish)
     return found
 

@@ -15,7 +15,8 @@ from symcheck.proof.algebra.flint import fraction, occurring
 from symcheck.proof.algebra.forms import positive_form, term_of
 from symcheck.proof.algebra.knowledge import Knowledge, ring_of, starting
 from symcheck.proof.algebra.polynomial import Ratio, Ring, beneath, unfold, variables, with_arguments
-from symcheck.proof.algebra.variables import Unsupported, atoms, prime
+from symcheck.proof.algebra.printed import term_of_text
+from symcheck.proof.algebra.variables import Unsupported, atoms, circle, prime, table
 from symcheck.proof.rules.cases_or import in_cases
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of, prove_all
@@ -26,7 +27,7 @@ from symcheck.proof.rules.implies import implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.step import Prove, Step
 from symcheck.proof.rules.theorem import Instance, Said, applied
-from symcheck.proof.search.functions import expanded, instances, simplified
+from symcheck.proof.search.functions import SIGNS, expanded, instances, is_compared, signs, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
 SPLIT = {"beta": ">", "equal_squares": ">="}  # theorems whose premises of this sign may hold in some cases alone
@@ -41,7 +42,10 @@ def has_functions(ring: Ring) -> bool:
 def prove_with_theorems(problem: Problem, prove_here: Prove) -> Step | None:
     """A proof of a statement about functions; `prove_here` finishes it when no theorem is left to apply."""
     plan = _Plan.of(problem)
-    return _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+    found = _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+    if found is None and plan.add_signs(problem):
+        found = _Search(prove_here, plan.inner).prove(problem.claim, plan.known, plan.outer)
+    return found
 
 
 def values_of(term: Term, numbers: Mapping[str, Term]) -> Iterator[Term]:
@@ -72,7 +76,7 @@ class _Plan:
 
     @classmethod
     def of(cls, problem: Problem) -> _Plan:
-        """All theorems that may help."""
+        """All theorems that may help, but for those about the signs of sines and cosines."""
         definitions, own = dict(problem.definitions), ring_of(problem)
         assumed = starting(problem, Ring(with_arguments(own.names), definitions))
         if problem.claim[0] == "=>":
@@ -103,6 +107,19 @@ class _Plan:
                 )  # nothing is assumed of what is bound
                 if instance not in kept and len(kept) < MAX_INSTANCES:
                     self._add(instance, kept)
+
+    def add_signs(self, problem: Problem) -> bool:
+        """The signs of sines and cosines whose angles are bound or compared with something; False if there are none."""
+        bound = {x for name in self.names & atoms().keys() for x in atoms()[name].bound}
+        first, before = list[Instance](), len(self.inner)  # what is not zero by them may be divided by in all others
+        for x in dict.fromkeys(turn[1] for turn in map(circle, sorted(self.names)) if turn is not None):
+            term = table().angles.get(x, x)
+            inside = bool(letters(term) & bound)
+            for instance in signs(term) if inside or not letters(term) or is_compared(term, self.assumed) else ():
+                self._add(instance, self.inner if inside else first)
+        self.outer[:0] = first
+        self.known = starting(problem, Ring(self.names, self.definitions))
+        return bool(first) or len(self.inner) > before
 
     def _instances(self, name: str) -> Iterator[Instance]:
         if name not in atoms():
@@ -141,7 +158,10 @@ class _Search:
             return (implication if goal.tag == "=>" else all_of)(goal, known, below)
         for k, instance in enumerate(pending):
             theorem = _said(instance, known)
-            premises = self._premises(theorem.premises, known)
+            if instance.name in SIGNS:
+                premises = prove_all(theorem.premises, _linear(known), prove_order)
+            else:
+                premises = self._premises(theorem.premises, known)
             if premises is not None:
                 then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
                 return None if then is None else instance.step(premises, then)
@@ -171,7 +191,7 @@ class _Search:
             case "or":
                 return first_of(formula, known, self._premise)
             case "!=":
-                return self.prove_here(formula, known)
+                return self.prove_here(formula, _not_divided_by(formula, known))
         return prove_order(formula, known) or order_of_numbers(formula, known.ring.definitions)
 
     def _conclusion(self, formula: Formula, known: Knowledge) -> Step | None:
@@ -188,7 +208,10 @@ class _Search:
         nested = [instance for instance in self.inner if instance.name.startswith("antiderivative")]
         bound = {instance.letter for instance in nested}
         deeper = [instance for instance in nested if _around(instance) & bound]
-        here = [instance for instance in self.inner if instance not in deeper]
+        apart = nested if formula.tag == "!=" else deeper  # what they say may divide by what is to be shown not to be 0
+        met = with_arguments(variables(formula))
+        others = [i for i in nested if i not in apart and not variables(_said(i, known).conclusion.terms[0]) & met]
+        here = [instance for instance in self.inner if instance not in (*apart, *others)]
         return _Search(below._premise, deeper).prove(formula, known, here, 0) if here else None
 
     def _by_cases(self, goal: Formula, known: Knowledge, pending: Sequence[Instance], cases: int) -> Step | None:
@@ -216,6 +239,18 @@ def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
     if value.den or known.nonzero(value.num) is not None:
         return None
     return prove_order(node(">", divisor, 0), known)
+
+
+def _linear(known: Knowledge) -> Knowledge:
+    """What is known of sizes: all that the order of angles follows from, without a basis of everything."""
+    return replace(known, facts=tuple(fact for fact in known.facts if fact[1].total_degree() == 1))
+
+
+def _not_divided_by(formula: Formula, known: Knowledge) -> Knowledge:
+    """What is known without equations that divide by what is to be shown not to be zero: these hold if it is so."""
+    about = variables(*formula.terms)
+    kept = tuple(fact for fact in known.facts if not any(about & variables(term_of_text(t)) for t in fact[0].cleared))
+    return replace(known, facts=kept)
 
 
 def _are_squares(formula: Formula) -> bool:

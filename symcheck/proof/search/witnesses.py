@@ -10,6 +10,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, domain, substituted
@@ -23,7 +24,7 @@ from symcheck.proof.algebra.variables import Unsupported, atoms, circle, cosine,
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.rules.proof import Prover
 from symcheck.proof.search.counterexample import Assignment, Search, Solved, refute
-from symcheck.proof.search.number_points import TRIED, refute_at_first
+from symcheck.proof.search.number_points import TRIED, inside, refute_at_first
 from symcheck.proof.search.values import computed, owed_by, with_values
 
 ZERO_IS_ONE: Formula = node("=", 0, 1)
@@ -177,7 +178,7 @@ def _by_digits(problem: Problem, about: tuple[str, ...]) -> Point | None:
     free = sorted({part for part in parts if isinstance(part, str)} - fixed - dict(problem.definitions).keys())
     draws = [random.Random(seed) for seed in range(TRIALS)]
     points = ({x: draw.choice(TRIED) if seed else TRIED[0] for x in free} for seed, draw in enumerate(draws))
-    return refute_at_first(absurd, points)
+    return refute_at_first(absurd, chain(points, inside(problem, free)))
 
 
 def _drawn(problem: Problem, prove: Prover) -> Point | None:

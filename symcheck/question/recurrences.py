@@ -1,0 +1,324 @@
+"""Recurrences: what follows by induction from the first values of sequences and an equation for the next one.
+
+A recurrence is said of all whole numbers from that of the first value on; a condition that its letter is whole and not
+below some number is a condition of the claim. In each case of the induction the values of sequences are letters.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from symcheck.core.calculus import domain, functions, letters, nodes, substituted
+from symcheck.core.formulas import conjuncts
+from symcheck.core.problems import Problem
+from symcheck.core.terms import Call, Formula, Node, T, Term, mapped, node
+from symcheck.proof.algebra.knowledge import larger_first
+from symcheck.question.prepare import DEFINED, Asked, members
+
+# a letter with a subscript, one in bold or with an accent, a Greek or a Latin one; or what is none
+_SUBSCRIPT = re.compile(
+    r"(?P<letter>\\[a-z]+\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<group>[^{}]*)\}|(?P<token>[A-Za-z0-9]))"
+    r"|\\[A-Za-z]+|."
+)
+FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fails at the first or second
+MOST = 8  # numbers by which places differ: of longer recurrences people print systems
+
+
+AT, AHEAD = "at", "ahead"  # in names of values: at a number, and so many after the letter
+
+
+def _name(function: str, kind: str, k: int) -> str:
+    """The letter for a value of a sequence."""
+    return f"{function}_{kind}_{k}" if k >= 0 else f"{function}_{kind}_minus_{-k}"
+
+
+class Place(NamedTuple):
+    """A place of a sequence: a whole number, or that many more than the letter."""
+
+    moving: bool
+    number: int
+
+
+@dataclass(frozen=True)
+class Induction:
+    """The cases of a claim about all whole numbers from the first one on.
+
+    Parameters
+    ----------
+    letter
+        The letter of the whole numbers.
+    first
+        The least of them.
+    order
+        How many claims the next one rests on: they are shown at so many numbers.
+    direct
+        The claims at a number, by what is said of the values there and before.
+    at
+        The claims at one whole number.
+    step
+        The claims at the next whole number, if they hold at as many before it as the order says.
+    """
+
+    letter: str
+    first: int
+    order: int
+    direct: tuple[Problem, ...]
+    at: Callable[[int], tuple[Problem, ...]]
+    step: tuple[Problem, ...]
+
+
+def with_sequences(asked: Asked) -> Asked | None:
+    """The same with places in brackets for subscripts that move along with a letter: x[n + 1] for x_{n+1}.
+
+    The letter is a whole number then, and no index of a sum. None where no letter has such subscripts, and none but
+    these and numbers.
+    """
+    texts = (asked.relation, *asked.where, *asked.given)
+    below: dict[str, set[str]] = {}
+    for match in (match for text in texts for match in _SUBSCRIPT.finditer(text) if match["letter"]):
+        below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
+    for n in sorted({n for subscripts in below.values() for n in subscripts if re.fullmatch("[a-z]", n)}):
+        moving, ahead = re.compile(rf"{n}(?:[+-]\d+)?|\d+"), (f"{n}+", f"{n}-")
+        named = {x for x, subscripts in below.items() if all(map(moving.fullmatch, subscripts)) and n in subscripts}
+        named = {x for x in named if any(subscript.startswith(ahead) for subscript in below[x])}
+        if not named or any(re.search(rf"_\{{?{n}=", text) for text in texts):
+            continue
+
+        def bracketed(match: re.Match[str], named: set[str] = named) -> str:
+            at = match["group"] or match["token"]
+            return f"{match['letter']}[{at}]" if match["letter"] in named else match[0]
+
+        relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
+        if rest == [*texts[1:]]:
+            continue  # of these sequences nothing is said: their values are letters like others
+        where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
+        said = dict(members(given, dict(asked.letters))[1]).get(n) or dict(asked.letters).get(n)
+        letters_ = asked.letters if said else (*asked.letters, (n, "integer"))
+        return Asked(relation, where, given, letters_)
+    return None
+
+
+def induction(problems: Sequence[Problem], whole: Iterable[str]) -> Induction | None:
+    """The cases of an induction; None where no recurrence is given for the sequences of the claims."""
+    known = {*whole}
+    claimed = {call for part in _all(p.claim for p in problems) if isinstance(part, Call) for call in [part]}
+    free = set().union(*map(letters, claimed)) & known
+    if len(free) != 1 or any(functions(t) for p in problems for _, t in p.definitions):
+        return None
+    (n,) = free
+    given = [(name, _of(n, part, known)) for name, fs in problems[0].hypotheses for f in fs for part in conjuncts(f)]
+    stated = [*(p.claim for p in problems), *(f for _, f in given)]
+    if any(isinstance(part, Call) and place_of(part, n) is None for part in _all(stated)):
+        return None
+    return _Sequences.of(problems, n, given)
+
+
+def _of(n: str, formula: Formula, whole: set[str]) -> Formula:
+    """A recurrence in another letter as one in this letter: it is said of all whole numbers."""
+    calls = [part for part in _all([formula]) if isinstance(part, Call)]
+    other = set().union(*map(letters, calls)) & whole
+    return substituted(formula, dict.fromkeys(other, n)) if len(other) == 1 and n not in letters(formula) else formula
+
+
+def _all(trees: Iterable[Term]) -> Iterator[Node]:
+    """All nodes, also those under binders."""
+    for part in nodes(*trees):
+        yield part
+        yield from _all(part.inside)
+
+
+def place_of(call: Call, n: str) -> Place | None:
+    """The place of a sequence, if it is one."""
+    match call.orders, call.terms:
+        case (0,), (str(x),) if x == n:
+            return Place(True, 0)
+        case (0,), (int(k),):
+            return Place(False, k)
+        case (0,), (Node() as t,):
+            match t.outside:
+                case (str(x), int(k)) | (int(k), str(x)) if t.tag == "+" and x == n:
+                    return Place(True, k)
+                case (str(x), Node(tag="-", outside=(int(k),))) if t.tag == "+" and x == n:
+                    return Place(True, -k)
+    return None
+
+
+@dataclass(frozen=True)
+class _Rule:
+    """An equation that says a value of a sequence by earlier ones of the same or of others, or by its number alone."""
+
+    function: str
+    top: int
+    body: Term
+    low: int  # the first place in it; the top where there is no other
+
+
+class _Sequences:
+    """The values of sequences from a first place on."""
+
+    def __init__(self, problems: Sequence[Problem], n: str) -> None:
+        self.problems, self.n = problems, n
+        self.initial: dict[tuple[str, int], Term] = {}
+        self.rules: dict[str, _Rule] = {}
+        self.plain: list[tuple[str, Formula]] = []
+        self.bounds: list[int] = []
+
+    @classmethod
+    def of(cls, problems: Sequence[Problem], n: str, given: Iterable[tuple[str, Formula]]) -> Induction | None:
+        """The induction; None if an equation is no recurrence and no first value, or the letter is bounded above."""
+        found = cls(problems, n)
+        if not all(found._told(name, part) for name, part in given) or not found.rules or not found._sorted():
+            return None
+        shifts = [place.number for part in found._calls(*(p.claim for p in problems)) if (place := part[1]).moving]
+        if not shifts:
+            return None
+        below = min(0, *shifts)
+        lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
+        first = max([lowest - below, *found.bounds])
+        if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
+            return None  # a value is said twice
+        reach = max(shifts)
+        order = max(rule.top - rule.low for rule in found.rules.values())
+        if max(order, first - lowest, reach) > MOST:
+            return None
+
+        def at(number: int) -> tuple[Problem, ...]:
+            return tuple(found._at(problem, number, lowest) for problem in problems)
+
+        direct, step = (tuple(found._step(p, k, reach, first, min(shifts)) for p in problems) for k in (0, order))
+        return Induction(n, first, order, direct, at, step)
+
+    def _told(self, name: str, formula: Formula) -> bool:
+        """Takes in what is given; False if nothing is known of such a formula here."""
+        calls = list(self._calls(formula))
+        moving = [(call, place.number) for call, place in calls if place.moving]
+        if not calls:
+            return self._condition(name, formula)
+        if formula.tag != "=":
+            return False
+        for left, right in (formula.terms, formula.terms[::-1]):
+            if not isinstance(left, Call):
+                continue
+            place = place_of(left, self.n)
+            assert place is not None
+            if not moving and not functions(right) and self.n not in letters(right):
+                return self.initial.setdefault((left.function, place.number), right) == right
+            others = self._places(right)
+            before = all(k.moving and k.number < place.number + (f != left.function) for f, k in others)
+            if place.moving and before:
+                smooth = not any(functions(f) or self.n in letters(f) for f in domain(right, divisors=True))
+                rule = _Rule(
+                    left.function, place.number, right, min((k.number for _, k in others), default=place.number)
+                )
+                return smooth and self.rules.setdefault(left.function, rule) == rule
+        return False
+
+    def _condition(self, name: str, formula: Formula) -> bool:
+        """A condition without sequences: of the letter it says from where on it runs."""
+        if self.n not in letters(formula):
+            self.plain.append((name, formula))
+            return True
+        match larger_first(formula):
+            case Node(tag=">" | ">=" as sign, outside=(x, int(k))) if x == self.n:
+                self.bounds.append(k + (sign == ">"))
+                return True
+        self.plain.append((name, formula))
+        return name == DEFINED  # at each number what is printed has a value
+
+    def _calls(self, *trees: Term) -> Iterator[tuple[Call, Place]]:
+        for part in _all(trees):
+            if isinstance(part, Call) and (place := place_of(part, self.n)) is not None:
+                yield part, place
+
+    def _places(self, tree: Term) -> list[tuple[str, Place]]:
+        return [(call.function, place) for call, place in self._calls(tree)]
+
+    def _sorted(self) -> bool:
+        """Sorts the rules, those first on whose values others rest at the same number; False if they go in a circle."""
+        todo, done = self.rules, dict[str, _Rule]()
+        while todo := {f: rule for f, rule in todo.items() if f not in done}:
+            ready = {
+                f: rule
+                for f, rule in todo.items()
+                if not any(k.number == rule.top and g in todo for g, k in self._places(rule.body))
+            }
+            if not ready:
+                return False
+            done |= ready
+        self.rules = done
+        return True
+
+    def _is_said(self, rule: _Rule, k: int, lowest: int) -> bool:
+        """Whether a rule says the value at a place, by values from the lowest place on."""
+        return k - rule.top + rule.low >= lowest
+
+    def _put(self, tree: T, kind: str, shift: int, by: Term) -> T:
+        """A tree with letters for the values of sequences, their places moved, and for the letter something else."""
+
+        def put(part: Term) -> Term:
+            if isinstance(part, Call) and (place := place_of(part, self.n)) is not None:
+                kind_, k = (kind, place.number + shift) if place.moving else (AT, place.number)
+                return _name(part.function, kind_, k)
+            return mapped(part, put) if isinstance(part, Node) else part
+
+        found: T = put(tree)  # type: ignore[assignment, arg-type]
+        return substituted(found, {self.n: by})
+
+    def _at(self, problem: Problem, number: int, lowest: int) -> Problem:
+        """A claim at a whole number, with all values up to it."""
+        claim = self._put(problem.claim, AT, number, number)
+        last = max([number, *(place.number + number for _, place in self._places(problem.claim) if place.moving)])
+        said = dict[str, Term]()
+        for k in range(lowest, last + 1):
+            for function in dict.fromkeys((*self.rules, *(f for f, _ in self.initial))):
+                name, rule = _name(function, AT, k), self.rules.get(function)
+                if (term := self.initial.get((function, k))) is not None:
+                    said[name] = term
+                elif rule is not None and self._is_said(rule, k, lowest):
+                    said[name] = self._put(rule.body, AT, k - rule.top, k - rule.top)
+        return self._problem(problem, claim, said, self._conditions(lambda f: [self._put(f, AT, number, number)]))
+
+    def _step(self, problem: Problem, order: int, reach: int, first: int, lowest: int) -> Problem:
+        """A claim at so many numbers after the letter, by the same claims at all numbers between."""
+
+        def moved(tree: T, shift: int) -> T:
+            return self._put(tree, AHEAD, shift, node("+", self.n, shift) if shift else self.n)
+
+        said = dict[str, Term]()
+        for k in range(lowest, order + reach + 1):
+            for function, rule in self.rules.items():
+                if rule.low == rule.top or (k >= order and k - rule.top + rule.low >= lowest):
+                    said[_name(function, AHEAD, k)] = moved(rule.body, k - rule.top)
+        said |= {_name(function, AT, k): term for (function, k), term in self.initial.items()}
+        before = tuple(moved(p.claim, shift) for shift in range(order) for p in self.problems)
+        defined = self._conditions(lambda f: dict.fromkeys(moved(f, shift) for shift in range(order + 1)))
+        hypotheses = (("earlier", before), ("whole", (node(">=", self.n, first),)), *defined)
+        return self._problem(problem, moved(problem.claim, order), said, hypotheses)
+
+    def _conditions(self, at: Callable[[Formula], Iterable[Formula]]) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
+        """The conditions without sequences, at the numbers of a case; those about numbers alone hold or are claimed."""
+        found = dict[str, list[Formula]]()
+        for name, formula in self.plain:
+            found.setdefault(name, []).extend(f for f in at(formula) if letters(f))
+        return tuple((name, tuple(formulas)) for name, formulas in found.items() if formulas)
+
+    def _problem(
+        self,
+        problem: Problem,
+        claim: Formula,
+        said: Mapping[str, Term],
+        hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...],
+    ) -> Problem:
+        """The problem with what is needed of the values of sequences."""
+        open_: list[Term] = [claim, *(f for _, fs in hypotheses for f in fs)]
+        needed = dict[str, Term]()
+        while open_:
+            fresh = [x for x in letters(open_.pop()) if x in said and x not in needed]
+            needed |= {x: said[x] for x in fresh}
+            open_ += [said[x] for x in fresh]
+        order = [x for x in said if x in needed]
+        definitions = (*problem.definitions, *((x, needed[x]) for x in order))
+        return replace(problem, claim=claim, definitions=definitions, hypotheses=hypotheses)
