@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from msgspec.structs import replace as record_with
 
@@ -20,7 +20,7 @@ from symcheck.core.terms import Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
-from symcheck.document.survey import Link, surveyed
+from symcheck.document.survey import Link, Said, apart, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
@@ -70,7 +70,7 @@ class Inquiry:
     text: str
     follows: tuple[Relied, ...] = ()
     given: tuple[str, ...] = ()
-    letters: tuple[tuple[str, str], ...] = ()
+    letters: Said = ()
     reading: Reading = Reading.AS_PRINTED
     told: str = ""
     near: tuple[tuple[str, str], ...] = ()
@@ -87,17 +87,17 @@ class Inquiry:
         if item.role is Role.EXCLUSION:
             return (base,)
         try:
-            tree = _tree(self.text, self._said(self.text))
+            links = _links(self.text, self._said(self.text))
         except SymcheckError as error:
             open_ = Verdict.UNDECIDED if isinstance(item, Assertion) else None
             return (record_with(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
         if not isinstance(item, Assertion):
-            return (record_with(base, read=to_latex(tree)),)
-        return tuple(self._of_links(item, base, tree))
+            return (record_with(base, read=links.read),)
+        return tuple(self._of_links(item, base, links))
 
-    def _of_links(self, item: Assertion, base: Record, tree: Tree) -> Iterator[Record]:
-        for letter, link in _lettered(tree, self.text):
-            row = record_with(base, id=base.id + letter, read=link if letter else to_latex(tree))
+    def _of_links(self, item: Assertion, base: Record, links: Links) -> Iterator[Record]:
+        for letter, link in links.lettered:
+            row = record_with(base, id=base.id + letter, read=link if letter else links.read)
             row = record_with(row, line=item.source.lines.get(letter, item.source.line))
             if item.statement.imposes(letter):
                 yield record_with(row, role=Role.PREMISE, reason="what the letter is, and no claim")
@@ -105,14 +105,16 @@ class Inquiry:
                 yield self._decided(row, link, item.erratum(letter))
 
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
-        asked = self._asked(link)
+        whole = self._question(link)
+        asked = _readable(whole)
         answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
-        if (
-            answer.verdict is Status.REFUTED
-            and not (self.alone or self.given or erratum)
-            and (doubt := self._doubt(asked, answer))
-        ):
-            answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
+        if answer.verdict is Status.REFUTED:
+            unread = [each for each in whole.where if each not in asked.where]
+            doubt = f"it fails, but nothing is read of {unread[0]}, from which it follows" if unread else ""
+            if not (doubt or self.alone or self.given or erratum):
+                doubt = self._doubt(asked, answer)
+            if doubt:
+                answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
         verdict = VERDICTS.get(answer.verdict, Verdict.UNDECIDED)
         proofs = self._certificates(row.id, asked, answer)
         row = record_with(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
@@ -182,7 +184,11 @@ class Inquiry:
         return "; ".join(filter(None, (reason, self.told)))
 
     def _asked(self, link: str, needs: Sequence[str] = ()) -> Asked:
-        """The question as `decide` takes it."""
+        """The question as `decide` takes it, with what can be read."""
+        return _readable(self._question(link, needs))
+
+    def _question(self, link: str, needs: Sequence[str] = ()) -> Asked:
+        """The question with all that it follows from."""
         where, given = list[str](), [*self.given, *needs]
         for each in self.follows:
             for part, is_equation in _parts(each, self.letters):
@@ -190,13 +196,20 @@ class Inquiry:
         said = self._said(link, *where, *given)
         return Asked(link, tuple(dict.fromkeys(where)), tuple(dict.fromkeys(given)), said)
 
-    def _said(self, *texts: str) -> tuple[tuple[str, str], ...]:
+    def _said(self, *texts: str) -> Said:
         """What is said of letters beyond what each formula alone shows of them."""
         every = {shown(role.letter) for text in texts for role in surveyed_once(text).roles}
-        known = {shown(letter): phrase for letter, phrase in self.letters if phrase and depends_on(phrase) <= every}
+        known = {shown(letter): phrase for letter, phrase in self._letters if phrase and depends_on(phrase) <= every}
         roles = [role for text in texts for role in surveyed_once(text).roles if role.kind not in UNSAID]
         found = {role.letter: known.get(shown(role.letter), "") for role in roles}
         return tuple((x, p) for x, p in found.items() if p and any(r.letter == x and r.phrase != p for r in roles))
+
+    @property
+    def _letters(self) -> Said:
+        """What letters are; of a relation whose links are read apart, as they are in the whole."""
+        seen = surveyed_once(self.text)
+        own = tuple((role.letter, role.phrase) for role in seen.roles if seen.apart and is_sayable(role.phrase))
+        return (*own, *self.letters)
 
     def _certificates(self, id: str, asked: Asked, answer: Answer) -> tuple[Certificate, ...]:
         if answer.verdict not in VERDICTS:
@@ -215,7 +228,7 @@ class Inquiry:
         """What is printed, or put in its place, read anew: that of which a certificate is one; None if it is none."""
         assert isinstance(item, Assertion)
         letter = Id.parse(certificate["id"]).link
-        link = dict(_lettered(_tree(self.text, self._said(self.text)), self.text)).get(letter)
+        link = dict(_links(self.text, self._said(self.text)).lettered).get(letter)
         if link is None:
             return None
         forms = [("as printed", self._asked(link))]
@@ -235,7 +248,7 @@ class Inquiry:
 def is_settled(inquiry: Inquiry, imposed: str) -> bool:
     """Whether each relation of a claim is proved, or a slip of the pen would explain that it fails."""
     try:
-        links = _lettered(_tree(inquiry.text, inquiry._said(inquiry.text)), inquiry.text)
+        links = _links(inquiry.text, inquiry._said(inquiry.text)).lettered
         answers = [_answer(inquiry._asked(link)) for letter, link in links if not letter or letter not in imposed]
     except SymcheckError:
         return False
@@ -270,7 +283,7 @@ surveyed_once = cache(surveyed)
 
 
 @cache
-def _tree(text: str, said: tuple[tuple[str, str], ...]) -> Tree:
+def _tree(text: str, said: Said) -> Tree:
     """A relation as it is read alone."""
     try:
         return readings(plainly(Asked(text, letters=said)))[0].tree
@@ -278,24 +291,70 @@ def _tree(text: str, said: tuple[tuple[str, str], ...]) -> Tree:
         return error.tree
 
 
-def _lettered(tree: Tree, text: str) -> list[tuple[str, str]]:
-    """The relations of a formula with the letters of their links; one alone is asked as it is printed."""
-    links = relations(tree)
-    if len(links) < 2:
-        return [("", text)]
-    return [(chr(ord("a") + n), link.latex) for n, link in enumerate(links)]
+class Links(NamedTuple):
+    """The relations of a formula: what is read, the relations with the letters of their links, and their signs."""
+
+    read: str
+    lettered: list[tuple[str, str]]
+    signs: list[str]
 
 
-def _parts(relied: Relied, letters: tuple[tuple[str, str], ...]) -> list[tuple[str, bool]]:
+def _links(text: str, said: Said) -> Links:
+    """The relations of a formula; one alone is asked as it is printed.
+
+    Those of a chain that is not read as a whole are read apart.
+    """
+    try:
+        tree = _tree(text, said)
+    except SymcheckError:
+        links = apart(text)
+        if not surveyed_once(text).apart:
+            raise
+        return Links(text, _lettered(links), ["="] * len(links))
+    every = relations(tree)
+    lettered = _lettered([link.latex for link in every]) if len(every) > 1 else [("", text)]
+    return Links(to_latex(tree), lettered, [link.sign for link in every] or [""])
+
+
+def _lettered(links: Sequence[str]) -> list[tuple[str, str]]:
+    return [(chr(ord("a") + n), link) for n, link in enumerate(links)]
+
+
+def _parts(relied: Relied, letters: Said) -> list[tuple[str, bool]]:
     """The relations of one that is relied on, and whether each is an equation."""
     said = Inquiry(relied.text, letters=letters)._said(relied.text)
     try:
-        tree = _tree(relied.text, said)
+        links = _links(relied.text, said)
     except SymcheckError:
         return [(relied.text, False)]  # told where it is asked
-    links, signs = _lettered(tree, relied.text), [link.sign for link in relations(tree)]
-    chosen = zip(links, signs or [""], strict=False)
+    chosen = zip(links.lettered, links.signs, strict=False)
     return [(text, sign == "=") for (letter, text), sign in chosen if not relied.defines or letter in relied.defines]
+
+
+@cache
+def _readable(asked: Asked) -> Asked:
+    """The question without those relations that it follows from with which it cannot be read, if it can be without."""
+    if not asked.where or _is_read(asked) or not _is_read(_resting_on(asked, ())):
+        return asked
+    kept = tuple[str, ...]()
+    for each in asked.where:
+        if _is_read(_resting_on(asked, (*kept, each))):
+            kept = (*kept, each)
+    return _resting_on(asked, kept)
+
+
+def _resting_on(asked: Asked, where: tuple[str, ...]) -> Asked:
+    """The question with other definitions, and what is said of the letters that are left."""
+    every = {shown(role.letter) for x in (asked.relation, *where, *asked.given) for role in surveyed_once(x).roles}
+    said = tuple((letter, phrase) for letter, phrase in asked.letters if {shown(letter), *depends_on(phrase)} <= every)
+    return replace(asked, where=where, letters=said)
+
+
+def _is_read(asked: Asked) -> bool:
+    try:
+        return bool(readings(plainly(asked)))
+    except SymcheckError:
+        return False
 
 
 def _answer(asked: Asked, claimed: bool = False) -> Answer:
@@ -347,7 +406,7 @@ def _fewer(asked: Asked) -> Asked:
         n, names = defined.pop(last)
         used.add(n)
         sides = [(side - {last}) | names if last in side else side for side in sides]
-    return replace(asked, where=tuple(text for n, text in enumerate(asked.where) if n in used))
+    return _resting_on(asked, tuple(text for n, text in enumerate(asked.where) if n in used))
 
 
 def _heads(text: str) -> Iterable[tuple[str, Link]]:

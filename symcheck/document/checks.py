@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
 from symcheck.document.printed import Printed
-from symcheck.document.survey import Link, Seen
+from symcheck.document.survey import Link, Seen, is_sayable
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
@@ -124,7 +124,9 @@ class Checks:
     def _said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
         found: dict[str, str] = {}
         for each in seen:
-            found |= said(each, self.letters)
+            found |= said(each, self.letters) | dict(each.said)
+            if each.apart:  # its links are as they are read in the whole
+                found |= {role.letter: role.phrase for role in each.roles if is_sayable(role.phrase)}
         return tuple(found.items())
 
     def is_statement(self, k: int) -> bool:
@@ -134,7 +136,7 @@ class Checks:
     def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
         words = aside.sub("", self._words(k)) if aside else self._words(k)
-        return self.seen[k].plain and not self.seen[k].reason and not CONDITIONAL.search(words)
+        return self.seen[k].plain and self.seen[k].is_known and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
         return ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)[-SENTENCES:])
@@ -155,6 +157,24 @@ class Checks:
             seen = self.seen[k]
             if number == len(seen.links) - len(seen.heads):
                 yield k
+
+    def steps(self) -> Iterator[Question]:
+        """Equations that may follow from those on the line before them: of the same letters, in one derivation."""
+        found = (self.step(k - 1, k) for k in range(1, len(self.seen)))
+        return (each for each in found if each is not None)
+
+    def step(self, m: int, k: int) -> Question | None:
+        """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
+        both, seen = (self.formulas[m], self.formulas[k]), (self.seen[m], self.seen[k])
+        if len({(f.display, f.scope, f.before) for f in both}) > 1 or not both[0].display:
+            return None
+        if both[0].latex == both[1].latex or any(x.reason or not x.plain or len(x.links) != 1 for x in seen):
+            return None
+        (one,), (two,) = (each.links for each in seen)
+        names = one.names[0] | one.names[1]
+        if not names or not two.names[0] | two.names[1] <= names:
+            return None
+        return Question(k, two.latex, "step", (one.latex,), (m,), letters=self._said(*seen), sure=True)
 
     def _chained(self, k: int, link: Link) -> Question | None:
         """A link behind another one, with the same letters on both sides."""
@@ -237,6 +257,12 @@ class Checks:
             if len(found) == MOST_CONDITIONS:
                 break
         return tuple(dict.fromkeys(found))
+
+
+def unlike(steps: Sequence[Question], proved: Container[Question]) -> list[Question]:
+    """The steps that are not proved in a derivation of which a step beside them is."""
+    follows = {step.number: step in proved for step in steps}
+    return [s for s in steps if s not in proved and (follows.get(s.number - 1) or follows.get(s.number + 1))]
 
 
 def nearest(k: int, count: int) -> list[int]:
