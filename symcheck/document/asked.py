@@ -81,13 +81,18 @@ class Inquiry:
         """All that it rests on."""
         return (*(each.text for each in self.follows), *self.given)
 
+    @property
+    def links(self) -> dict[str, str]:
+        """Its relations, by the letters of their links."""
+        return dict(_links(self.text, self.said(self.text)).lettered)
+
     def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         """One for each relation that it prints, or the one that says why it is not read."""
         base = record_with(base, reading=self.reading, reason=self._said_of(base.reason))
         if item.role is Role.EXCLUSION:
             return (base,)
         try:
-            links = _links(self.text, self._said(self.text))
+            links = _links(self.text, self.said(self.text))
         except SymcheckError as error:
             open_ = Verdict.UNDECIDED if isinstance(item, Assertion) else None
             return (record_with(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
@@ -131,7 +136,7 @@ class Inquiry:
             return f"it fails, but holds for some positive numbers; {SAY}"
         with suppress(OutOfTime), limited(DOUBTING):
             for place, text in self._beside(asked):
-                said = self._said(asked.relation, *asked.where, text)
+                said = self.said(asked.relation, *asked.where, text)
                 with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
                 if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
                     return f"it fails, but perhaps not where {text} ({place}); {SAY}"
@@ -193,10 +198,10 @@ class Inquiry:
         for each in self.follows:
             for part, is_equation in _parts(each, self.letters):
                 (where if is_equation else given).append(part)
-        said = self._said(link, *where, *given)
+        said = self.said(link, *where, *given)
         return Asked(link, tuple(dict.fromkeys(where)), tuple(dict.fromkeys(given)), said)
 
-    def _said(self, *texts: str) -> Said:
+    def said(self, *texts: str) -> Said:
         """What is said of letters beyond what each formula alone shows of them."""
         every = {shown(role.letter) for text in texts for role in surveyed_once(text).roles}
         known = {shown(letter): phrase for letter, phrase in self._letters if phrase and depends_on(phrase) <= every}
@@ -228,7 +233,7 @@ class Inquiry:
         """What is printed, or put in its place, read anew: that of which a certificate is one; None if it is none."""
         assert isinstance(item, Assertion)
         letter = Id.parse(certificate["id"]).link
-        link = dict(_links(self.text, self._said(self.text)).lettered).get(letter)
+        link = dict(_links(self.text, self.said(self.text)).lettered).get(letter)
         if link is None:
             return None
         forms = [("as printed", self._asked(link))]
@@ -248,7 +253,7 @@ class Inquiry:
 def is_settled(inquiry: Inquiry, imposed: str) -> bool:
     """Whether each relation of a claim is proved, or a slip of the pen would explain that it fails."""
     try:
-        links = _links(inquiry.text, inquiry._said(inquiry.text)).lettered
+        links = _links(inquiry.text, inquiry.said(inquiry.text)).lettered
         answers = [_answer(inquiry._asked(link)) for letter, link in links if not letter or letter not in imposed]
     except SymcheckError:
         return False
@@ -322,7 +327,7 @@ def _lettered(links: Sequence[str]) -> list[tuple[str, str]]:
 
 def _parts(relied: Relied, letters: Said) -> list[tuple[str, bool]]:
     """The relations of one that is relied on, and whether each is an equation."""
-    said = Inquiry(relied.text, letters=letters)._said(relied.text)
+    said = Inquiry(relied.text, letters=letters).said(relied.text)
     try:
         links = _links(relied.text, said)
     except SymcheckError:
