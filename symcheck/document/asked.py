@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -11,22 +13,23 @@ from typing import Any, NamedTuple, cast
 from msgspec.structs import replace as record_with
 
 from symcheck.audit import differences
-from symcheck.core.certificates import Certificate
+from symcheck.core.certificates import Certificate, MatrixProof
 from symcheck.core.claims import Assertion, Declaration, Erratum
 from symcheck.core.formulas import conjuncts
 from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Term
+from symcheck.core.terms import JSON, Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
 from symcheck.document.survey import Link, Said, apart, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
-from symcheck.question.ask import answered
+from symcheck.question.ask import answered, proved_for_all_sizes
 from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings
+from symcheck.question.matrices import stated
+from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings, unlowered
 from symcheck.reading import Tree, relations, to_latex
 
 METHOD = "decide"
@@ -112,6 +115,8 @@ class Inquiry:
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
         whole = self._question(link)
         asked = _readable(whole)
+        if general := self._general(row, asked):
+            return self._corrected(general, link, erratum, Answer(Status.PROVED)) if erratum else general
         answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
         if answer.verdict is Status.REFUTED:
             unread = [each for each in whole.where if each not in asked.where]
@@ -129,6 +134,26 @@ class Inquiry:
         if verdict is Verdict.REFUTED:
             row = record_with(row, origin=Origin.PAPER, kind="fails")
         return self._corrected(row, link, erratum, answer) if erratum else row
+
+    def _general(self, row: Record, asked: Asked) -> Record | None:
+        """The record of a relation that is proved for matrices of all sizes; None if it is not."""
+        started = time.perf_counter()
+        for each in dict.fromkeys((_fewer(asked), asked)):
+            if found := proved_for_all_sizes(plainly(each)):
+                names = _unlike(found.told)
+                proofs = tuple(_with_names(proof, row.id, names) for proof in found.certificates)
+                rows = tuple(self._hypotheses(Verdict.PROVED, proofs))
+                taken = f"for matrices and vectors of all sizes; assumed: {', '.join(found.used) or 'nothing'}"
+                return record_with(
+                    row,
+                    verdict=Verdict.PROVED,
+                    method=METHOD,
+                    certificates=proofs,
+                    hypotheses=rows,
+                    reason=self._said_of(taken),
+                    seconds=round(time.perf_counter() - started, 4),
+                )
+        return None
 
     def _doubt(self, asked: Asked, answer: Answer) -> str:
         """Why what fails may hold all the same, under a condition that is printed elsewhere; "" if nothing says so."""
@@ -219,7 +244,7 @@ class Inquiry:
     def _certificates(self, id: str, asked: Asked, answer: Answer) -> tuple[Certificate, ...]:
         if answer.verdict not in VERDICTS:
             return ()
-        made = cast(tuple[Certificate, ...], answer.certificate)  # none is about all sizes: see `answered` below
+        made = cast(tuple[Certificate, ...], answer.certificate)  # those about all sizes have been asked for before
         return tuple(_renamed(each, id, _names(asked, each)) for each in made)
 
     def _hypotheses(self, verdict: Verdict, proofs: Sequence[Certificate]) -> Iterator[HypothesisRow]:
@@ -241,6 +266,10 @@ class Inquiry:
             needs = [each.states for each in erratum.needs]
             forms.append(("as corrected", self._asked(erratum.corrected or link, needs)))
         for what, asked in forms:
+            if "matrices" in certificate:
+                if found := _stated_of_matrices(what, asked, cast(MatrixProof, certificate)):
+                    return found
+                continue
             names = _names(asked, certificate)
             problems = [problem for reading in readings(plainly(asked)) for problem in reading.problems]
             for problem in (*problems, *map(with_plain_divisors, problems)):
@@ -277,6 +306,47 @@ class Stated:
             return False
         known = all(formulas <= own.get(name, set()) for name, formulas in theirs.items())
         return known and all(defined.get(name) == line(term) for name, term in certificate["definitions"])
+
+
+def _stated_of_matrices(what: str, asked: Asked, proof: MatrixProof) -> Stated | None:
+    """What is printed of matrices of all sizes, if a certificate claims it of no other shapes and inverses."""
+    for each in dict.fromkeys((_fewer(asked), asked)):
+        for reading in unlowered(plainly(each)):
+            for said in stated(reading):
+                names = _unlike(said.printed)
+                for statement in said.statements:
+                    assumed = {names.get(name, name): [*both] for name, both in statement.hypotheses.items()}
+                    shapes = {x: [*statement.shapes[x]] for x in proof["matrices"] if x in statement.shapes}
+                    inverses = {x: statement.inverses.get(x) for x in proof["inverses"]}
+                    same = proof["claim"] == [*statement.claim] and proof["matrices"] == shapes
+                    known = all(assumed.get(name) == both for name, both in proof["hypotheses"].items())
+                    if same and known and proof["inverses"] == inverses:
+                        return Stated(what, cast(dict[str, list[Formula]], assumed), {})
+    return None
+
+
+def _unlike(printed: Mapping[str, str]) -> dict[str, str]:
+    """What hypotheses say, by their names; of several that are printed in one place the second has a number."""
+    count = Counter[str]()
+    found = {}
+    for name, text in printed.items():
+        count[text] += 1
+        found[name] = text if count[text] == 1 else f"{text} [{count[text]}]"
+    return found
+
+
+def _with_names(proof: MatrixProof, id: str, names: Mapping[str, str]) -> Certificate:
+    """The certificate of a question about matrices as that of a relation, with its hypotheses by what they say."""
+    steps = [[_with_name(reference, names), term] for reference, term in proof["proof"]]
+    assumed = {names.get(name, name): both for name, both in proof["hypotheses"].items()}
+    return cast(Certificate, {**proof, "id": id, "hypotheses": assumed, "proof": steps})
+
+
+def _with_name(reference: JSON, names: Mapping[str, str]) -> JSON:
+    match reference:
+        case ["hypothesis" | "turned" as kind, str(name)]:
+            return [kind, names.get(name, name)]
+    return reference
 
 
 def _stated(what: str, problem: Problem, names: Mapping[str, str]) -> Stated:

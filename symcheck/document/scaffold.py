@@ -103,7 +103,7 @@ def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Lett
         if answers[step].verdict is Status.REFUTED and (beyond.get(k) in proved or steps.get(k - 1) in proved)
     ]
     sure = work.all(confirmed, wrong, SEARCH, undecided)
-    claimed = {k: (k - 1,) for k, step in steps.items() if step in proved}
+    claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in steps.items() if step in proved}
     claimed |= {step.number: step.sources for step in wrong if sure[step].verdict is Status.REFUTED}
     claimed |= {k + 1: (k - 1,) for k, step in beyond.items() if step in proved and k + 1 not in claimed}
     said = _said(letters)
