@@ -114,12 +114,13 @@ class Inquiry:
 
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
         whole = self._question(link)
-        asked = _readable(whole)
+        readable = _readable(whole)
+        asked = _independent(readable)
         if general := self._general(row, asked):
             return self._corrected(general, link, erratum, Answer(Status.PROVED)) if erratum else general
         answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
         if answer.verdict is Status.REFUTED:
-            unread = [each for each in whole.where if each not in asked.where]
+            unread = [each for each in whole.where if each not in readable.where]
             doubt = f"it fails, but nothing is read of {unread[0]}, from which it follows" if unread else ""
             if not (doubt or self.alone or self.given or erratum):
                 doubt = self._doubt(asked, answer)
@@ -215,7 +216,7 @@ class Inquiry:
 
     def _asked(self, link: str, needs: Sequence[str] = ()) -> Asked:
         """The question as `decide` takes it, with what can be read."""
-        return _readable(self._question(link, needs))
+        return _independent(_readable(self._question(link, needs)))
 
     def _question(self, link: str, needs: Sequence[str] = ()) -> Asked:
         """The question with all that it follows from."""
@@ -416,6 +417,16 @@ def _readable(asked: Asked) -> Asked:
         if _is_read(_resting_on(asked, (*kept, each))):
             kept = (*kept, each)
     return _resting_on(asked, kept)
+
+
+@cache
+def _independent(asked: Asked) -> Asked:
+    """The question without those equations that follow from the last one alone, as the lines of a derivation do."""
+    *earlier, last = asked.where or ("",)
+    names = surveyed_once(last).names
+    near = [each for each in earlier if surveyed_once(each).names and surveyed_once(each).names <= names]
+    implied = [each for each in near if _proof(_resting_on(replace(asked, relation=each), (last,)))]
+    return _resting_on(asked, tuple(each for each in asked.where if each not in implied)) if implied else asked
 
 
 def _resting_on(asked: Asked, where: tuple[str, ...]) -> Asked:
