@@ -158,12 +158,13 @@ class Checks:
             if number == len(seen.links) - len(seen.heads):
                 yield k
 
-    def steps(self) -> Iterator[Question]:
-        """Equations that may follow from those on the line before them: of the same letters, in one derivation."""
-        found = (self.step(k - 1, k) for k in range(1, len(self.seen)))
-        return (each for each in found if each is not None)
+    def derivations(self) -> Derivations:
+        """Equations that may follow from those on the lines before them: of the same letters, in one derivation."""
+        steps = {k: step for k in range(1, len(self.seen)) if (step := self._step(k - 1, k)) is not None}
+        beyond = {k: step for k in steps if k + 1 in steps and (step := self._step(k - 1, k + 1)) is not None}
+        return Derivations(steps, beyond)
 
-    def step(self, m: int, k: int) -> Question | None:
+    def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
         both, seen = (self.formulas[m], self.formulas[k]), (self.seen[m], self.seen[k])
         if len({(f.display, f.scope, f.before) for f in both}) > 1 or not both[0].display:
@@ -259,10 +260,28 @@ class Checks:
         return tuple(dict.fromkeys(found))
 
 
-def unlike(steps: Sequence[Question], proved: Container[Question]) -> list[Question]:
-    """The steps that are not proved in a derivation of which a step beside them is."""
-    follows = {step.number: step in proved for step in steps}
-    return [s for s in steps if s not in proved and (follows.get(s.number - 1) or follows.get(s.number + 1))]
+@dataclass(frozen=True)
+class Derivations:
+    """Lines below each other: whether each follows from the one before it, and from the one before that."""
+
+    steps: dict[int, Question]
+    beyond: dict[int, Question]  # by the number of the line that is left out
+
+    @property
+    def questions(self) -> list[Question]:
+        """All of them, each once."""
+        return [*dict.fromkeys((*self.steps.values(), *self.beyond.values()))]
+
+    def unlike(self, proved: Container[Question]) -> Iterator[Question]:
+        """The steps that are not proved, where others beside them are, but for one behind a line that is left out."""
+        for k, step in self.steps.items():
+            near = (self.beyond.get(k), self.steps.get(k - 1), self.steps.get(k + 1))
+            if step not in proved and any(each in proved for each in near) and self.beyond.get(k - 1) not in proved:
+                yield step
+
+    def is_certain(self, step: Question, proved: Container[Question]) -> bool:
+        """Is it the line of a step that is wrong, and not the one before it?"""
+        return any(each in proved for each in (self.beyond.get(step.number), self.steps.get(step.number - 1)))
 
 
 def nearest(k: int, count: int) -> list[int]:

@@ -14,7 +14,7 @@ from typing import TypeVar
 from symcheck.audit.executor import Done, Executor, Timeout
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
-from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided, unlike
+from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
 from symcheck.document.letters import Letter, elsewhere, letters
 from symcheck.document.printed import Printed
 from symcheck.document.sources import source
@@ -172,18 +172,18 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     formulas = printed.formulas
     seen, every = known(formulas, work)
     checks = Checks(formulas, seen, every)
-    alone, suspicious, steps = [*checks.alone()], [*checks.suspicious()], [*checks.steps()]
-    answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *steps))], SECONDS, undecided)
+    alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
+    answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
     proved = {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
     failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
-    failing += [question for question in unlike(steps, proved) if answers[question].verdict is Status.REFUTED]
+    failing += [question for question in lines.unlike(proved) if answers[question].verdict is Status.REFUTED]
     sure = work.all(confirmed, failing, SEARCH, undecided)
     found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
     found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
     found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     holds = [formulas[k].place for k in sorted(holding)]
-    following = [q for q in (*suspicious, *steps) if q.where and q in proved and q.number not in holding]
+    following = [q for q in (*suspicious, *lines.questions) if q.where and q in proved and q.number not in holding]
     follows = [formulas[k].place for k in sorted({q.number for q in following})]
     return Look(
         str(file),

@@ -93,19 +93,15 @@ def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Lett
     That is one between two of which the second follows from the first, or one behind two such: then it is the one that
     is wrong, if a slip of the pen explains it.
     """
-    steps = {step.number: step for step in checks.steps()}
-    beyond = {k: step for k in steps if k + 1 in steps and (step := checks.step(k - 1, k + 1)) is not None}
-    answers = work.all(decided, [*dict.fromkeys((*steps.values(), *beyond.values()))], SECONDS, undecided)
+    lines = checks.derivations()
+    answers = work.all(decided, lines.questions, SECONDS, undecided)
     proved = {step for step, answer in answers.items() if answer.verdict is Status.PROVED}
-    wrong = [
-        step
-        for k, step in steps.items()
-        if answers[step].verdict is Status.REFUTED and (beyond.get(k) in proved or steps.get(k - 1) in proved)
-    ]
+    unlike = [step for step in lines.unlike(proved) if lines.is_certain(step, proved)]
+    wrong = [step for step in unlike if answers[step].verdict is Status.REFUTED]
     sure = work.all(confirmed, wrong, SEARCH, undecided)
-    claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in steps.items() if step in proved}
+    claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in lines.steps.items() if step in proved}
     claimed |= {step.number: step.sources for step in wrong if sure[step].verdict is Status.REFUTED}
-    claimed |= {k + 1: (k - 1,) for k, step in beyond.items() if step in proved and k + 1 not in claimed}
+    claimed |= {k + 1: (k - 1,) for k, step in lines.beyond.items() if step in proved and k + 1 not in claimed}
     said = _said(letters)
     asked = {k: _inquired(guesses, k, guesses[k].follows, checks.formulas, said) for k in claimed}
     open_ = [asked[k] for k in claimed if guesses[k].role == "claim"]
