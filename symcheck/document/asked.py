@@ -22,7 +22,7 @@ from symcheck.core.terms import JSON, Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
-from symcheck.document.survey import Link, Said, apart, is_sayable, surveyed
+from symcheck.document.survey import Link, Said, apart, is_open, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered, proved_for_all_sizes
@@ -122,6 +122,9 @@ class Inquiry:
         if answer.verdict is Status.REFUTED:
             unread = [each for each in whole.where if each not in readable.where]
             doubt = f"it fails, but nothing is read of {unread[0]}, from which it follows" if unread else ""
+            doubt = doubt or (
+                f"it fails for matrices; which of its letters are vectors? {SAY}" if is_open(link) else ""
+            )
             if not (doubt or self.alone or self.given or erratum):
                 doubt = self._doubt(asked, answer)
             if doubt:

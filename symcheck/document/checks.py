@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
 from symcheck.document.printed import Printed
-from symcheck.document.survey import Link, Seen, is_sayable
+from symcheck.document.survey import Link, Seen, is_open, is_sayable
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
@@ -90,6 +90,8 @@ def _confirmed(question: Question) -> Answer:
     with suppress(OutOfTime), limited(REPAIRING):
         more = answered(question.relation, question.where, (), said)
         found = more if more.verdict is Status.REFUTED else found
+    if is_open(question.relation):
+        return replace(found, verdict=Status.UNDECIDED, reason="some of its letters may be vectors")
     if not found.repairs and (question.sure or elsewhere is None):
         return replace(found, verdict=Status.UNDECIDED, reason="no slip of the pen is near that would explain it")
     return found

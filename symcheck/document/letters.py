@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Role, Said, Seen, is_sayable
+from symcheck.reading.faces import is_styled
 from symcheck.reading.guesses import PRINTED
+from symcheck.reading.names import KINDS_OPEN
 
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -110,4 +112,8 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter]) -> Said:
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
     told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
-    return tuple((r.letter, told[r.letter]) for r in seen.roles if told.get(r.letter, r.phrase) != r.phrase)
+    found = {r.letter: told[r.letter] for r in seen.roles if told.get(r.letter, r.phrase) != r.phrase}
+    if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
+        bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
+        found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
+    return tuple(found.items())

@@ -210,7 +210,8 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     }
     again = work.all(surveyed_with, [task for task in open_.values() if task[1]], READING, Seen)
     better = {latex: found for (latex, _), found in again.items() if found.is_known}
-    return [better.get(f.latex, each) for f, each in zip(formulas, seen, strict=True)], every
+    seen = [each.again(better[f.latex]) if f.latex in better else each for f, each in zip(formulas, seen, strict=True)]
+    return seen, letters(formulas, seen)
 
 
 @dataclass

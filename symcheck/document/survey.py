@@ -13,6 +13,7 @@ from symcheck.question.prepare import Asked, Understood, definitions, plainly, r
 from symcheck.reading import System, Tree, relations, to_latex
 from symcheck.reading.guesses import Guess
 from symcheck.reading.inference import Inference, inferred
+from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
 from symcheck.reading.tree import Chain, Derivative, Name, children, walk
 
@@ -73,6 +74,12 @@ class Seen:
     def read(self) -> bool:
         return not self.reason or self.partly
 
+    def again(self, other: Seen) -> Seen:
+        """Another reading of it, in which letters are what they were guessed to be, and for the same reason."""
+        own = {role.letter: role for role in self.roles}
+        roles = (own[r.letter] if r.letter in own and own[r.letter].phrase == r.phrase else r for r in other.roles)
+        return replace(other, roles=tuple(replace(role, known=True) for role in roles))
+
     @property
     def is_known(self) -> bool:
         """Are its links read, or some of them?"""
@@ -100,6 +107,11 @@ def surveyed(latex: str, said: Said = ()) -> Seen:
         return Seen(str(error))
     except RecursionError:
         return Seen("it is nested too deeply")
+
+
+def is_open(latex: str) -> bool:
+    """Does it have so many letters which may be vectors or matrices that alone it is not read?"""
+    return KINDS_OPEN in surveyed(latex).reason
 
 
 def surveyed_with(task: tuple[str, Said]) -> Seen:
