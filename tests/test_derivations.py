@@ -12,7 +12,7 @@ from test_new import _apart, begun, run, verdicts  # noqa: F401
 from symcheck import kernels, look
 from symcheck.checker.__main__ import main as check_certificates
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.survey import apart
+from symcheck.document.survey import apart, surveyed
 
 # a trolley with a pendulum below it: each line follows from the one before it
 TROLLEY = r"""# A trolley
@@ -74,6 +74,18 @@ def test_a_slip_in_a_derivation_is_found(line: int, tmp_path: Path) -> None:
 def test_equations_of_a_system_are_not_taken_for_a_derivation(lines: tuple[str, ...], tmp_path: Path) -> None:
     assert looked(tmp_path, document(*lines)) == []
     assert "refuted" not in verdicts(begun(tmp_path / "own", document(*lines), "notes.md")).values()
+
+
+@pytest.mark.parametrize(
+    ("factor", "doubtful"),
+    [
+        (r"L = r \dot{r} (\mathbf{a} \times \mathbf{b}) \cdot \mathbf{c}", r"L = r \dot{r} (a + b)"),
+        (r"E = \mu \left[\frac{\mu + c}{h}\right]", r"E = \mu \left[\frac{c}{h}\right]"),
+    ],
+)
+def test_brackets_with_what_no_function_takes_hold_a_factor(factor: str, doubtful: str) -> None:
+    assert surveyed(factor).read
+    assert "or times it" in surveyed(doubtful).reason
 
 
 @pytest.mark.parametrize(
