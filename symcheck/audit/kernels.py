@@ -31,7 +31,7 @@ def declared(key: str) -> dict[str, Kernel]:
         return {}
     papers.load()[key]  # a user's file is a module from now on
     name = f"symcheck.papers.{key}"
-    modules = [name, *filter(find_spec, [f"{name}.kernels"])]
+    modules = [each for each in (name, f"{name}.kernels") if find_spec(name) and find_spec(each)]
     found = (pair for each in modules for pair in vars(import_module(each)).items())
     return {name: value for name, value in found if isinstance(value, Kernel)}
 

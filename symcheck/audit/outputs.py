@@ -9,7 +9,7 @@ from types import MappingProxyType
 from symcheck import kernels, papers
 from symcheck.audit.index import Index
 from symcheck.core.certificates import Certificate
-from symcheck.kernels.loading import GENERATED
+from symcheck.kernels import GENERATED
 from symcheck.ledger import Record, by_paper, line
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
 
