@@ -200,3 +200,20 @@ def test_matrices_of_unprinted_sizes_are_proved_for_all_sizes(tmp_path: Path) ->
     ):
         file.write_text(whole.replace(right, wrong), encoding="utf-8")
         assert check_certificates([str(generated)]) == 1
+
+
+# words between two displays, and whether the second is to follow from the first
+WORDS = {
+    "Hence": True,
+    "Collecting like terms, we get": True,
+    "Dividing by $m$ gives": True,
+    "In the second case": False,
+    "The escape velocity is": False,
+    "Neglecting friction, this becomes": False,
+}
+
+
+@pytest.mark.parametrize("words", WORDS)
+def test_what_words_say_to_follow_is_expected_to(words: str, tmp_path: Path) -> None:
+    text = f"We find\n\n$$m a = m (g - c)$$\n\n{words}\n\n$$m a = m (g + c)$$\n"
+    assert looked(tmp_path, text) == (["line 7"] if WORDS[words] else [])

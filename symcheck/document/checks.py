@@ -32,6 +32,14 @@ IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|e
 AGAIN = re.compile(
     r"\b(recall\w*|again|as before|as above|repeat\w*|remember)\b", re.IGNORECASE
 )  # before what is known
+# words of which all are that stand before a display that goes on with the one before it
+CONNECTING = re.compile(
+    r"and|so|or|thus|hence|then|therefore|that|is|are|i|e|finally|equivalently|which|what|it|this|we|one|giv(?:e|es|ing)|"
+    r"yield(?:s|ing)?|gets?|obtains?|becomes?|simplifies|reduces|to|have|left|with|in|other|words"
+)
+# a word behind such ones after which come the words for what is done
+OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
+MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
 NEAR = 3  # formulas behind one that may say for what it holds
@@ -53,6 +61,7 @@ class Question:
     given: tuple[str, ...] = ()
     letters: tuple[tuple[str, str], ...] = ()
     sure: bool = False  # does it fail only if a slip of the pen away from it stands what holds?
+    worded: bool = False  # do words say that it follows?
 
 
 def decided(question: Question) -> Answer:
@@ -169,7 +178,10 @@ class Checks:
     def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
         both, seen = (self.formulas[m], self.formulas[k]), (self.seen[m], self.seen[k])
-        if len({(f.display, f.scope, f.before) for f in both}) > 1 or not both[0].display:
+        if len({(f.display, f.scope) for f in both}) > 1 or not both[0].display:
+            return None
+        worded = both[0].before != both[1].before
+        if worded and not (_goes_on(both[1].before) and self.is_said(k)):
             return None
         if both[0].latex == both[1].latex or any(x.reason or not x.plain or len(x.links) != 1 for x in seen):
             return None
@@ -177,7 +189,7 @@ class Checks:
         names = one.names[0] | one.names[1]
         if not names or not two.names[0] | two.names[1] <= names:
             return None
-        return Question(k, two.latex, "step", (one.latex,), (m,), letters=self._said(*seen), sure=True)
+        return Question(k, two.latex, "step", (one.latex,), (m,), letters=self._said(*seen), sure=True, worded=worded)
 
     def _chained(self, k: int, link: Link) -> Question | None:
         """A link behind another one, with the same letters on both sides."""
@@ -275,15 +287,27 @@ class Derivations:
         return [*dict.fromkeys((*self.steps.values(), *self.beyond.values()))]
 
     def unlike(self, proved: Container[Question]) -> Iterator[Question]:
-        """The steps that are not proved, where others beside them are, but for one behind a line that is left out."""
+        """The steps that are not proved, where others beside them are, but for one behind a line that is left out.
+
+        Or where words say that they follow.
+        """
         for k, step in self.steps.items():
             near = (self.beyond.get(k), self.steps.get(k - 1), self.steps.get(k + 1))
-            if step not in proved and any(each in proved for each in near) and self.beyond.get(k - 1) not in proved:
+            expected = step.worded or any(each in proved for each in near)
+            if step not in proved and expected and self.beyond.get(k - 1) not in proved:
                 yield step
 
     def is_certain(self, step: Question, proved: Container[Question]) -> bool:
         """Is it the line of a step that is wrong, and not the one before it?"""
-        return any(each in proved for each in (self.beyond.get(step.number), self.steps.get(step.number - 1)))
+        near = (self.beyond.get(step.number), self.steps.get(step.number - 1))
+        return step.worded or any(each in proved for each in near)
+
+
+def _goes_on(before: str) -> bool:
+    """Do words say no more than that a formula follows from the one before it, or what is done to it?"""
+    words = re.findall(r"[a-z]+", before.lower())
+    end = next((n for n, word in enumerate(words) if OPERATION.fullmatch(word)), len(words))
+    return len(words) <= MOST_CONNECTING and all(map(CONNECTING.fullmatch, words[:end]))
 
 
 def nearest(k: int, count: int) -> list[int]:
