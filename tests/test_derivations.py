@@ -76,6 +76,16 @@ def test_equations_of_a_system_are_not_taken_for_a_derivation(lines: tuple[str, 
     assert "refuted" not in verdicts(begun(tmp_path / "own", document(*lines), "notes.md")).values()
 
 
+def test_functions_in_letters_get_a_rule_where_they_are_printed_as_functions_too(tmp_path: Path) -> None:
+    text = "We have\n\n$$a cos x + b \\cos x = {}$$\n\nand $s i n = sin$.\n"
+    audit = begun(tmp_path, text.format(r"(a + b) \cos x"), "notes.md")
+    assert r'rules=[r"cos -> \cos"],' in (audit / "audit.py").read_text(encoding="utf-8")
+    (item,) = [
+        each for each in json.loads(run("check", audit, "--jobs", 0, "--json").stdout)["items"] if each["verdict"]
+    ]
+    assert (item["verdict"], item["reading"]) == ("proved", "rewritten")
+
+
 @pytest.mark.parametrize(
     ("factor", "doubtful"),
     [

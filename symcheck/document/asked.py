@@ -165,6 +165,8 @@ class Inquiry:
             return f"it fails, but holds for some positive numbers; {SAY}"
         with suppress(OutOfTime), limited(DOUBTING):
             for place, text in self._beside(asked):
+                if asked.where and _proof(_resting_on(replace(asked, relation=text), asked.where)):
+                    continue  # it says nothing new
                 said = self.said(asked.relation, *asked.where, text)
                 with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
                 if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):

@@ -320,7 +320,7 @@ class Document:
             return item
         k, used = self.numbers.index(item.number), set(item.uses)
         near = [
-            (self.formulas[m].place, self.formulas[m].latex)
+            (self.formulas[m].place, rewritten(self.formulas[m].latex, self.rules)[0])
             for m in nearest(k, len(self.formulas))
             if self.formulas[m].scope[0] == self.formulas[k].scope[0] and self.numbers[m] not in claimed | used
         ]

@@ -28,6 +28,7 @@ from symcheck.document.survey import Said, is_sayable
 from symcheck.papers import FILES, key_of
 from symcheck.question import Status
 from symcheck.question.ask import TOTAL
+from symcheck.question.doubts import functions_in_letters
 
 ROLES = ("definition", "claim", "premise", "exclusion")
 TAKEN = frozenset({"source", "letter", "paper", "Document", "Erratum", "Hypothesis", "Origin"})
@@ -171,6 +172,7 @@ def text(draft: Draft, folder: Path) -> str:
             "    __file__,",
             f"    {_quoted(path)},",
             *([f"    letters=(\n{letters_}\n    ),"] if draft.letters else []),
+            *([f"    rules=[{', '.join(map(_quoted, rules))}],"] if (rules := _spelled(draft.formulas)) else []),
             ")",
             "",
             *_body(draft, names),
@@ -179,6 +181,13 @@ def text(draft: Draft, folder: Path) -> str:
             "",
         ]
     )
+
+
+def _spelled(formulas: Sequence[Printed]) -> list[str]:
+    """Rules for functions that are spelled in letters, where they are printed as functions elsewhere in the source."""
+    texts = [formula.latex for formula in formulas]
+    names = dict.fromkeys(name for text in texts for name in functions_in_letters(text))
+    return [rf"{x} -> \{x}" for x in names if any(re.search(rf"\\{x}(?![A-Za-z])", text) for text in texts)]
 
 
 def _body(draft: Draft, names: Mapping[int, str]) -> Iterator[str]:
