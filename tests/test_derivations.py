@@ -223,7 +223,43 @@ WORDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", WORDS)
 def test_what_words_say_to_follow_is_expected_to(words: str, tmp_path: Path) -> None:
     text = f"We find\n\n$$m a = m (g - c)$$\n\n{words}\n\n$$m a = m (g + c)$$\n"
     assert looked(tmp_path, text) == (["line 7"] if WORDS[words] else [])
+
+
+REFERRING = r"""\documentclass{article}
+\begin{document}
+\begin{equation} a c = b + 2 g h \label{eq:first} \end{equation}
+and
+\begin{equation} b = g (h - 1). \label{eq:second} \end{equation}
+WORDS
+\begin{equation} a c = RESULT. \end{equation}
+\end{document}
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("words", "result", "found"),
+    [
+        (r"Substituting \eqref{eq:second} into~(\ref{eq:first}) gives", "g (3 h - 1)", []),
+        (r"Substituting \eqref{eq:second} into~(\ref{eq:first}) gives", "g (3 h + 1)", ["line 7 (3)"]),
+        (r"Substituting \eqref{eq:second} into~(\ref{eq:first}) gives", "2 g h^3", []),  # no slip would explain it
+        (r"Substituting \eqref{eq:second}, and neglecting a term of~(\ref{eq:first}), gives", "g (3 h + 1)", []),
+        (r"Unlike \eqref{eq:second} and~(\ref{eq:first}) is", "g (3 h + 1)", []),
+        (r"Substituting \eqref{eq:other} into~(\ref{eq:first}) gives", "g (3 h + 1)", []),
+    ],
+)
+def test_a_display_follows_from_those_that_it_is_said_to(
+    words: str, result: str, found: list[str], tmp_path: Path
+) -> None:
+    text = REFERRING.replace("WORDS", words).replace("RESULT", result)
+    (tmp_path / "paper.tex").write_text(text, encoding="utf-8")
+    seen = look(tmp_path / "paper.tex")
+    assert [finding.place for finding in seen.findings] == found
+    assert seen.follows == (("line 7 (3)",) if result == "g (3 h - 1)" else ())
+    refuted = [*verdicts(begun(tmp_path, text)).values()].count("refuted")
+    assert refuted == len(found)

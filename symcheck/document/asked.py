@@ -27,6 +27,7 @@ from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, lin
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered, proved_for_all_sizes
 from symcheck.question.divisors import with_plain_divisors
+from symcheck.question.jets import LEADING
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import stated
 from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings, unlowered
@@ -34,6 +35,7 @@ from symcheck.reading import Tree, relations, to_latex
 
 METHOD = "decide"
 VALUED = "every printed term has a value"
+SOLVABLE = "the equations can be solved for the highest rates of change"
 REPAIRING = 8.0  # seconds for an answer with repairs, before one without is asked for
 DOUBTING = 10.0  # seconds for conditions that may save what fails
 PROVING = 5.0  # seconds for a proof with fewer definitions
@@ -426,12 +428,16 @@ def _readable(asked: Asked) -> Asked:
 
 @cache
 def _independent(asked: Asked) -> Asked:
-    """The question without those equations that follow from the last one alone, as the lines of a derivation do."""
-    *earlier, last = asked.where or ("",)
-    names = surveyed_once(last).names
-    near = [each for each in earlier if surveyed_once(each).names and surveyed_once(each).names <= names]
-    implied = [each for each in near if _proof(_resting_on(replace(asked, relation=each), (last,)))]
-    return _resting_on(asked, tuple(each for each in asked.where if each not in implied)) if implied else asked
+    """The question without those equations that follow from one behind them, as the lines of a derivation do."""
+
+    def is_implied(k: int, each: str) -> bool:
+        names = surveyed_once(each).names
+        behind = [(other, surveyed_once(other).names) for other in asked.where[k + 1 :]]
+        later = (other for other, theirs in behind if names and theirs and (names <= theirs or theirs <= names))
+        return any(_proof(_resting_on(replace(asked, relation=each), (other,))) for other in later)
+
+    kept = tuple(each for k, each in enumerate(asked.where) if not is_implied(k, each))
+    return asked if kept == asked.where else _resting_on(asked, kept)
 
 
 def _resting_on(asked: Asked, where: tuple[str, ...]) -> Asked:
@@ -521,6 +527,7 @@ def _names(asked: Asked, certificate: Certificate) -> dict[str, str]:
     for reading in readings(plainly(asked)):
         printed = {**reading.stated, DEFINED: VALUED}
         names = {name: _printed(name, printed) for problem in reading.problems for name, _ in problem.hypotheses}
+        names |= {LEADING: SOLVABLE}
         if {*certificate["hypotheses"]} <= {*names, *names.values()}:
             return names
     return {}

@@ -39,6 +39,9 @@ CONNECTING = re.compile(
 )
 # a word behind such ones after which come the words for what is done
 OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
+# words that say that a display follows from those to which they refer
+REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add|subtract|solv)\w*\b", re.IGNORECASE)
+REFERENCE = re.compile(r"\{([^{}\s]+)\}|\(([\w.]+)\)")  # to a label, or to a number in brackets
 MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
@@ -173,7 +176,33 @@ class Checks:
         """Equations that may follow from those on the lines before them: of the same letters, in one derivation."""
         steps = {k: step for k in range(1, len(self.seen)) if (step := self._step(k - 1, k)) is not None}
         beyond = {k: step for k in steps if k + 1 in steps and (step := self._step(k - 1, k + 1)) is not None}
-        return Derivations(steps, beyond)
+        referred = {k: step for k in range(len(self.seen)) if k not in steps and (step := self._referred(k))}
+        return Derivations(steps, beyond, referred)
+
+    def _referred(self, k: int) -> Question | None:
+        """Whether an equation follows from those that the words before it name, if it has no other letters."""
+        formula, seen = self.formulas[k], self.seen[k]
+        if not (formula.display and REFERRING.search(formula.before) and self.is_said(k, REFERRING)):
+            return None
+        if (k and self.formulas[k - 1].before == formula.before and self.formulas[k - 1].display) or len(
+            seen.links
+        ) != 1:
+            return None
+        named = [found[1] or found[2] for found in REFERENCE.finditer(formula.before)]
+        places = {name: m for m in range(k) for name in (self.formulas[m].label, self.formulas[m].number) if name}
+        sources = [*dict.fromkeys(places[name] for name in named if name in places)]
+        others = [self.seen[m] for m in sources]
+        if len(sources) != len({*named}) or not all(x.plain and not x.reason and len(x.links) == 1 for x in others):
+            return None
+        (link,), known = (
+            seen.links,
+            frozenset[str]().union(*(x.links[0].names[0] | x.links[0].names[1] for x in others)),
+        )
+        if seen.reason or not sources or not link.names[0] | link.names[1] <= known:
+            return None
+        where = tuple(x.links[0].latex for x in others)
+        said = self._said(seen, *others)
+        return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
 
     def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
@@ -280,17 +309,19 @@ class Derivations:
 
     steps: dict[int, Question]
     beyond: dict[int, Question]  # by the number of the line that is left out
+    referred: dict[int, Question]  # lines that are said to follow from others, named by their numbers
 
     @property
     def questions(self) -> list[Question]:
         """All of them, each once."""
-        return [*dict.fromkeys((*self.steps.values(), *self.beyond.values()))]
+        return [*dict.fromkeys((*self.steps.values(), *self.beyond.values(), *self.referred.values()))]
 
     def unlike(self, proved: Container[Question]) -> Iterator[Question]:
         """The steps that are not proved, where others beside them are, but for one behind a line that is left out.
 
         Or where words say that they follow.
         """
+        yield from (step for step in self.referred.values() if step not in proved)
         for k, step in self.steps.items():
             near = (self.beyond.get(k), self.steps.get(k - 1), self.steps.get(k + 1))
             expected = step.worded or any(each in proved for each in near)

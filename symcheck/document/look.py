@@ -31,7 +31,7 @@ _BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the de
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
-STEP = "does not follow from the line before it: an error in one of them, or a condition printed elsewhere?"
+STEP = "does not follow from what it is said to: an error in one of them, or a condition printed elsewhere?"
 Progress = Callable[[int, int], None]
 
 

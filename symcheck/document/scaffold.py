@@ -102,6 +102,7 @@ def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Lett
     sure = work.all(confirmed, wrong, SEARCH, undecided)
     claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in lines.steps.items() if step in proved}
     claimed |= {step.number: step.sources for step in wrong if sure[step].verdict is Status.REFUTED}
+    claimed |= {k: step.sources for k, step in lines.referred.items() if step in proved}
     claimed |= {k + 1: (k - 1,) for k, step in lines.beyond.items() if step in proved and k + 1 not in claimed}
     said = _said(letters)
     asked = {k: _inquired(guesses, k, guesses[k].follows, checks.formulas, said) for k in claimed}
