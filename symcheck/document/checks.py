@@ -313,8 +313,12 @@ class Derivations:
 
     @property
     def questions(self) -> list[Question]:
-        """All of them, each once."""
-        return [*dict.fromkeys((*self.steps.values(), *self.beyond.values(), *self.referred.values()))]
+        """Those to be asked first, each once."""
+        return [*dict.fromkeys((*self.steps.values(), *self.referred.values()))]
+
+    def further(self, proved: Container[Question]) -> list[Question]:
+        """Those to be asked where a line does not follow from the one before it."""
+        return [self.beyond[k] for k, step in self.steps.items() if step not in proved and k in self.beyond]
 
     def unlike(self, proved: Container[Question]) -> Iterator[Question]:
         """The steps that are not proved, where others beside them are, but for one behind a line that is left out.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from os import PathLike
@@ -174,7 +174,8 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     checks = Checks(formulas, seen, every)
     alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
     answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
-    proved = {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
+    answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
+    proved = proved_of(answers)
     failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
     failing += [question for question in lines.unlike(proved) if answers[question].verdict is Status.REFUTED]
     sure = work.all(confirmed, failing, SEARCH, undecided)
@@ -183,7 +184,11 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     holds = [formulas[k].place for k in sorted(holding)]
-    following = [q for q in (*suspicious, *lines.questions) if q.where and q in proved and q.number not in holding]
+    following = [
+        q
+        for q in (*suspicious, *lines.questions, *lines.beyond.values())
+        if q.where and q in proved and q.number not in holding
+    ]
     follows = [formulas[k].place for k in sorted({q.number for q in following})]
     return Look(
         str(file),
@@ -239,6 +244,11 @@ class Work:
             self.done += 1
             self.progress(self.done, self.total)
         return found
+
+
+def proved_of(answers: Mapping[Question, Answer]) -> set[Question]:
+    """The questions whose answer is a proof."""
+    return {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
 
 
 def undecided(reason: str) -> Answer:

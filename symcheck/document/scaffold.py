@@ -20,7 +20,7 @@ from symcheck.document.asked import Inquiry, Relied, is_settled
 from symcheck.document.checks import SEARCH, SECONDS, Checks, confirmed, decided
 from symcheck.document.letters import Letter, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
-from symcheck.document.look import Work, known, undecided
+from symcheck.document.look import Work, known, proved_of, undecided
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess, Roles
 from symcheck.document.sources import source
@@ -96,7 +96,8 @@ def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Lett
     """
     lines = checks.derivations()
     answers = work.all(decided, lines.questions, SECONDS, undecided)
-    proved = {step for step, answer in answers.items() if answer.verdict is Status.PROVED}
+    answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
+    proved = proved_of(answers)
     unlike = [step for step in lines.unlike(proved) if lines.is_certain(step, proved)]
     wrong = [step for step in unlike if answers[step].verdict is Status.REFUTED]
     sure = work.all(confirmed, wrong, SEARCH, undecided)
