@@ -126,7 +126,7 @@ def answered(
     """The answer to a question; repairs of what is refuted are looked for if they are wanted.
 
     What is claimed for all values of its letters is neither an equation to be solved nor a condition. Proofs for
-    matrices of all sizes are not written out by components, as those of a ledger are.
+    matrices of all sizes are left out where they have been looked for before.
     """
     started = time.perf_counter()
     asked = None
