@@ -33,6 +33,11 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
             (7, "2", "", r"f = 6 \\ + 7"),
         ],
     ),
+    "subscripts with a backslash, and words with a sign": (
+        "a.md",
+        "Then $$m\\_1 = \\mathbf{a}\\_{2}$$\n\n$$\\text{v\\_max} = \\text{a\\_b}$$\n",
+        [(1, "", "", r"m_1 = \mathbf{a}_{2}"), (3, "", "", r"\text{v\_max} = \text{a\_b}")],
+    ),
     "rows with labels and numbers": (
         "a.tex",
         BODY + "\\begin{align}\na &= b \\label{a}\\\\\n&= c \\nonumber\\\\[2pt]\nd &= e & f &= g \\tag{A}\\\\\nh &= i\n"

@@ -13,6 +13,7 @@ from typing import Any
 from symcheck.audit.context import Context
 from symcheck.audit.judge import equality_claims, units
 from symcheck.audit.obligation import expand
+from symcheck.checker.statements import claimed
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion, Declaration, Hypothesis, Paper, Stated, for_letter
 from symcheck.core.terms import Formula
@@ -73,13 +74,11 @@ class Index:
         for name, term in stated.definitions.items():
             _add(self.definitions.setdefault(name, []), [term])
         letters = [name for name in stated.definitions if name in dict(certificate["definitions"])]
-        claim, given = certificate["claim"], [*stated.hypotheses]
-        _add(self.statements, [[certificate["id"], stated.what, claim, given, letters]])
+        _add(self.statements, [[certificate["id"], stated.what, claimed(certificate), [*stated.hypotheses], letters]])
 
     def _add_further(self, what: str, certificate: Certificate) -> None:
-        letters = [name for name, _ in certificate["definitions"]]
-        claim, given = certificate["claim"], [*certificate["hypotheses"]]
-        _add(self.statements, [[certificate["id"], what, claim, given, letters]])
+        letters = [name for name, _ in certificate.get("definitions", ())]
+        _add(self.statements, [[certificate["id"], what, claimed(certificate), [*certificate["hypotheses"]], letters]])
 
 
 def _add(known: list[Any], new: Iterable[Any]) -> None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 
+from symcheck import papers
 from symcheck.audit.checked import NOT_ACCEPTED, reasons
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
@@ -25,11 +26,14 @@ from symcheck.reading import from_sympy, lower, read
 
 
 def declared(key: str) -> dict[str, Kernel]:
-    """The kernels of a paper by name, in the order of declaration."""
-    name = f"symcheck.papers.{key}.kernels"
-    if find_spec(f"symcheck.papers.{key}") is None or find_spec(name) is None:
+    """The kernels of a paper by name, in the order of declaration: those beside its relations, and its `kernels.py`."""
+    if key not in papers.load():
         return {}
-    return {name: value for name, value in vars(import_module(name)).items() if isinstance(value, Kernel)}
+    papers.load()[key]  # a user's file is a module from now on
+    name = f"symcheck.papers.{key}"
+    modules = [each for each in (name, f"{name}.kernels") if find_spec(name) and find_spec(each)]
+    found = (pair for each in modules for pair in vars(import_module(each)).items())
+    return {name: value for name, value in found if isinstance(value, Kernel)}
 
 
 def programs(kernel: Kernel) -> tuple[Program, Program]:

@@ -9,10 +9,10 @@ from types import MappingProxyType
 from symcheck import kernels, papers
 from symcheck.audit.index import Index
 from symcheck.core.certificates import Certificate
+from symcheck.kernels import GENERATED
 from symcheck.ledger import Record, by_paper, line
 from symcheck.ledger.store import CERTIFICATES, EXPECTED, PROOFS, STATEMENTS, document
 
-GENERATED = "generated"  # in the folder of a user's paper
 Kernels = tuple[Mapping[str, str], Iterable[Certificate]]  # texts by the names of their files, proofs
 
 

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from symcheck.core.fields import by_key, listed, raw, text
 from symcheck.core.terms import JSON
 
 LEDGER = ("as printed", "where it is an equality", "as corrected")  # what is read from the print, or put in its place
 FORMULAS = by_key(listed(raw))
+
+
+def claimed(certificate: Mapping[str, Any]) -> JSON:
+    """What a certificate claims; of matrices of all sizes with the shapes of letters, and which are inverses."""
+    of = [certificate[name] for name in ("matrices", "inverses") if name in certificate]
+    return [certificate["claim"], *of] if of else certificate["claim"]
 
 
 class Entry:
@@ -34,7 +41,7 @@ class Index:
         """What certificates state that the ledger does not, and what it states without one."""
         open_ = {id: list(entries) for id, entries in self.entries.items()}
         for stated in map(by_key(raw), certificates):
-            id, claim = text(stated["id"]), stated["claim"]
+            id, claim = text(stated["id"]), claimed(stated)
             found = [self.faults(stated, entry) for entry in self.entries.get(id, ()) if entry.claim == claim]
             if [] not in found:
                 yield f"{id}: {(found or [['the ledger does not state what this certificate claims']])[0][0]}"

@@ -29,7 +29,10 @@ def selftest(as_json: bool, seed: int, faults: int, recording: bool, options: Au
     from symcheck.selftest.run import classes, run
     from symcheck.selftest.table import show
 
-    records = [each for each in audited((), options) if not obligation_of(each.declaration).item.question]
+    every = audited((), options)
+    records = [each for each in every if not obligation_of(each.declaration).item.question]
+    if left := len(every) - len(records):
+        say(f"{left} relations of documents of your own are left out")
     modules = [fault_class.places.__module__ for fault_class in classes().values()]
     with progress("planting faults") as move:
         result = run(records, executor(options.jobs, modules), faults, seed, move)

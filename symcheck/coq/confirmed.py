@@ -27,7 +27,8 @@ def asked(record: Record) -> Iterator[tuple[bool, list[Certificate]]]:
     """What Coq is asked to confirm: (False, its certificates) of a proved relation, (True, those) of a correction."""
     own = record.certificates if record.verdict is Verdict.PROVED else ()
     for corrected, certificates in ((False, own), (True, record.erratum.certificates if record.erratum else ())):
-        if proofs := [evidence for evidence in certificates if evidence.get("verdict") == Verdict.PROVED]:
+        proofs = [each for each in certificates if each.get("verdict") == Verdict.PROVED and "matrices" not in each]
+        if proofs:  # those about matrices of all sizes are not written in Coq
             yield corrected, proofs
 
 

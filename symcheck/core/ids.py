@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from string import ascii_lowercase
 from typing import NamedTuple
+
+from symcheck.core.verdicts import SymcheckError
+
+
+def key_of(folder: Path) -> str:
+    """The first part of the ids of a paper in a folder: the folder's name in small letters and digits."""
+    key = re.sub(r"\W+", "_", folder.resolve().name.lower(), flags=re.ASCII).strip("_")
+    if not key:
+        raise SymcheckError(f"{folder}: the name of the folder becomes the key of the paper; use letters and digits")
+    return key
 
 
 class Id(NamedTuple):

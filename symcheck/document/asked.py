@@ -2,35 +2,40 @@
 
 from __future__ import annotations
 
+import time
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from msgspec.structs import replace as record_with
 
 from symcheck.audit import differences
-from symcheck.core.certificates import Certificate
+from symcheck.core.certificates import Certificate, MatrixProof
 from symcheck.core.claims import Assertion, Declaration, Erratum
 from symcheck.core.formulas import conjuncts
 from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Term
+from symcheck.core.terms import JSON, Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
-from symcheck.document.survey import Link, surveyed
+from symcheck.document.survey import Link, Said, apart, is_open, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
-from symcheck.question.ask import answered
+from symcheck.question.ask import answered, proved_for_all_sizes
 from symcheck.question.divisors import with_plain_divisors
+from symcheck.question.jets import LEADING
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings
+from symcheck.question.matrices import stated
+from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings, unlowered
 from symcheck.reading import Tree, relations, to_latex
 
 METHOD = "decide"
 VALUED = "every printed term has a value"
+SOLVABLE = "the equations can be solved for the highest rates of change"
 REPAIRING = 8.0  # seconds for an answer with repairs, before one without is asked for
 DOUBTING = 10.0  # seconds for conditions that may save what fails
 PROVING = 5.0  # seconds for a proof with fewer definitions
@@ -70,7 +75,7 @@ class Inquiry:
     text: str
     follows: tuple[Relied, ...] = ()
     given: tuple[str, ...] = ()
-    letters: tuple[tuple[str, str], ...] = ()
+    letters: Said = ()
     reading: Reading = Reading.AS_PRINTED
     told: str = ""
     near: tuple[tuple[str, str], ...] = ()
@@ -81,23 +86,28 @@ class Inquiry:
         """All that it rests on."""
         return (*(each.text for each in self.follows), *self.given)
 
+    @property
+    def links(self) -> dict[str, str]:
+        """Its relations, by the letters of their links."""
+        return dict(_links(self.text, self.said(self.text)).lettered)
+
     def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         """One for each relation that it prints, or the one that says why it is not read."""
         base = record_with(base, reading=self.reading, reason=self._said_of(base.reason))
         if item.role is Role.EXCLUSION:
             return (base,)
         try:
-            tree = _tree(self.text, self._said(self.text))
+            links = _links(self.text, self.said(self.text))
         except SymcheckError as error:
             open_ = Verdict.UNDECIDED if isinstance(item, Assertion) else None
             return (record_with(base, verdict=open_, reason=self._said_of(f"not read: {error}")),)
         if not isinstance(item, Assertion):
-            return (record_with(base, read=to_latex(tree)),)
-        return tuple(self._of_links(item, base, tree))
+            return (record_with(base, read=links.read),)
+        return tuple(self._of_links(item, base, links))
 
-    def _of_links(self, item: Assertion, base: Record, tree: Tree) -> Iterator[Record]:
-        for letter, link in _lettered(tree, self.text):
-            row = record_with(base, id=base.id + letter, read=link if letter else to_latex(tree))
+    def _of_links(self, item: Assertion, base: Record, links: Links) -> Iterator[Record]:
+        for letter, link in links.lettered:
+            row = record_with(base, id=base.id + letter, read=link if letter else links.read)
             row = record_with(row, line=item.source.lines.get(letter, item.source.line))
             if item.statement.imposes(letter):
                 yield record_with(row, role=Role.PREMISE, reason="what the letter is, and no claim")
@@ -105,14 +115,22 @@ class Inquiry:
                 yield self._decided(row, link, item.erratum(letter))
 
     def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
-        asked = self._asked(link)
+        whole = self._question(link)
+        readable = _readable(whole)
+        asked = _independent(readable)
+        if general := self._general(row, asked):
+            return self._corrected(general, link, erratum, Answer(Status.PROVED)) if erratum else general
         answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
-        if (
-            answer.verdict is Status.REFUTED
-            and not (self.alone or self.given or erratum)
-            and (doubt := self._doubt(asked, answer))
-        ):
-            answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
+        if answer.verdict is Status.REFUTED:
+            unread = [each for each in whole.where if each not in readable.where]
+            doubt = f"it fails, but nothing is read of {unread[0]}, from which it follows" if unread else ""
+            doubt = doubt or (
+                f"it fails for matrices; which of its letters are vectors? {SAY}" if is_open(link) else ""
+            )
+            if not (doubt or self.alone or self.given or erratum):
+                doubt = self._doubt(asked, answer)
+            if doubt:
+                answer = Answer(Status.UNDECIDED, reason=doubt, seconds=answer.seconds)
         verdict = VERDICTS.get(answer.verdict, Verdict.UNDECIDED)
         proofs = self._certificates(row.id, asked, answer)
         row = record_with(row, verdict=verdict, method=METHOD, seconds=round(answer.seconds, 4), certificates=proofs)
@@ -123,13 +141,35 @@ class Inquiry:
             row = record_with(row, origin=Origin.PAPER, kind="fails")
         return self._corrected(row, link, erratum, answer) if erratum else row
 
+    def _general(self, row: Record, asked: Asked) -> Record | None:
+        """The record of a relation that is proved for matrices of all sizes; None if it is not."""
+        started = time.perf_counter()
+        for each in dict.fromkeys((_fewer(asked), asked)):
+            if found := proved_for_all_sizes(plainly(each)):
+                names = _unlike(found.told)
+                proofs = tuple(_with_names(proof, row.id, names) for proof in found.certificates)
+                rows = tuple(self._hypotheses(Verdict.PROVED, proofs))
+                taken = f"for matrices and vectors of all sizes; assumed: {', '.join(found.used) or 'nothing'}"
+                return record_with(
+                    row,
+                    verdict=Verdict.PROVED,
+                    method=METHOD,
+                    certificates=proofs,
+                    hypotheses=rows,
+                    reason=self._said_of(taken),
+                    seconds=round(time.perf_counter() - started, 4),
+                )
+        return None
+
     def _doubt(self, asked: Asked, answer: Answer) -> str:
         """Why what fails may hold all the same, under a condition that is printed elsewhere; "" if nothing says so."""
         if holds_elsewhere(asked):
             return f"it fails, but holds for some positive numbers; {SAY}"
         with suppress(OutOfTime), limited(DOUBTING):
             for place, text in self._beside(asked):
-                said = self._said(asked.relation, *asked.where, text)
+                if asked.where and _proof(_resting_on(replace(asked, relation=text), asked.where)):
+                    continue  # it says nothing new
+                said = self.said(asked.relation, *asked.where, text)
                 with_it = answered(asked.relation, asked.where, (*asked.given, text), dict(said), wanted=False)
                 if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
                     return f"it fails, but perhaps not where {text} ({place}); {SAY}"
@@ -182,26 +222,37 @@ class Inquiry:
         return "; ".join(filter(None, (reason, self.told)))
 
     def _asked(self, link: str, needs: Sequence[str] = ()) -> Asked:
-        """The question as `decide` takes it."""
+        """The question as `decide` takes it, with what can be read."""
+        return _independent(_readable(self._question(link, needs)))
+
+    def _question(self, link: str, needs: Sequence[str] = ()) -> Asked:
+        """The question with all that it follows from."""
         where, given = list[str](), [*self.given, *needs]
         for each in self.follows:
             for part, is_equation in _parts(each, self.letters):
                 (where if is_equation else given).append(part)
-        said = self._said(link, *where, *given)
+        said = self.said(link, *where, *given)
         return Asked(link, tuple(dict.fromkeys(where)), tuple(dict.fromkeys(given)), said)
 
-    def _said(self, *texts: str) -> tuple[tuple[str, str], ...]:
+    def said(self, *texts: str) -> Said:
         """What is said of letters beyond what each formula alone shows of them."""
         every = {shown(role.letter) for text in texts for role in surveyed_once(text).roles}
-        known = {shown(letter): phrase for letter, phrase in self.letters if phrase and depends_on(phrase) <= every}
+        known = {shown(letter): phrase for letter, phrase in self._letters if phrase and depends_on(phrase) <= every}
         roles = [role for text in texts for role in surveyed_once(text).roles if role.kind not in UNSAID]
         found = {role.letter: known.get(shown(role.letter), "") for role in roles}
         return tuple((x, p) for x, p in found.items() if p and any(r.letter == x and r.phrase != p for r in roles))
 
+    @property
+    def _letters(self) -> Said:
+        """What letters are; of a relation whose links are read apart, as they are in the whole."""
+        seen = surveyed_once(self.text)
+        own = tuple((role.letter, role.phrase) for role in seen.roles if seen.apart and is_sayable(role.phrase))
+        return (*own, *self.letters)
+
     def _certificates(self, id: str, asked: Asked, answer: Answer) -> tuple[Certificate, ...]:
         if answer.verdict not in VERDICTS:
             return ()
-        made = cast(tuple[Certificate, ...], answer.certificate)  # none is about all sizes: see `answered` below
+        made = cast(tuple[Certificate, ...], answer.certificate)  # those about all sizes have been asked for before
         return tuple(_renamed(each, id, _names(asked, each)) for each in made)
 
     def _hypotheses(self, verdict: Verdict, proofs: Sequence[Certificate]) -> Iterator[HypothesisRow]:
@@ -215,7 +266,7 @@ class Inquiry:
         """What is printed, or put in its place, read anew: that of which a certificate is one; None if it is none."""
         assert isinstance(item, Assertion)
         letter = Id.parse(certificate["id"]).link
-        link = dict(_lettered(_tree(self.text, self._said(self.text)), self.text)).get(letter)
+        link = dict(_links(self.text, self.said(self.text)).lettered).get(letter)
         if link is None:
             return None
         forms = [("as printed", self._asked(link))]
@@ -223,6 +274,10 @@ class Inquiry:
             needs = [each.states for each in erratum.needs]
             forms.append(("as corrected", self._asked(erratum.corrected or link, needs)))
         for what, asked in forms:
+            if "matrices" in certificate:
+                if found := _stated_of_matrices(what, asked, cast(MatrixProof, certificate)):
+                    return found
+                continue
             names = _names(asked, certificate)
             problems = [problem for reading in readings(plainly(asked)) for problem in reading.problems]
             for problem in (*problems, *map(with_plain_divisors, problems)):
@@ -235,7 +290,7 @@ class Inquiry:
 def is_settled(inquiry: Inquiry, imposed: str) -> bool:
     """Whether each relation of a claim is proved, or a slip of the pen would explain that it fails."""
     try:
-        links = _lettered(_tree(inquiry.text, inquiry._said(inquiry.text)), inquiry.text)
+        links = _links(inquiry.text, inquiry.said(inquiry.text)).lettered
         answers = [_answer(inquiry._asked(link)) for letter, link in links if not letter or letter not in imposed]
     except SymcheckError:
         return False
@@ -261,6 +316,47 @@ class Stated:
         return known and all(defined.get(name) == line(term) for name, term in certificate["definitions"])
 
 
+def _stated_of_matrices(what: str, asked: Asked, proof: MatrixProof) -> Stated | None:
+    """What is printed of matrices of all sizes, if a certificate claims it of no other shapes and inverses."""
+    for each in dict.fromkeys((_fewer(asked), asked)):
+        for reading in unlowered(plainly(each)):
+            for said in stated(reading):
+                names = _unlike(said.printed)
+                for statement in said.statements:
+                    assumed = {names.get(name, name): [*both] for name, both in statement.hypotheses.items()}
+                    shapes = {x: [*statement.shapes[x]] for x in proof["matrices"] if x in statement.shapes}
+                    inverses = {x: statement.inverses.get(x) for x in proof["inverses"]}
+                    same = proof["claim"] == [*statement.claim] and proof["matrices"] == shapes
+                    known = all(assumed.get(name) == both for name, both in proof["hypotheses"].items())
+                    if same and known and proof["inverses"] == inverses:
+                        return Stated(what, cast(dict[str, list[Formula]], assumed), {})
+    return None
+
+
+def _unlike(printed: Mapping[str, str]) -> dict[str, str]:
+    """What hypotheses say, by their names; of several that are printed in one place the second has a number."""
+    count = Counter[str]()
+    found = {}
+    for name, text in printed.items():
+        count[text] += 1
+        found[name] = text if count[text] == 1 else f"{text} [{count[text]}]"
+    return found
+
+
+def _with_names(proof: MatrixProof, id: str, names: Mapping[str, str]) -> Certificate:
+    """The certificate of a question about matrices as that of a relation, with its hypotheses by what they say."""
+    steps = [[_with_name(reference, names), term] for reference, term in proof["proof"]]
+    assumed = {names.get(name, name): both for name, both in proof["hypotheses"].items()}
+    return cast(Certificate, {**proof, "id": id, "hypotheses": assumed, "proof": steps})
+
+
+def _with_name(reference: JSON, names: Mapping[str, str]) -> JSON:
+    match reference:
+        case ["hypothesis" | "turned" as kind, str(name)]:
+            return [kind, names.get(name, name)]
+    return reference
+
+
 def _stated(what: str, problem: Problem, names: Mapping[str, str]) -> Stated:
     hypotheses = {names.get(name, name): [*_parted(formulas)] for name, formulas in problem.hypotheses}
     return Stated(what, hypotheses, dict(problem.definitions))
@@ -270,7 +366,7 @@ surveyed_once = cache(surveyed)
 
 
 @cache
-def _tree(text: str, said: tuple[tuple[str, str], ...]) -> Tree:
+def _tree(text: str, said: Said) -> Tree:
     """A relation as it is read alone."""
     try:
         return readings(plainly(Asked(text, letters=said)))[0].tree
@@ -278,24 +374,84 @@ def _tree(text: str, said: tuple[tuple[str, str], ...]) -> Tree:
         return error.tree
 
 
-def _lettered(tree: Tree, text: str) -> list[tuple[str, str]]:
-    """The relations of a formula with the letters of their links; one alone is asked as it is printed."""
-    links = relations(tree)
-    if len(links) < 2:
-        return [("", text)]
-    return [(chr(ord("a") + n), link.latex) for n, link in enumerate(links)]
+class Links(NamedTuple):
+    """The relations of a formula: what is read, the relations with the letters of their links, and their signs."""
+
+    read: str
+    lettered: list[tuple[str, str]]
+    signs: list[str]
 
 
-def _parts(relied: Relied, letters: tuple[tuple[str, str], ...]) -> list[tuple[str, bool]]:
-    """The relations of one that is relied on, and whether each is an equation."""
-    said = Inquiry(relied.text, letters=letters)._said(relied.text)
+def _links(text: str, said: Said) -> Links:
+    """The relations of a formula; one alone is asked as it is printed.
+
+    Those of a chain that is not read as a whole are read apart.
+    """
     try:
-        tree = _tree(relied.text, said)
+        tree = _tree(text, said)
+    except SymcheckError:
+        links = apart(text)
+        if not surveyed_once(text).apart:
+            raise
+        return Links(text, _lettered(links), ["="] * len(links))
+    every = relations(tree)
+    lettered = _lettered([link.latex for link in every]) if len(every) > 1 else [("", text)]
+    return Links(to_latex(tree), lettered, [link.sign for link in every] or [""])
+
+
+def _lettered(links: Sequence[str]) -> list[tuple[str, str]]:
+    return [(chr(ord("a") + n), link) for n, link in enumerate(links)]
+
+
+def _parts(relied: Relied, letters: Said) -> list[tuple[str, bool]]:
+    """The relations of one that is relied on, and whether each is an equation."""
+    said = Inquiry(relied.text, letters=letters).said(relied.text)
+    try:
+        links = _links(relied.text, said)
     except SymcheckError:
         return [(relied.text, False)]  # told where it is asked
-    links, signs = _lettered(tree, relied.text), [link.sign for link in relations(tree)]
-    chosen = zip(links, signs or [""], strict=False)
+    chosen = zip(links.lettered, links.signs, strict=False)
     return [(text, sign == "=") for (letter, text), sign in chosen if not relied.defines or letter in relied.defines]
+
+
+@cache
+def _readable(asked: Asked) -> Asked:
+    """The question without those relations that it follows from with which it cannot be read, if it can be without."""
+    if not asked.where or _is_read(asked) or not _is_read(_resting_on(asked, ())):
+        return asked
+    kept = tuple[str, ...]()
+    for each in asked.where:
+        if _is_read(_resting_on(asked, (*kept, each))):
+            kept = (*kept, each)
+    return _resting_on(asked, kept)
+
+
+@cache
+def _independent(asked: Asked) -> Asked:
+    """The question without those equations that follow from one behind them, as the lines of a derivation do."""
+
+    def is_implied(k: int, each: str) -> bool:
+        names = surveyed_once(each).names
+        behind = [(other, surveyed_once(other).names) for other in asked.where[k + 1 :]]
+        later = (other for other, theirs in behind if names and theirs and (names <= theirs or theirs <= names))
+        return any(_proof(_resting_on(replace(asked, relation=each), (other,))) for other in later)
+
+    kept = tuple(each for k, each in enumerate(asked.where) if not is_implied(k, each))
+    return asked if kept == asked.where else _resting_on(asked, kept)
+
+
+def _resting_on(asked: Asked, where: tuple[str, ...]) -> Asked:
+    """The question with other definitions, and what is said of the letters that are left."""
+    every = {shown(role.letter) for x in (asked.relation, *where, *asked.given) for role in surveyed_once(x).roles}
+    said = tuple((letter, phrase) for letter, phrase in asked.letters if {shown(letter), *depends_on(phrase)} <= every)
+    return replace(asked, where=where, letters=said)
+
+
+def _is_read(asked: Asked) -> bool:
+    try:
+        return bool(readings(plainly(asked)))
+    except SymcheckError:
+        return False
 
 
 def _answer(asked: Asked, claimed: bool = False) -> Answer:
@@ -347,7 +503,7 @@ def _fewer(asked: Asked) -> Asked:
         n, names = defined.pop(last)
         used.add(n)
         sides = [(side - {last}) | names if last in side else side for side in sides]
-    return replace(asked, where=tuple(text for n, text in enumerate(asked.where) if n in used))
+    return _resting_on(asked, tuple(text for n, text in enumerate(asked.where) if n in used))
 
 
 def _heads(text: str) -> Iterable[tuple[str, Link]]:
@@ -371,6 +527,7 @@ def _names(asked: Asked, certificate: Certificate) -> dict[str, str]:
     for reading in readings(plainly(asked)):
         printed = {**reading.stated, DEFINED: VALUED}
         names = {name: _printed(name, printed) for problem in reading.problems for name, _ in problem.hypotheses}
+        names |= {LEADING: SOLVABLE}
         if {*certificate["hypotheses"]} <= {*names, *names.values()}:
             return names
     return {}

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
 from symcheck.document.printed import Printed
-from symcheck.document.survey import Link, Seen
+from symcheck.document.survey import Link, Seen, is_open, is_sayable
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
@@ -32,6 +32,17 @@ IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|e
 AGAIN = re.compile(
     r"\b(recall\w*|again|as before|as above|repeat\w*|remember)\b", re.IGNORECASE
 )  # before what is known
+# words of which all are that stand before a display that goes on with the one before it
+CONNECTING = re.compile(
+    r"and|so|or|thus|hence|then|therefore|that|is|are|i|e|finally|equivalently|which|what|it|this|we|one|giv(?:e|es|ing)|"
+    r"yield(?:s|ing)?|gets?|obtains?|becomes?|simplifies|reduces|to|have|left|with|in|other|words"
+)
+# a word behind such ones after which come the words for what is done
+OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
+# words that say that a display follows from those to which they refer
+REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add|subtract|solv)\w*\b", re.IGNORECASE)
+REFERENCE = re.compile(r"\{([^{}\s]+)\}|\(([\w.]+)\)")  # to a label, or to a number in brackets
+MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
 NEAR = 3  # formulas behind one that may say for what it holds
@@ -53,6 +64,7 @@ class Question:
     given: tuple[str, ...] = ()
     letters: tuple[tuple[str, str], ...] = ()
     sure: bool = False  # does it fail only if a slip of the pen away from it stands what holds?
+    worded: bool = False  # do words say that it follows?
 
 
 def decided(question: Question) -> Answer:
@@ -90,6 +102,8 @@ def _confirmed(question: Question) -> Answer:
     with suppress(OutOfTime), limited(REPAIRING):
         more = answered(question.relation, question.where, (), said)
         found = more if more.verdict is Status.REFUTED else found
+    if is_open(question.relation):
+        return replace(found, verdict=Status.UNDECIDED, reason="some of its letters may be vectors")
     if not found.repairs and (question.sure or elsewhere is None):
         return replace(found, verdict=Status.UNDECIDED, reason="no slip of the pen is near that would explain it")
     return found
@@ -124,7 +138,9 @@ class Checks:
     def _said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
         found: dict[str, str] = {}
         for each in seen:
-            found |= said(each, self.letters)
+            found |= said(each, self.letters) | dict(each.said)
+            if each.apart:  # its links are as they are read in the whole
+                found |= {role.letter: role.phrase for role in each.roles if is_sayable(role.phrase)}
         return tuple(found.items())
 
     def is_statement(self, k: int) -> bool:
@@ -134,7 +150,7 @@ class Checks:
     def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
         words = aside.sub("", self._words(k)) if aside else self._words(k)
-        return self.seen[k].plain and not self.seen[k].reason and not CONDITIONAL.search(words)
+        return self.seen[k].plain and self.seen[k].is_known and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
         return ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)[-SENTENCES:])
@@ -155,6 +171,54 @@ class Checks:
             seen = self.seen[k]
             if number == len(seen.links) - len(seen.heads):
                 yield k
+
+    def derivations(self) -> Derivations:
+        """Equations that may follow from those on the lines before them: of the same letters, in one derivation."""
+        steps = {k: step for k in range(1, len(self.seen)) if (step := self._step(k - 1, k)) is not None}
+        beyond = {k: step for k in steps if k + 1 in steps and (step := self._step(k - 1, k + 1)) is not None}
+        referred = {k: step for k in range(len(self.seen)) if k not in steps and (step := self._referred(k))}
+        return Derivations(steps, beyond, referred)
+
+    def _referred(self, k: int) -> Question | None:
+        """Whether an equation follows from those that the words before it name, if it has no other letters."""
+        formula, seen = self.formulas[k], self.seen[k]
+        if not (formula.display and REFERRING.search(formula.before) and self.is_said(k, REFERRING)):
+            return None
+        if (k and self.formulas[k - 1].before == formula.before and self.formulas[k - 1].display) or len(
+            seen.links
+        ) != 1:
+            return None
+        named = [found[1] or found[2] for found in REFERENCE.finditer(formula.before)]
+        places = {name: m for m in range(k) for name in (self.formulas[m].label, self.formulas[m].number) if name}
+        sources = [*dict.fromkeys(places[name] for name in named if name in places)]
+        others = [self.seen[m] for m in sources]
+        if len(sources) != len({*named}) or not all(x.plain and not x.reason and len(x.links) == 1 for x in others):
+            return None
+        (link,), known = (
+            seen.links,
+            frozenset[str]().union(*(x.links[0].names[0] | x.links[0].names[1] for x in others)),
+        )
+        if seen.reason or not sources or not link.names[0] | link.names[1] <= known:
+            return None
+        where = tuple(x.links[0].latex for x in others)
+        said = self._said(seen, *others)
+        return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
+
+    def _step(self, m: int, k: int) -> Question | None:
+        """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
+        both, seen = (self.formulas[m], self.formulas[k]), (self.seen[m], self.seen[k])
+        if len({(f.display, f.scope) for f in both}) > 1 or not both[0].display:
+            return None
+        worded = both[0].before != both[1].before
+        if worded and not (_goes_on(both[1].before) and self.is_said(k)):
+            return None
+        if both[0].latex == both[1].latex or any(x.reason or not x.plain or len(x.links) != 1 for x in seen):
+            return None
+        (one,), (two,) = (each.links for each in seen)
+        names = one.names[0] | one.names[1]
+        if not names or not two.names[0] | two.names[1] <= names:
+            return None
+        return Question(k, two.latex, "step", (one.latex,), (m,), letters=self._said(*seen), sure=True, worded=worded)
 
     def _chained(self, k: int, link: Link) -> Question | None:
         """A link behind another one, with the same letters on both sides."""
@@ -237,6 +301,48 @@ class Checks:
             if len(found) == MOST_CONDITIONS:
                 break
         return tuple(dict.fromkeys(found))
+
+
+@dataclass(frozen=True)
+class Derivations:
+    """Lines below each other: whether each follows from the one before it, and from the one before that."""
+
+    steps: dict[int, Question]
+    beyond: dict[int, Question]  # by the number of the line that is left out
+    referred: dict[int, Question]  # lines that are said to follow from others, named by their numbers
+
+    @property
+    def questions(self) -> list[Question]:
+        """Those to be asked first, each once."""
+        return [*dict.fromkeys((*self.steps.values(), *self.referred.values()))]
+
+    def further(self, proved: Container[Question]) -> list[Question]:
+        """Those to be asked where a line does not follow from the one before it."""
+        return [self.beyond[k] for k, step in self.steps.items() if step not in proved and k in self.beyond]
+
+    def unlike(self, proved: Container[Question]) -> Iterator[Question]:
+        """The steps that are not proved, where others beside them are, but for one behind a line that is left out.
+
+        Or where words say that they follow.
+        """
+        yield from (step for step in self.referred.values() if step not in proved)
+        for k, step in self.steps.items():
+            near = (self.beyond.get(k), self.steps.get(k - 1), self.steps.get(k + 1))
+            expected = step.worded or any(each in proved for each in near)
+            if step not in proved and expected and self.beyond.get(k - 1) not in proved:
+                yield step
+
+    def is_certain(self, step: Question, proved: Container[Question]) -> bool:
+        """Is it the line of a step that is wrong, and not the one before it?"""
+        near = (self.beyond.get(step.number), self.steps.get(step.number - 1))
+        return step.worded or any(each in proved for each in near)
+
+
+def _goes_on(before: str) -> bool:
+    """Do words say no more than that a formula follows from the one before it, or what is done to it?"""
+    words = re.findall(r"[a-z]+", before.lower())
+    end = next((n for n, word in enumerate(words) if OPERATION.fullmatch(word)), len(words))
+    return len(words) <= MOST_CONNECTING and all(map(CONNECTING.fullmatch, words[:end]))
 
 
 def nearest(k: int, count: int) -> list[int]:

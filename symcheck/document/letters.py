@@ -7,8 +7,10 @@ from dataclasses import dataclass
 
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
-from symcheck.document.survey import Role, Seen
+from symcheck.document.survey import Role, Said, Seen, is_sayable
+from symcheck.reading.faces import is_styled
 from symcheck.reading.guesses import PRINTED
+from symcheck.reading.names import KINDS_OPEN
 
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -105,9 +107,13 @@ def depends_on(phrase: str) -> set[str]:
     return {each.strip() for each in variables.split(",")} if kind in ("depends", "function") else set()
 
 
-def is_sayable(phrase: str) -> bool:
-    """Does `decide` take a phrase about a letter? Of a function it wants to know of what."""
-    return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
-
-
-_SAYABLE = frozenset({"vector", "matrix", "function", "depends"})  # first words of phrases that `decide` takes
+def elsewhere(seen: Seen, known: Mapping[str, Letter]) -> Said:
+    """What the document says of the letters of a formula that is not read, where it is not what is guessed there."""
+    own = {shown(role.letter) for role in seen.roles}
+    phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
+    told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
+    found = {r.letter: told[r.letter] for r in seen.roles if told.get(r.letter, r.phrase) != r.phrase}
+    if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
+        bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
+        found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
+    return tuple(found.items())

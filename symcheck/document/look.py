@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from os import PathLike
@@ -15,11 +15,11 @@ from symcheck.audit.executor import Done, Executor, Timeout
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
-from symcheck.document.letters import Letter, letters
+from symcheck.document.letters import Letter, elsewhere, letters
 from symcheck.document.printed import Printed
 from symcheck.document.sources import source
 from symcheck.document.structure import Mark, marks
-from symcheck.document.survey import READING, Seen, surveyed
+from symcheck.document.survey import READING, Seen, surveyed, surveyed_with
 from symcheck.question import Answer, Status
 
 K = TypeVar("K")
@@ -31,6 +31,7 @@ _BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the de
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
+STEP = "does not follow from what it is said to: an error in one of them, or a condition printed elsewhere?"
 Progress = Callable[[int, int], None]
 
 
@@ -169,22 +170,26 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     printed = source(Path(file))
     work = Work(executor(jobs, ["symcheck.document.checks"]), progress)
     formulas = printed.formulas
-    distinct = [*dict.fromkeys(each.latex for each in formulas)]
-    looked_at = work.all(surveyed, distinct, READING, lambda reason: Seen(reason))
-    seen = [looked_at[each.latex] for each in formulas]
-    every = letters(formulas, seen)
+    seen, every = known(formulas, work)
     checks = Checks(formulas, seen, every)
-    alone, suspicious = [*checks.alone()], [*checks.suspicious()]
-    answers = work.all(decided, [*alone, *suspicious], SECONDS, _undecided)
+    alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
+    answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
+    answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
+    proved = proved_of(answers)
     failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
-    sure = work.all(confirmed, failing, SEARCH, _undecided)
+    failing += [question for question in lines.unlike(proved) if answers[question].verdict is Status.REFUTED]
+    sure = work.all(confirmed, failing, SEARCH, undecided)
     found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
     found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
     found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
-    proved = {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     holds = [formulas[k].place for k in sorted(holding)]
-    follows = dict.fromkeys(formulas[q.number].place for q in suspicious if q.where and q in proved)
+    following = [
+        q
+        for q in (*suspicious, *lines.questions, *lines.beyond.values())
+        if q.where and q in proved and q.number not in holding
+    ]
+    follows = [formulas[k].place for k in sorted({q.number for q in following})]
     return Look(
         str(file),
         formulas,
@@ -192,11 +197,26 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
         tuple(every),
         tuple(_refusals(formulas, seen)),
         tuple(dict.fromkeys(holds)),
-        tuple(follows),
+        tuple(dict.fromkeys(follows)),
         tuple(finding for _, finding in sorted(found, key=lambda each: each[0])),
         printed.notes,
         time.perf_counter() - started,
     )
+
+
+def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:
+    """What each formula is, and each letter by all of them; what is not read alone is read by what the others say."""
+    looked_at = work.all(surveyed, [*dict.fromkeys(each.latex for each in formulas)], READING, Seen)
+    seen = [looked_at[each.latex] for each in formulas]
+    every = letters(formulas, seen)
+    by_letter = {each.letter: each for each in every}
+    open_ = {
+        f.latex: (f.latex, elsewhere(each, by_letter)) for f, each in zip(formulas, seen, strict=True) if not each.read
+    }
+    again = work.all(surveyed_with, [task for task in open_.values() if task[1]], READING, Seen)
+    better = {latex: found for (latex, _), found in again.items() if found.is_known}
+    seen = [each.again(better[f.latex]) if f.latex in better else each for f, each in zip(formulas, seen, strict=True)]
+    return seen, letters(formulas, seen)
 
 
 @dataclass
@@ -226,7 +246,13 @@ class Work:
         return found
 
 
-def _undecided(reason: str) -> Answer:
+def proved_of(answers: Mapping[Question, Answer]) -> set[Question]:
+    """The questions whose answer is a proof."""
+    return {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
+
+
+def undecided(reason: str) -> Answer:
+    """The answer where a search did not end."""
     return Answer(Status.UNDECIDED, reason=reason)
 
 
@@ -234,7 +260,7 @@ def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) ->
     return Finding(
         formulas[question.number].place,
         question.relation,
-        CHAIN if question.kind == "chain" else FAILS,
+        {"chain": CHAIN, "step": STEP}.get(question.kind, FAILS),
         answer.counterexample,
         tuple(map(_enclosed, answer.values)),
         tuple(f"{formulas[k].place}: {text}" for k, text in zip(question.sources, question.where, strict=True)),

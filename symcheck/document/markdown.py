@@ -22,6 +22,8 @@ _FENCED = re.compile(r"\{math\}|math")  # the language of a fence that is a form
 _OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top of a fence
 _LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
 _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
+# `\_` before a subscript; in words, which come first, it is the sign itself
+_ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
 
 # an environment of displays between double dollars, as MathJax wants it: the dollars say nothing more
 _ENVIRONMENT = re.compile(
@@ -41,11 +43,8 @@ def markdown(text: str, scanner: Scanner) -> None:
         elif token.type == "inline":
             _inline(token.children or [], lines, at, scanner)
         elif token.type in ("math_block", "math_block_label", "amsmath"):
-            scanner.put(
-                token.content,
-                _line(lines, at, token.content),
-                label=token.info if token.type == "math_block_label" else "",
-            )
+            label = token.info if token.type == "math_block_label" else ""
+            scanner.put(_unescaped(token.content), _line(lines, at, token.content), label=label)
         elif token.type == "fence" and _FENCED.fullmatch(token.info.strip()):
             body, label = _options(token.content)
             scanner.put(body, _line(lines, at, body), label=label)
@@ -67,9 +66,15 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
         elif part.type == "math_inline_double":
             behind = parts[k + 1].content if k + 1 < len(parts) else ""
             found = _LABEL.match(behind)
-            scanner.put(part.content, _line(lines, at, part.content), (found[1] or found[2]) if found else "")
+            label = (found[1] or found[2]) if found else ""
+            scanner.put(_unescaped(part.content), _line(lines, at, part.content), label)
         elif part.type == "math_inline" or (part.type == "myst_role" and part.meta.get("name") == "math"):
-            scanner.put(part.content, _line(lines, at, part.content), display=False)
+            scanner.put(_unescaped(part.content), _line(lines, at, part.content), display=False)
+
+
+def _unescaped(content: str) -> str:
+    """A formula whose subscripts have a backslash, so that other readers of Markdown take them for no emphasis."""
+    return _ESCAPED.sub(lambda found: found[1] or "_", content)
 
 
 def _line(lines: Sequence[str], start: int, content: str) -> int:

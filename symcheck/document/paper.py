@@ -6,12 +6,12 @@ import os
 import re
 import sys
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
 from pathlib import Path
-from types import ModuleType
+from types import MappingProxyType, ModuleType
 from typing import Any, TypeVar
 
 from symcheck.core.claims import (
@@ -31,11 +31,13 @@ from symcheck.core.claims import (
 from symcheck.core.verdicts import Reading, SymcheckError
 from symcheck.document.asked import Inquiry, Relied
 from symcheck.document.checks import MOST_CONDITIONS, nearest
+from symcheck.document.kernels import kernel
 from symcheck.document.letters import shown
 from symcheck.document.lock import LOCK, UPDATE, digest, keys, load, located
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
 from symcheck.document.sources import source
+from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.papers import key_of
 from symcheck.proof import identity
 from symcheck.reading import Notation
@@ -178,6 +180,34 @@ class Document:
         statement = Statement(imposed=imposed)
         return Claim(statement=statement, plan=Plan(identity), errata=errata or {}, **declared)
 
+    def kernel(
+        self,
+        relation: Claim,
+        says: str,
+        *,
+        link: str = "",
+        domain: Mapping[str, tuple[str, str]] = MappingProxyType({}),
+        ulp: int = 4,
+        condition: str = "",
+    ) -> Kernel:
+        r"""Make a function of arrays of an equation that says what a letter is; `symcheck generate` writes it.
+
+        Parameters
+        ----------
+        relation
+            The claim that prints `letter = formula` of numbers. If it is not proved, nothing is written.
+        says
+            One sentence about the function.
+        link
+            The letter of the link, of a chain: "b" for the second.
+        domain
+            By letter, as it is printed: both ends of the numbers that the function is for, ``("0", "pi/2")``, "" where
+            there is none.
+        ulp, condition
+            The largest error in units of the last place, and why it exceeds 4.
+        """
+        return kernel(relation, link, says, self.notation, domain, ulp=ulp, condition=condition)
+
     def _declared(
         self,
         place: str,
@@ -290,7 +320,7 @@ class Document:
             return item
         k, used = self.numbers.index(item.number), set(item.uses)
         near = [
-            (self.formulas[m].place, self.formulas[m].latex)
+            (self.formulas[m].place, rewritten(self.formulas[m].latex, self.rules)[0])
             for m in nearest(k, len(self.formulas))
             if self.formulas[m].scope[0] == self.formulas[k].scope[0] and self.numbers[m] not in claimed | used
         ]

@@ -51,7 +51,7 @@ class Roles:
 
     def _guess(self, k: int) -> Guess:
         seen, known = self.seen[k], self._known(k)
-        if not seen.read:
+        if not (seen.read or seen.apart):
             return Guess("exclusion", reason=" ".join(seen.reason.split()))
         heads = {x: link for x, link in seen.heads.items() if self._is_new(k, x, link, known)}
         for x, link in heads.items():

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.limit import OutOfTime, limited
@@ -11,9 +13,18 @@ from symcheck.question.prepare import Asked, Understood, definitions, plainly, r
 from symcheck.reading import System, Tree, relations, to_latex
 from symcheck.reading.guesses import Guess
 from symcheck.reading.inference import Inference, inferred
-from symcheck.reading.tree import Chain, Name, walk
+from symcheck.reading.names import KINDS_OPEN
+from symcheck.reading.tex import tokenize
+from symcheck.reading.tree import Chain, Derivative, Name, children, walk
 
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
+Said = tuple[tuple[str, str], ...]  # letters with what they are, as `decide` takes it
+OPENING, CLOSING = (
+    frozenset({"{", "(", "[", r"\{", r"\left", r"\begin"}),
+    frozenset({"}", ")", "]", r"\}", r"\right", r"\end"}),
+)
+# what stands in a formula that is more than a chain of equations
+PARTING = frozenset({",", ";", "&", "<", ">", ":", "|", r"\\", r"\quad", r"\qquad", r"\text"})
 
 
 @dataclass(frozen=True)
@@ -56,10 +67,23 @@ class Seen:
     roles: tuple[Role, ...] = ()
     links: tuple[Link, ...] = ()
     plain: bool = False  # equations alone, without conditions beside them
+    apart: bool = False  # are some links read, and the formula as a whole is not?
+    said: Said = ()  # what had to be said of the letters
 
     @property
     def read(self) -> bool:
         return not self.reason or self.partly
+
+    def again(self, other: Seen) -> Seen:
+        """Another reading of it, in which letters are what they were guessed to be, and for the same reason."""
+        own = {role.letter: role for role in self.roles}
+        roles = (own[r.letter] if r.letter in own and own[r.letter].phrase == r.phrase else r for r in other.roles)
+        return replace(other, roles=tuple(replace(role, known=True) for role in roles))
+
+    @property
+    def is_known(self) -> bool:
+        """Are its links read, or some of them?"""
+        return not self.reason or self.apart
 
     @property
     def heads(self) -> dict[str, Link]:
@@ -72,11 +96,11 @@ class Seen:
         return frozenset(role.letter for role in self.roles if role.kind not in ("index", "differential", "number"))
 
 
-def surveyed(latex: str) -> Seen:
-    """One formula, alone."""
+def surveyed(latex: str, said: Said = ()) -> Seen:
+    """One formula, alone, or with what is said of its letters elsewhere."""
     try:
         with limited(READING):
-            return _surveyed(latex)
+            return replace(_surveyed(latex, said), said=said)
     except OutOfTime:
         return Seen(f"it could not be read in {READING:g} s")
     except SymcheckError as error:
@@ -85,8 +109,18 @@ def surveyed(latex: str) -> Seen:
         return Seen("it is nested too deeply")
 
 
-def _surveyed(latex: str) -> Seen:
-    asked = plainly(Asked(latex))
+def is_open(latex: str) -> bool:
+    """Does it have so many letters which may be vectors or matrices that alone it is not read?"""
+    return KINDS_OPEN in surveyed(latex).reason
+
+
+def surveyed_with(task: tuple[str, Said]) -> Seen:
+    """The same for workers."""
+    return surveyed(*task)
+
+
+def _surveyed(latex: str, said: Said) -> Seen:
+    asked = plainly(Asked(latex, letters=said))
     reason, partly = "", False
     try:
         found = readings(asked)
@@ -95,10 +129,12 @@ def _surveyed(latex: str) -> Seen:
         reason, partly, inferences, tree = error.reason, True, [error.inference], error.tree
     except SymcheckError as error:
         try:
-            inferences = inferred([asked.relation], {}, {})
+            inferences = inferred([asked.relation], dict(asked.letters), {})
         except SymcheckError:
             inferences = []
-        return Seen(str(error), roles=tuple(replace(role, known=False) for role in _roles(inferences)))
+        roles = tuple(replace(role, known=False) for role in _roles(inferences))
+        links = tuple(_links_apart(latex, roles))
+        return Seen(str(error), roles=roles, links=links, plain=bool(links), apart=bool(links))
     links = tuple(_links(tree))
     plain = isinstance(tree, Chain) or (isinstance(tree, System) and not tree.qualifiers)
     return Seen(reason, partly, tuple(_roles(inferences)), links, plain)
@@ -118,8 +154,52 @@ def _links(tree: Tree) -> Iterator[Link]:
         before = right
 
 
+def apart(latex: str) -> list[str]:
+    """The equations of a chain as they are printed, whether or not it is read; nothing if it is no plain chain."""
+    depth, ends = 0, list[int]()
+    for tok in tokenize(latex):
+        depth += (tok.text in OPENING) - (tok.text in CLOSING)
+        if depth < 0 or (not depth and tok.text in PARTING):
+            return []
+        if not depth and tok.text == "=":
+            ends.append(tok.at)
+    members = [latex[a:b].strip() for a, b in pairwise([0, *ends, len(latex)])] if not depth else []
+    members = [member.removeprefix("=").strip() for member in members]
+    return [" = ".join(both) for both in pairwise(members)] if all(members) and len(members) > 2 else []
+
+
+def _links_apart(latex: str, roles: Sequence[Role]) -> Iterator[Link]:
+    """The links that can be read alone, with the letters as they are in all of the formula."""
+    for place, text in enumerate(apart(latex)):
+        with suppress(SymcheckError):
+            alone = _surveyed(text, ())
+            said = tuple((r.letter, phrase) for r in alone.roles if (phrase := _phrase_among(roles, r)))
+            seen = _surveyed(text, said) if said else alone
+            if not seen.reason and len(seen.links) == 1:
+                link = seen.links[0]
+                yield replace(link, chained=place > 0, place=place, head="" if place else link.head)
+
+
+def _phrase_among(roles: Sequence[Role], role: Role) -> str:
+    """What a letter is by the roles in a longer formula, if it is something else alone."""
+    phrases = [r.phrase for r in roles if r.letter == role.letter and r.phrase != role.phrase]
+    return next((phrase for phrase in phrases if is_sayable(phrase)), "")
+
+
+def is_sayable(phrase: str) -> bool:
+    """Does `decide` take a phrase about a letter? Of a function it wants to know of what."""
+    return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
+
+
+_SAYABLE = frozenset({"vector", "matrix", "function", "depends"})  # first words of phrases that `decide` takes
+
+
 def _names(tree: Tree) -> Iterator[str]:
-    return (part.letter for _, part in walk(tree) if isinstance(part, Name))
+    """The letters of a side, but for those by which it is differentiated alone."""
+    if isinstance(tree, Name):
+        yield tree.letter
+    for part in (tree.body,) if isinstance(tree, Derivative) else children(tree):
+        yield from _names(part)
 
 
 def _size(tree: Tree) -> int:

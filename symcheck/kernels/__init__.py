@@ -1,5 +1,5 @@
 """Kernels: where the generated ones are and how they run; `codegen` writes them."""
 
-from symcheck.kernels.loading import find, folder, load, of_paper
+from symcheck.kernels.loading import GENERATED, find, folder, load, of_paper
 
-__all__ = ["codegen", "find", "folder", "load", "of_paper", "runtime", "specification"]
+__all__ = ["GENERATED", "codegen", "find", "folder", "load", "of_paper", "runtime", "specification"]

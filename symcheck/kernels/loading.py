@@ -12,10 +12,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
 
+from symcheck.core.ids import key_of
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.specification import KernelFunction
 
 PACKAGE = "symcheck.generated"
+GENERATED = "generated"  # in the folder of an audit
 
 
 def folder() -> Path:
@@ -43,25 +45,33 @@ def load(name: str) -> ModuleType:
     Parameters
     ----------
     name
-        The key of the paper, such as "ignatov2005".
+        The key of the paper, such as "ignatov2005", or the folder of an audit.
 
     Returns
     -------
     module
-        `symcheck.generated.<name>`.
+        `symcheck.generated.<key>`.
 
     Raises
     ------
     SymcheckError
-        If nothing was generated under that name.
+        If nothing was generated under that name, or kernels of another folder with the same key are in use.
     """
-    module = f"{PACKAGE}.{name}"
+    own = Path(name) / GENERATED
+    key, home = (key_of(Path(name)), own.resolve()) if own.is_dir() else (name, folder())
+    path = import_module(PACKAGE).__path__
+    if str(home) not in map(str, map(Path.resolve, map(Path, path))):
+        path.append(str(home))
+    module = f"{PACKAGE}.{key}"
     try:
-        return import_module(module)
+        found = import_module(module)
     except ModuleNotFoundError as error:
         if error.name != module:
             raise
-        raise SymcheckError(f"no kernels named {name!r} in {folder()}; run `symcheck generate`") from error
+        raise SymcheckError(f"no kernels named {key!r} in {home}; run `symcheck generate`") from error
+    if (other := Path(found.__file__ or "").resolve().parent) != home:
+        raise SymcheckError(f"the kernels of {other} are in use under the key {key!r}; rename one of the folders")
+    return found
 
 
 def of_paper(key: str) -> Mapping[str, KernelFunction]:
@@ -70,7 +80,7 @@ def of_paper(key: str) -> Mapping[str, KernelFunction]:
     Parameters
     ----------
     key
-        The key of the paper.
+        The key of the paper, or the folder of an audit.
 
     Returns
     -------
@@ -96,7 +106,7 @@ def find(key: str, name: str) -> KernelFunction:
     Parameters
     ----------
     key
-        The key of the paper.
+        The key of the paper, or the folder of an audit.
     name
         The name of the kernel, as `symcheck show` takes it.
 

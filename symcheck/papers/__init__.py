@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import pkgutil
-import re
 import sys
 import traceback
 from collections.abc import Iterator, Mapping
@@ -16,6 +15,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from symcheck.core.claims import Paper
+from symcheck.core.ids import key_of
 from symcheck.core.verdicts import SymcheckError
 
 __all__ = ["FILES", "Papers", "add", "declare", "key_of", "load", "places"]
@@ -71,14 +71,6 @@ def add(folder: Path) -> str:
         os.environ[VARIABLE] = os.pathsep.join([*known, str(folder)])
         load.cache_clear()
     return key_of(folder)
-
-
-def key_of(folder: Path) -> str:
-    """The first part of the ids of a paper in a folder: the folder's name in small letters and digits."""
-    key = re.sub(r"\W+", "_", folder.resolve().name.lower(), flags=re.ASCII).strip("_")
-    if not key:
-        raise SymcheckError(f"{folder}: the name of the folder becomes the key of the paper; use letters and digits")
-    return key
 
 
 def _of_folder(folder: Path, key: str) -> Paper:

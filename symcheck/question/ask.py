@@ -129,7 +129,7 @@ def answered(
     """The answer to a question; repairs of what is refuted are looked for if they are wanted.
 
     What is claimed for all values of its letters is neither an equation to be solved nor a condition. Proofs for
-    matrices of all sizes are not written out by components, as those of a ledger are.
+    matrices of all sizes are left out where they have been looked for before.
     """
     started = time.perf_counter()
     asked = None
@@ -194,16 +194,30 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 
 
 def _of_any_size(asked: Asked) -> Answer | None:
-    """Proved for matrices of all sizes in all readings, though it cannot be written out by components."""
+    """The answer that a relation holds for matrices of all sizes, if there is a proof."""
     with suppress(SymcheckError, OutOfTime), limited(ALL_SIZES):
-        found = list[tuple[Reading, OfAnySize]]()
-        for reading in unlowered(asked):
-            if not any(covers(proved.inference, reading.inference) for proved, _ in found):
-                if (general := of_any_size(reading)) is None:
-                    return None
-                found.append((reading, general))
-        return _in_general(*found[0]) if found else None
+        found = _in_all_readings(asked)
+        return _in_general(*found) if found else None
     return None
+
+
+def proved_for_all_sizes(asked: Asked) -> OfAnySize | None:
+    """The proof for matrices of all sizes of a question without layout, unless it rests on a convention."""
+    with suppress(SymcheckError, OutOfTime), limited(ALL_SIZES):
+        found = _in_all_readings(asked)
+        return found[1] if found and not doubt_of_proofs(found[0]) else None
+    return None
+
+
+def _in_all_readings(asked: Asked) -> tuple[Reading, OfAnySize] | None:
+    """Proved for matrices of all sizes in all readings, though it cannot be written out by components."""
+    found = list[tuple[Reading, OfAnySize]]()
+    for reading in unlowered(asked):
+        if not any(covers(proved.inference, reading.inference) for proved, _ in found):
+            if (general := of_any_size(reading)) is None:
+                return None
+            found.append((reading, general))
+    return found[0] if found else None
 
 
 def _in_general(reading: Reading, found: OfAnySize) -> Answer:

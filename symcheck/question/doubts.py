@@ -74,11 +74,13 @@ _SUBSCRIPT = re.compile(r"_\{?([^{}]*)\}?$")  # the last subscript of a letter
 
 def spelled_function(texts: Iterable[str]) -> str:
     """The doubt whether letters such as those of sin, outside of names and words, are meant as the function."""
-    for text in texts:
-        for found in _FUNCTION.finditer(text):
-            if not _NAMED.search(text[: found.start()]):
-                return f"is {found[0]} the function, or a product of letters? write \\{found[0]}, or spaces"
-    return ""
+    name = next((name for text in texts for name in functions_in_letters(text)), "")
+    return f"is {name} the function, or a product of letters? write \\{name}, or spaces" if name else ""
+
+
+def functions_in_letters(text: str) -> Iterator[str]:
+    """The names of functions that are spelled in letters, outside of names and words."""
+    return (found[0] for found in _FUNCTION.finditer(text) if not _NAMED.search(text[: found.start()]))
 
 
 def braced(relation: str) -> str:

@@ -29,6 +29,7 @@ STRICT = {
     "<=": "<",
     ">=": ">",
 }  # what holds of continuous functions nearby if it holds at a place
+LEADING = "leading"  # the name of the condition that equations can be solved for the highest derivatives
 
 
 @dataclass(frozen=True)
@@ -220,7 +221,7 @@ def _solved(problem: Problem, jets: Mapping[str, Call]) -> Problem | None:
         open_ = [substituted(f, {x: substituted(value, {x: 0})}) for f in open_ if f is not formula]
         open_ = [f for f in open_ if letters(f) & jets.keys()]
     if leading:
-        problem = replace(problem, hypotheses=(*problem.hypotheses, ("leading", tuple(leading))))
+        problem = replace(problem, hypotheses=(*problem.hypotheses, (LEADING, tuple(leading))))
     return problem
 
 

@@ -59,10 +59,23 @@ class OfAnySize:
         The definitions and conditions that they rest on, as printed.
     taken
         What the letters are, with their shapes.
+    told
+        What each hypothesis says, by its name in the certificates.
     """
 
     certificates: tuple[MatrixProof, ...]
     used: tuple[str, ...]
+    taken: Mapping[str, str]
+    told: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Stated:
+    """What a reading states of matrices of all sizes: each equation, what is printed of it, what the letters are."""
+
+    statements: tuple[Statement, ...]
+    printed: Mapping[str, str]  # hypotheses by their names
+    needed: Mapping[str, str]  # that there are the inverses
     taken: Mapping[str, str]
 
 
@@ -93,7 +106,30 @@ class Mismatch(NoForm):
     """Shapes that do not fit together."""
 
 
+def stated(reading: Reading) -> list[Stated]:
+    """What a reading says of matrices of all sizes, in each way that makes sense; nothing is proved."""
+    found = []
+    for loose in (False, True):
+        with suppress(SymcheckError, Malformed, RecursionError):
+            found.append(_stated(reading, loose=loose))
+    return found
+
+
 def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
+    said = _stated(reading, loose=loose)
+    certificates = list[MatrixProof]()
+    for statement in said.statements:
+        if (found := proved(statement)) is None or check(found) is not None:
+            return None
+        certificates.append(found)
+    told = {**said.printed, **said.needed}
+    used = dict.fromkeys(
+        told[x] for each in certificates for x in (*each["hypotheses"], *each["inverses"]) if x in told
+    )
+    return OfAnySize(tuple(certificates), tuple(used), said.taken, said.printed)
+
+
+def _stated(reading: Reading, *, loose: bool) -> Stated:
     asked, inference, defined, equations, conditions = reading.source
     free = {g.letter.latex for g in inference.guesses if g.why != SAID and g.letter.kind == "scalar"} if loose else ()
     made = Lowering(inference.notation, declared_sizes(asked), free)
@@ -113,22 +149,13 @@ def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
                 hypotheses[f"{name}_{n}"], printed[f"{name}_{n}"] = both, printed[name]
     hypotheses |= made.known
     shapes, sizes = made.shapes_with_names()
-    certificates = list[MatrixProof]()
-    for both in claims:
-        statement = Statement(
-            shapes,
-            (made.sized(both[0], sizes), made.sized(both[1], sizes)),
-            {name: (made.sized(left, sizes), made.sized(right, sizes)) for name, (left, right) in hypotheses.items()},
-            {x: made.sized(term, sizes) for x, term in made.inverses.items()},
-        )
-        if (found := proved(statement)) is None or check(found) is not None:
-            return None
-        certificates.append(found)
-    told = printed | made.needed
-    used = dict.fromkeys(
-        told[x] for each in certificates for x in (*each["hypotheses"], *each["inverses"]) if x in told
+    assumed = {name: (made.sized(left, sizes), made.sized(right, sizes)) for name, (left, right) in hypotheses.items()}
+    inverses = {x: made.sized(term, sizes) for x, term in made.inverses.items()}
+    statements = tuple(
+        Statement(shapes, (made.sized(left, sizes), made.sized(right, sizes)), assumed, inverses)
+        for left, right in claims
     )
-    return OfAnySize(tuple(certificates), tuple(used), made.taken(shapes))
+    return Stated(statements, printed, made.needed, made.taken(shapes))
 
 
 @dataclass

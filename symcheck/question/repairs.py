@@ -354,10 +354,11 @@ def _is_proved(reading: Reading, tree: Tree, point: dict[str, JSON]) -> bool:
         problems = worded(reading, tree)
     except SymcheckError:
         return False
-    complex_ = any(letter.number == "i" for letter in reading.inference.notation.letters)
+    # that real parts are the same, or components of matrices, is what an exponential or a product means
+    parts = len(problems) > 1 or any(letter.number == "i" for letter in reading.inference.notation.letters)
     before = {problem.claim for problem in reading.problems}
     return all(
-        _proof_holds(problem, point, complex_)
+        _proof_holds(problem, point, parts)
         for problem in problems
         if problem.claim not in before or not _is_same(problem)
     )
@@ -368,10 +369,10 @@ def _is_same(problem: Problem) -> bool:
     return problem.claim[1:2] == problem.claim[2:3]
 
 
-def _proof_holds(problem: Problem, point: dict[str, JSON], complex_: bool) -> bool:
+def _proof_holds(problem: Problem, point: dict[str, JSON], parts: bool) -> bool:
     numbers = jets.of(problem)
     tried = numbers.problem if numbers else problem
-    if _is_same(tried) and not complex_:  # that real parts are the same is what an exponential means
+    if _is_same(tried) and not parts:
         return False
     reader = Reader()
     try:

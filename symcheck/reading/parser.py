@@ -794,6 +794,8 @@ class Builder:
             raise self.fail(
                 after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
             )
+        if after.square and name in nodes(inside or Blank()):  # nothing is a function of itself
+            return
         told = letter is not None and letter.meaning and not letter.applies  # of which a person says what it is
         if after.square and isinstance(inside, _BRACKETS_ARE_IDLE) and not after.postfix and not told:
             raise self.fail(after.at, f"{shown} of what is in these brackets, or times it? write \\cdot")
@@ -1506,15 +1508,19 @@ def _is_step(node: Derivative, inside: Tree | None) -> bool:
 
 
 def _is_factor(name: Name, letter: Letter, inside: Tree | None) -> bool:
-    """Does a letter that varies stand before brackets that hold no argument of it: rates, its own value, a fraction?"""
-    if letter.kind == "function" or not letter.depends or not isinstance(inside, Add | Neg | Mul | Div | Derivative):
+    """Does a letter that varies stand before brackets that hold no argument of it: rates, its own value, a fraction?
+
+    A cross product is no place and no time.
+    """
+    kinds = Add | Neg | Mul | Div | Derivative | Cross
+    if letter.kind == "function" or not letter.depends or not isinstance(inside, kinds):
         return False
     held = [node for node in nodes(inside) if isinstance(node, Name)]
     if any(each.dots or each.letter == name.letter for each in held):
         return True
     terms = [term.value if isinstance(term, Neg) else term for term in getattr(inside, "terms", ())]
     sums = bool(terms) and any(isinstance(term, Div | Mul | Pow) for term in terms)
-    return isinstance(inside, Derivative) or (bool(name.dots) and sums)
+    return isinstance(inside, Derivative | Cross) or (bool(name.dots) and sums)
 
 
 def _changes(name: Name, of: Tree | None) -> bool:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from difflib import get_close_matches
 
 from symcheck.audit import check, kernels
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
+from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record
 from symcheck.papers import load
 from symcheck.views import terminal
@@ -19,7 +20,7 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
     Parameters
     ----------
     name
-        "mirer2009:2.12" for a relation, "axial_moments" for a kernel.
+        "mirer2009:2.12" for a relation, "axial_moments" or "mirer2009:axial_moments" for a kernel.
     certificate
         Whether to print the whole certificate.
     records
@@ -35,15 +36,23 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
     symcheck.check : The same as records.
     """
     out = terminal.console()
-    if ":" in name:
+    before, colon, _ = name.partition(":")
+    keys = [before] if colon else list(load())
+    named = {known: (key, kernel) for key in keys for known, kernel in _named(key)}
+    if ":" in name and name not in named:
         for record in records([name]):
             terminal.show(out, record, certificate)
         return
-    keys = list(load())
-    named = {known: (key, kernel) for key in keys for known, kernel in kernels.declared(key).items()}
     if name not in named:
         near = get_close_matches(name, named, n=1)
         example = f"{name}:NUMBER" if name in keys else near[0] if near else f"{keys[0]}:{name}"
         raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; did you mean {example}?")
     key, kernel = named[name]
-    terminal.kernel(out, key, name, kernel, records([str(Id.of(key, place)) for place in kernel.claims]))
+    claims = records([str(Id.of(key, place)) for place in kernel.claims])
+    terminal.kernel(out, key, name.rpartition(":")[2], kernel, claims)
+
+
+def _named(key: str) -> Iterator[tuple[str, Kernel]]:
+    """The kernels of a paper by name, without and with its key."""
+    for name, kernel in kernels.declared(key).items():
+        yield from ((name, kernel), (f"{key}:{name}", kernel))

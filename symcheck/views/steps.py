@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, cast
 
-from symcheck.core.certificates import Certificate, Point
+from symcheck.core.certificates import Certificate, MatrixProof, Point
 from symcheck.core.terms import JSON
 from symcheck.core.words import term
 
@@ -46,13 +46,35 @@ def reference(ref: object) -> str:
     return json.dumps(ref)
 
 
+def claim(certificate: Certificate) -> str:
+    """What a certificate claims; of matrices of all sizes both sides of an equation."""
+    return term(["=", *certificate["claim"]] if "matrices" in certificate else certificate["claim"])
+
+
 def proof_lines(certificate: Certificate) -> Iterator[str]:
     """The lemmas that a proof starts from, what must not vanish, and its steps; nothing of a refutation."""
     if lemmas := dict(certificate.get("lemmas", ())):
         yield f"from lemmas: {', '.join(lemmas)}"
     if conditions := certificate.get("nonzero"):
         yield f"wherever these do not vanish: {', '.join(map(term, conditions))}"
-    yield from steps(certificate["proof"]) if "proof" in certificate else ()
+    if "matrices" in certificate:
+        yield from _of_matrices(cast(MatrixProof, certificate))
+    else:
+        yield from steps(certificate["proof"]) if "proof" in certificate else ()
+
+
+def _of_matrices(certificate: MatrixProof) -> Iterator[str]:
+    """The shapes of the letters, what is inverse to what, and what adds up to the difference of both sides."""
+    yield f"matrices: {', '.join(f'{x} is {n} x {m}' for x, (n, m) in certificate['matrices'].items())}"
+    for x, inverted in certificate["inverses"].items():
+        yield f"{x} is the inverse of {term(inverted)}"
+    yield (
+        "the difference of both sides is the sum of these, which vanish"
+        if certificate["proof"]
+        else "both sides are one sum"
+    )
+    for reference_, vanishing in certificate["proof"]:
+        yield f"  {term(vanishing)}, with the fact {' '.join(map(str, cast(list[str], reference_)))}"
 
 
 def steps(proof: Mapping[str, Any], depth: int = 0) -> Iterator[str]:

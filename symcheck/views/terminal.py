@@ -18,12 +18,11 @@ from rich.text import Text
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Group, Verdict
-from symcheck.core.words import term
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
 from symcheck.views import model
 from symcheck.views.model import FaultList, Relation, blame, counted
-from symcheck.views.steps import proof_lines
+from symcheck.views.steps import claim, proof_lines
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
@@ -221,7 +220,7 @@ def _print(out: Console, fields: Iterable[tuple[str, str | Text]]) -> None:
 
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:
-    fields = {"certificate": _digest(certificate), "decides": term(certificate["claim"])}
+    fields = {"certificate": _digest(certificate), "decides": claim(certificate)}
     _print(out, {**fields, "proof": "\n".join(proof_lines(certificate))}.items())
     if whole:
         print(json.dumps(certificate, ensure_ascii=False, indent=2, sort_keys=True), file=out.file)
