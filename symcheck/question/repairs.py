@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -18,8 +19,11 @@ from symcheck.question import jets
 from symcheck.question.antiderivatives import FAULTS, hinted
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Reading, worded
+from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.reading import Notation, edits, to_latex, to_sympy, with_brackets
+from symcheck.reading.evidence import spelling
+from symcheck.reading.occurrences import occurrences
 from symcheck.reading.tree import (
     Add,
     Call,
@@ -84,10 +88,13 @@ class Slip(NamedTuple):
 
 def _by_likelihood(reading: Reading) -> list[Slip]:
     tree, notation = reading.tree, reading.inference.notation
-    elsewhere = " ".join((*reading.source[0].where, *reading.source[0].given))
+    others = (*reading.source[0].where, *reading.source[0].given)
+    places = [place for text in others for place in occurrences(text)]
+    words, names = {place.word for place in places}, {spelling(place) for place in places}
     counts = Counter(node for _, node in walk(tree) if isinstance(node, Name))
     first = {node for _, node in walk(tree.members[0])} if isinstance(tree, Chain) else set()
-    lonely = {x for x, count in counts.items() if count == 1 and x not in first and x.letter not in elsewhere}
+    once = (x for x, count in counts.items() if count == 1 and x not in first)
+    lonely = {x for x in once if x.letter not in (words if x.subscripts else names)}
     size = _size(tree)
 
     def rank(slip: Slip) -> float:
@@ -369,20 +376,20 @@ def _is_same(problem: Problem) -> bool:
     return problem.claim[1:2] == problem.claim[2:3]
 
 
-def _proof_holds(problem: Problem, point: dict[str, JSON], parts: bool) -> bool:
-    numbers = jets.of(problem)
-    tried = numbers.problem if numbers else problem
-    if _is_same(tried) and not parts:
-        return False
-    reader = Reader()
-    try:
-        if fails_at(tried, {x: reader.term(value) for x, value in point.items()}):
+def _proof_holds(problem: Problem, point: dict[str, JSON], complex_: bool) -> bool:
+    for way in (jets.of, jets.without):
+        if (numbers := way(problem)) is None:
+            continue
+        tried, reader = numbers.problem, Reader()
+        if _is_same(tried) and not complex_:  # that real parts are the same is what an exponential means
             return False
-    except (KeyError, ValueError):
-        pass
-    if any(part.tag == "integral" for part in jets.parts(tried.claim)):
-        tried = hinted(tried)
-    outcome = proof_of(tried)
-    if outcome is None and (solved := with_solutions(problem) if functions(problem.claim) else None) is not None:
-        tried, outcome = solved, proof_of(solved)
-    return outcome is not None and outcome.verdict is Verdict.PROVED and check(certificate(tried, outcome)) is None
+        with suppress(KeyError, ValueError):
+            if fails_at(tried, {x: reader.term(value) for x, value in point.items()}):
+                return False
+        tried = rooted(hinted(tried))
+        outcome = proof_of(tried)
+        if outcome is None and (solved := with_solutions(problem) if functions(problem.claim) else None) is not None:
+            tried, outcome = solved, proof_of(solved)
+        if outcome is not None and outcome.verdict is Verdict.PROVED and check(certificate(tried, outcome)) is None:
+            return True
+    return False
