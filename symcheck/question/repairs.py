@@ -26,6 +26,7 @@ from symcheck.reading.evidence import spelling
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.tree import (
     Add,
+    Antiderivative,
     Call,
     Chain,
     Derivative,
@@ -88,12 +89,10 @@ class Slip(NamedTuple):
 
 def _by_likelihood(reading: Reading) -> list[Slip]:
     tree, notation = reading.tree, reading.inference.notation
-    others = (*reading.source[0].where, *reading.source[0].given)
-    places = [place for text in others for place in occurrences(text)]
-    words, names = {place.word for place in places}, {spelling(place) for place in places}
     counts = Counter(node for _, node in walk(tree) if isinstance(node, Name))
     first = {node for _, node in walk(tree.members[0])} if isinstance(tree, Chain) else set()
-    once = (x for x, count in counts.items() if count == 1 and x not in first)
+    once = {x for x, count in counts.items() if count == 1 and x not in first and not _is_alone(x, tree, notation)}
+    words, names = _elsewhere(reading)
     lonely = {x for x in once if x.letter not in (words if x.subscripts else names)}
     size = _size(tree)
 
@@ -103,6 +102,27 @@ def _by_likelihood(reading: Reading) -> list[Slip]:
         return LIKELY.index(slip.kind) + slip.unlikely - 10 * odd + _beside(tree, slip.tree) + shorter
 
     return sorted((*_slips(tree, notation), *_worked_out(reading)), key=rank)
+
+
+def _is_alone(name: Name, tree: Tree, notation: Notation) -> bool:
+    """Whether nobody repeats it: the sign of an order, or what is added to an antiderivative."""
+    letter = notation.find(name.letter, len(name.subscripts))
+    added = any(isinstance(part, Add) and name in part.terms for _, part in walk(tree))
+    indefinite = any(isinstance(part, Antiderivative) for _, part in walk(tree))
+    return (letter is not None and letter.order is not None) or (added and indefinite)
+
+
+def _elsewhere(reading: Reading) -> tuple[set[str], set[str]]:
+    """The letters of definitions and conditions, without subscripts and with them; not the arguments of definitions."""
+    words, names = set[str](), set[str]()
+    asked, _, defined, *_ = reading.source
+    own = {f"{left} = {right}".replace(" ", ""): arguments for left, arguments, right in defined.values()}
+    for text in (*asked.where, *asked.given):
+        local = own.get(text.replace(" ", ""), ())
+        for place in (place for place in occurrences(text) if spelling(place) not in local):
+            words.add(place.word)
+            names.add(spelling(place))
+    return words, names
 
 
 def _worked_out(reading: Reading) -> Iterator[Slip]:
