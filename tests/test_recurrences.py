@@ -33,6 +33,10 @@ TRUE = (
     (r"T_n = \cos(n\theta)", CHEBYSHEV, NATURAL),
     (r"\mathbf{x}_n = n \mathbf{b} + \mathbf{a}", VECTORS, NATURAL),
     ("x_{n+1} - x_n = h", ("x_n = n h",), NATURAL),
+    ("x_n = x_0 + n h", ("x_{i+1} = x_i + h",), ()),
+    ("x_3 = 3 h", ("x_{k+1} = x_k + h", "x_0 = 0"), ()),
+    ("x_2 = x_0 + 2 h", ("x_{k+1} = x_k + h",), ()),
+    ("a_3 = 6", ("a_n = n a_{n-1}", "a_1 = 1"), ()),
     ("x_{n+1} = 4 x_n (1 - x_n)", LOGISTIC, ()),
     (r"e_{n+1} = \rho e_n", ERROR, ()),
     (
@@ -59,6 +63,10 @@ FALSE = (
         MATRIX,
         (*POSITIVE, r"\rho > 0"),
     ),
+)
+FALSE_AT_A_NUMBER = (
+    ("x_3 = 4 h", ("x_{k+1} = x_k + h", "x_0 = 0"), ()),
+    ("f(3) = 4 h", ("f(k+1) = f(k) + h", "f(0) = 0"), (r"k \in \mathbb{N}",)),
 )
 OPEN = {
     "a power of what may be negative": ("x[n] = a^n c", GEOMETRIC, NATURAL),
@@ -87,6 +95,11 @@ def test_a_wrong_closed_form_is_refuted_at_a_whole_number(case: Case) -> None:
     assert found.verdict == "refuted", found.reason
     assert found.counterexample["n"].isdigit()
     assert all(check(each) is None for each in found.certificate)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("case", FALSE_AT_A_NUMBER, ids=lambda case: case[0])
+def test_a_wrong_value_at_a_number_is_refuted(case: Case) -> None:
+    assert decide(case[0], where=case[1], given=case[2]).verdict == "refuted"
 
 
 @pytest.mark.parametrize("name", OPEN)

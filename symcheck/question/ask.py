@@ -352,7 +352,7 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
                     return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
                 if said := _says_otherwise(printed, reading, None):
                     return replace(base, reason=said)
-                point = {cases.letter: str(number)} | {
+                point = ({cases.letter: str(number)} if cases.letter else {}) | {
                     x: term(value) for x, value in certificate_["point"]["values"].items()
                 }
                 return replace(

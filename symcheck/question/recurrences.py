@@ -35,6 +35,9 @@ def _name(function: str, kind: str, k: int) -> str:
     return f"{function}_{kind}_{k}" if k >= 0 else f"{function}_{kind}_minus_{-k}"
 
 
+_PLACE = re.compile(r"[A-Za-z](?:[+-]\d+)?|\d+")  # a subscript that moves along with a letter, or stands
+
+
 class Place(NamedTuple):
     """A place of a sequence: a whole number, or that many more than the letter."""
 
@@ -80,25 +83,22 @@ def with_sequences(asked: Asked) -> Asked | None:
     below: dict[str, set[str]] = {}
     for match in (match for text in texts for match in _SUBSCRIPT.finditer(text) if match["letter"]):
         below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
-    for n in sorted({n for subscripts in below.values() for n in subscripts if re.fullmatch("[a-z]", n)}):
-        moving, ahead = re.compile(rf"{n}(?:[+-]\d+)?|\d+"), (f"{n}+", f"{n}-")
-        named = {x for x, subscripts in below.items() if all(map(moving.fullmatch, subscripts)) and n in subscripts}
-        named = {x for x in named if any(subscript.startswith(ahead) for subscript in below[x])}
-        if not named or any(re.search(rf"_\{{?{n}=", text) for text in texts):
-            continue
+    moving = {x: subscripts for x, subscripts in below.items() if all(map(_PLACE.fullmatch, subscripts))}
+    named = {x for x, subscripts in moving.items() if any({"+", "-"} & {*each} for each in subscripts)}
+    whole = sorted({each[0] for x in named for each in below[x] if each[0].isalpha()})
+    if not named or any(re.search(rf"_\{{?{n}=", text) for n in whole for text in texts):
+        return None
 
-        def bracketed(match: re.Match[str], named: set[str] = named) -> str:
-            at = match["group"] or match["token"]
-            return f"{match['letter']}[{at}]" if match["letter"] in named else match[0]
+    def bracketed(match: re.Match[str]) -> str:
+        return f"{match['letter']}[{match['group'] or match['token']}]" if match["letter"] in named else match[0]
 
-        relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
-        if rest == [*texts[1:]]:
-            continue  # of these sequences nothing is said: their values are letters like others
-        where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
-        said = dict(members(given, dict(asked.letters))[1]).get(n) or dict(asked.letters).get(n)
-        letters_ = asked.letters if said else (*asked.letters, (n, "integer"))
-        return Asked(relation, where, given, letters_)
-    return None
+    relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
+    if rest == [*texts[1:]]:
+        return None  # of these sequences nothing is said: their values are letters like others
+    where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
+    said = {**members(given, dict(asked.letters))[1], **dict(asked.letters)}
+    more = tuple((n, "integer") for n in whole if not said.get(n))
+    return Asked(relation, where, given, (*asked.letters, *more))
 
 
 def induction(problems: Sequence[Problem], whole: Iterable[str]) -> Induction | None:
@@ -106,7 +106,9 @@ def induction(problems: Sequence[Problem], whole: Iterable[str]) -> Induction | 
     known = {*whole}
     claimed = {call for part in _all(p.claim for p in problems) if isinstance(part, Call) for call in [part]}
     free = set().union(*map(letters, claimed)) & known
-    if len(free) != 1 or any(functions(t) for p in problems for _, t in p.definitions):
+    stated_ = [f for _, fs in problems[0].hypotheses for f in fs]
+    free = free or {x for part in _all(stated_) if isinstance(part, Call) for x in letters(part) & known}
+    if not claimed or len(free) != 1 or any(functions(t) for p in problems for _, t in p.definitions):
         return None
     (n,) = free
     given = [(name, _of(n, part, known)) for name, fs in problems[0].hypotheses for f in fs for part in conjuncts(f)]
@@ -173,13 +175,15 @@ class _Sequences:
         if not all(found._told(name, part) for name, part in given) or not found.rules or not found._sorted():
             return None
         shifts = [place.number for part in found._calls(*(p.claim for p in problems)) if (place := part[1]).moving]
-        if not shifts:
-            return None
-        below = min(0, *shifts)
+        below = min(0, *shifts, 0)
         lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
         first = max([lowest - below, *found.bounds])
         if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
             return None  # a value is said twice
+        if not shifts:  # at numbers, to which the values are worked out
+            last = max(place.number for _, place in found._calls(*(p.claim for p in problems)))
+            direct = tuple(found._at(problem, last, lowest) for problem in problems)
+            return Induction("", last, 0, direct, lambda number: direct, ()) if last - lowest <= MOST else None
         reach = max(shifts)
         order = max(rule.top - rule.low for rule in found.rules.values())
         if max(order, first - lowest, reach) > MOST:
