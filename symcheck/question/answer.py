@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 from typing import Any
 
 from symcheck.core.certificates import Certificate, MatrixProof
+
+Slips = tuple[dict[str, str], ...]
 
 
 class Status(StrEnum):
@@ -40,12 +44,12 @@ class Answer:
         What is shown of both sides there.
     certificate
         What the checker accepts as evidence: one for each component.
-    repairs
-        Relations that are one slip of the pen away and are proved.
     reason
         Why nothing was decided, in one sentence.
     seconds
-        How long it took.
+        How long it took, but for the search for repairs.
+    slips
+        What looks for repairs.
     """
 
     verdict: Status
@@ -55,10 +59,16 @@ class Answer:
     counterexample: dict[str, str] = field(default_factory=dict)
     values: tuple[str, ...] = ()
     certificate: tuple[Certificate | MatrixProof, ...] = ()
-    repairs: tuple[dict[str, str], ...] = ()
     reason: str = ""
     seconds: float = 0.0
+    slips: Callable[[], Slips] = field(default=tuple, repr=False, compare=False)
+
+    @cached_property
+    def repairs(self) -> Slips:
+        """Relations that are one slip of the pen away and are proved: they are looked for when first asked for."""
+        return self.slips()
 
     def as_json(self) -> dict[str, Any]:
-        """The answer as JSON data."""
-        return {key: getattr(self, key) for key in self.__dataclass_fields__}
+        """The answer as JSON data, with repairs."""
+        told = (*(key for key in self.__dataclass_fields__ if key != "slips"), "repairs")
+        return {key: getattr(self, key) for key in told}

@@ -24,7 +24,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import jets
-from symcheck.question.answer import Answer, Status
+from symcheck.question.answer import Answer, Slips, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
 from symcheck.question.divisors import with_plain_divisors
@@ -73,7 +73,6 @@ FEW = 3  # letters: of more there are too many numbers to try
 AT_NUMBERS = 3.0  # seconds for all of them
 ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
-Slips = tuple[dict[str, str], ...]
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -326,7 +325,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
                 values=tuple(map(term, made["point"].get("shown", ()))),
                 used=tuple(dict.fromkeys(used)),
                 certificate=(made,),
-                repairs=slips() if wanted else (),
+                slips=slips if wanted else tuple,
             )
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
