@@ -213,7 +213,9 @@ class _Sequences:
             others = self._places(right)
             before = all(k.moving and k.number < place.number + (f != left.function) for f, k in others)
             if place.moving and before:
-                smooth = not any(functions(f) or self.n in letters(f) for f in domain(right, divisors=True))
+                smooth = not others or not any(
+                    functions(f) or self.n in letters(f) for f in domain(right, divisors=True)
+                )
                 rule = _Rule(
                     left.function, place.number, right, min((k.number for _, k in others), default=place.number)
                 )
