@@ -101,7 +101,8 @@ def _confirmed(question: Question) -> Answer:
     found = answered(question.relation, question.where, (), said, wanted=False)
     with suppress(OutOfTime), limited(REPAIRING):
         more = answered(question.relation, question.where, (), said)
-        found = more if more.verdict is Status.REFUTED else found
+        if more.verdict is Status.REFUTED and more.repairs:
+            found = more
     if is_open(question.relation):
         return replace(found, verdict=Status.UNDECIDED, reason="some of its letters may be vectors")
     if not found.repairs and (question.sure or elsewhere is None):

@@ -68,6 +68,10 @@ class Answer:
         """Relations that are one slip of the pen away and are proved: they are looked for when first asked for."""
         return self.slips()
 
+    def __getstate__(self) -> dict[str, Any]:
+        """What another process is sent: repairs in the place of what looks for them."""
+        return {**self.__dict__, "repairs": self.repairs, "slips": tuple}
+
     def as_json(self) -> dict[str, Any]:
         """The answer as JSON data, with repairs."""
         told = (*(key for key in self.__dataclass_fields__ if key != "slips"), "repairs")

@@ -381,8 +381,10 @@ def _is_proved(reading: Reading, tree: Tree, point: dict[str, JSON]) -> bool:
         problems = worded(reading, tree)
     except SymcheckError:
         return False
-    # that real parts are the same, or components of matrices, is what an exponential or a product means
-    parts = len(problems) > 1 or any(letter.number == "i" for letter in reading.inference.notation.letters)
+    # that real parts are the same, or components of matrices, is what an exponential or a product means, not a name
+    products = any(isinstance(node, Mul | Pow | Call) for _, node in walk(tree))
+    complex_ = any(letter.number == "i" for letter in reading.inference.notation.letters)
+    parts = complex_ or (products and len(problems) > 1)
     before = {problem.claim for problem in reading.problems}
     return all(
         _proof_holds(problem, point, parts)
