@@ -288,7 +288,7 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
             isinstance(above, Neg) and isinstance(_above(tree, path[:-1]), Add | Chain)
         ):
             term = node.value if isinstance(node, Neg) else node
-            inside = {part for _, part in walk(tree.members[path[0]] if isinstance(tree, Chain) else tree)}
+            inside = {part for _, part in walk(term)}
             for factor in (*numbers, *letters):
                 again = isinstance(factor, Name) and factor in inside  # then its exponent is wrong, rather
                 for new in (_times(factor, term), _over(term, factor)):
