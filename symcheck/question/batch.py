@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import islice
 
 from symcheck.audit.executor import Done, Executor, Timeout
@@ -12,8 +14,10 @@ from symcheck.core.terms import JSON
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.answer import Answer, Status
 from symcheck.question.ask import decide
+from symcheck.question.limit import OutOfTime, limited
 
 AT_ONCE = 400  # records that are given to workers, which are replaced after that: it bounds their memory
+KEPT, SHORTEST = 0.9, 0.01  # of the limit for repairs too, that a verdict is not lost with them; and seconds at least
 KEYS = frozenset({"id", "relation", "where", "given", "letters"})
 
 
@@ -75,7 +79,7 @@ def answers(
     while part := [*islice(todo, AT_ONCE)]:
         found: dict[int, dict[str, JSON]] = {}
         start = 0
-        for task, answer in executor.map(answered, part, timeout):
+        for task, answer in executor.map(partial(answered, seconds=timeout), part, timeout):
             if isinstance(answer, Done):
                 found[task.line] = answer.value
             else:
@@ -89,11 +93,18 @@ def answers(
                 start += 1
 
 
-def answered(record: Asked) -> dict[str, JSON]:
-    """The answer to one record."""
+def answered(record: Asked, seconds: float) -> dict[str, JSON]:
+    """The answer to one record, with the repairs that are found in what is left of the seconds."""
     if record.fault:
         return {"id": record.id, **Answer(Status.UNREADABLE, reason=record.fault).as_json()}
-    return {"id": record.id, **decide(**record.question).as_json()}  # type: ignore[arg-type]
+    started = time.perf_counter()
+    answer = decide(**record.question)  # type: ignore[arg-type]
+    left = KEPT * seconds - (time.perf_counter() - started)
+    try:
+        with limited(max(left, SHORTEST)):
+            return {"id": record.id, **answer.as_json()}
+    except OutOfTime:
+        return {"id": record.id, **replace(answer, slips=tuple).as_json()}
 
 
 def resumed(records: Sequence[Asked], written: Iterable[str]) -> int:
