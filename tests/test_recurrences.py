@@ -75,6 +75,9 @@ OPEN = {
     "a letter that may be no whole number": ("f(n) = 1", ("f(n+1) = f(n)", "f(1) = 1"), ("n > 0",)),
     "a letter that is bounded above": ("f(n) = 2", ("f(n+1) = f(n)", "f(1) = 1"), (*POSITIVE, "n < 10")),
     "a recurrence that may divide by zero": ("x[n] = 7", ("x[n+1] = 1/(x[n] - 1)", "x[0] = 1"), NATURAL),
+    "a value before the first one": ("x_0 = 1", ("x_{k+1} = x_k + h", "x_1 = h"), ()),
+    "numbers before the first one": ("x[n] = 2 a^{n-1} c", ("x[n+1] = a x[n]", "x[1] = c"), (*NATURAL, "a > 0")),
+    "what may be given of one place": ("x_{n+1} = 0", ("y_{n+1} = x_n",), ("x_n = 0",)),
     "a recurrence alone": ("x_{n+1} = a x_n", (), ()),
     "a letter of which nothing else is said": ("f(n) = g", SQUARES, NATURAL),
 }

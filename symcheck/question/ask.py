@@ -264,7 +264,9 @@ def _shown(tree: Tree, inference: Inference) -> tuple[str, dict[str, str]]:
 
 def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool = False) -> Answer:
     base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
-    if (cases := induction(reading.problems, _whole_letters(reading))) is not None:
+    given = {*reading.source[4]}
+    conditions = (name for name, text in reading.stated.items() if text in given)
+    if (cases := induction(reading.problems, _whole_letters(reading), conditions)) is not None:
         return _by_induction(base, reading, cases)
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:

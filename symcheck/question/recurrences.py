@@ -25,17 +25,13 @@ _SUBSCRIPT = re.compile(
 )
 FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fails at the first or second
 MOST = 8  # numbers by which places differ: of longer recurrences people print systems
-
-
+_PLACE = re.compile(r"[A-Za-z](?:[+-]\d+)?|\d+")  # a subscript that moves along with a letter, or stands
 AT, AHEAD = "at", "ahead"  # in names of values: at a number, and so many after the letter
 
 
 def _name(function: str, kind: str, k: int) -> str:
     """The letter for a value of a sequence."""
     return f"{function}_{kind}_{k}" if k >= 0 else f"{function}_{kind}_minus_{-k}"
-
-
-_PLACE = re.compile(r"[A-Za-z](?:[+-]\d+)?|\d+")  # a subscript that moves along with a letter, or stands
 
 
 class Place(NamedTuple):
@@ -101,10 +97,13 @@ def with_sequences(asked: Asked) -> Asked | None:
     return Asked(relation, where, given, (*asked.letters, *more))
 
 
-def induction(problems: Sequence[Problem], whole: Iterable[str]) -> Induction | None:
-    """The cases of an induction; None where no recurrence is given for the sequences of the claims."""
+def induction(problems: Sequence[Problem], whole: Iterable[str], conditions: Iterable[str] = ()) -> Induction | None:
+    """The cases of an induction; None where no recurrence is given for the sequences of the claims.
+
+    What is a condition, by the name of its hypothesis, may be meant for one place alone.
+    """
     known = {*whole}
-    claimed = {call for part in _all(p.claim for p in problems) if isinstance(part, Call) for call in [part]}
+    claimed = {part for part in _all(p.claim for p in problems) if isinstance(part, Call)}
     free = set().union(*map(letters, claimed)) & known
     stated_ = [f for _, fs in problems[0].hypotheses for f in fs]
     free = free or {x for part in _all(stated_) if isinstance(part, Call) for x in letters(part) & known}
@@ -112,6 +111,9 @@ def induction(problems: Sequence[Problem], whole: Iterable[str]) -> Induction | 
         return None
     (n,) = free
     given = [(name, _of(n, part, known)) for name, fs in problems[0].hypotheses for f in fs for part in conjuncts(f)]
+    one = {*conditions}
+    if any(isinstance(part, Call) for name, f in given if name in one for part in _all([f])):
+        return None
     stated = [*(p.claim for p in problems), *(f for _, f in given)]
     if any(isinstance(part, Call) and place_of(part, n) is None for part in _all(stated)):
         return None
@@ -174,14 +176,17 @@ class _Sequences:
         found = cls(problems, n)
         if not all(found._told(name, part) for name, part in given) or not found.rules or not found._sorted():
             return None
-        shifts = [place.number for part in found._calls(*(p.claim for p in problems)) if (place := part[1]).moving]
+        places = [place for _, place in found._calls(*(p.claim for p in problems))]
+        shifts = [place.number for place in places if place.moving]
         below = min(0, *shifts, 0)
         lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
         first = max([lowest - below, *found.bounds])
         if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
             return None  # a value is said twice
+        if first > max(found.bounds, default=first) or any(not k.moving and k.number < lowest for k in places):
+            return None  # of what is before the first value nothing is said
         if not shifts:  # at numbers, to which the values are worked out
-            last = max(place.number for _, place in found._calls(*(p.claim for p in problems)))
+            last = max(place.number for place in places)
             direct = tuple(found._at(problem, last, lowest) for problem in problems)
             return Induction("", last, 0, direct, lambda number: direct, ()) if last - lowest <= MOST else None
         reach = max(shifts)
