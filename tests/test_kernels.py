@@ -522,8 +522,12 @@ def test_with_out_given_nothing_is_allocated_that_grows(case: Case) -> None:
     for way in ("contiguous", "broadcast", "integers"):
         if way == "broadcast" and len(case.kernel.arguments) == 1:
             continue
-        _, once, twice = (peak(case, way, size) for size in (2 * BLOCK, 2 * BLOCK, 4 * BLOCK))
-        assert twice < once + LITTLE, way
+        assert any(grows_little(case, way) for _ in range(3)), way  # other threads allocate now and then
+
+
+def grows_little(case: Case, way: str) -> bool:
+    _, once, twice = (peak(case, way, size) for size in (2 * BLOCK, 2 * BLOCK, 4 * BLOCK))
+    return twice < once + LITTLE
 
 
 def peak(case: Case, way: str, size: int) -> int:
