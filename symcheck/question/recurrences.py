@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from symcheck.core.calculus import domain, functions, letters, nodes, substituted
+from symcheck.core.calculus import domain, functions, letters, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call, Formula, Node, T, Term, mapped, node
 from symcheck.proof.algebra.knowledge import larger_first
+from symcheck.question.jets import calls_in
 from symcheck.question.prepare import DEFINED, Asked, members
 
 # a letter with a subscript, one in bold or with an accent, a Greek or a Latin one; or what is none
@@ -103,35 +104,27 @@ def induction(problems: Sequence[Problem], whole: Iterable[str], conditions: Ite
     What is a condition, by the name of its hypothesis, may be meant for one place alone.
     """
     known = {*whole}
-    claimed = {part for part in _all(p.claim for p in problems) if isinstance(part, Call)}
+    claimed = {call for p in problems for call in calls_in(p.claim)}
     free = set().union(*map(letters, claimed)) & known
-    stated_ = [f for _, fs in problems[0].hypotheses for f in fs]
-    free = free or {x for part in _all(stated_) if isinstance(part, Call) for x in letters(part) & known}
+    hypotheses = [(name, f) for name, fs in problems[0].hypotheses for f in fs]
+    free = free or {x for _, f in hypotheses for call in calls_in(f) for x in letters(call) & known}
     if not claimed or len(free) != 1 or any(functions(t) for p in problems for _, t in p.definitions):
         return None
     (n,) = free
-    given = [(name, _of(n, part, known)) for name, fs in problems[0].hypotheses for f in fs for part in conjuncts(f)]
+    given = [(name, _of(n, part, known)) for name, f in hypotheses for part in conjuncts(f)]
     one = {*conditions}
-    if any(isinstance(part, Call) for name, f in given if name in one for part in _all([f])):
+    if any(name in one for name, f in given for _ in calls_in(f)):
         return None
     stated = [*(p.claim for p in problems), *(f for _, f in given)]
-    if any(isinstance(part, Call) and place_of(part, n) is None for part in _all(stated)):
+    if any(place_of(call, n) is None for f in stated for call in calls_in(f)):
         return None
     return _Sequences.of(problems, n, given)
 
 
 def _of(n: str, formula: Formula, whole: set[str]) -> Formula:
     """A recurrence in another letter as one in this letter: it is said of all whole numbers."""
-    calls = [part for part in _all([formula]) if isinstance(part, Call)]
-    other = set().union(*map(letters, calls)) & whole
+    other = set().union(*map(letters, calls_in(formula))) & whole
     return substituted(formula, dict.fromkeys(other, n)) if len(other) == 1 and n not in letters(formula) else formula
-
-
-def _all(trees: Iterable[Term]) -> Iterator[Node]:
-    """All nodes, also those under binders."""
-    for part in nodes(*trees):
-        yield part
-        yield from _all(part.inside)
 
 
 def place_of(call: Call, n: str) -> Place | None:
@@ -178,7 +171,7 @@ class _Sequences:
             return None
         places = [place for _, place in found._calls(*(p.claim for p in problems))]
         shifts = [place.number for place in places if place.moving]
-        below = min(0, *shifts, 0)
+        below = min([0, *shifts])
         lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
         first = max([lowest - below, *found.bounds])
         if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
@@ -240,9 +233,9 @@ class _Sequences:
         return name == DEFINED  # at each number what is printed has a value
 
     def _calls(self, *trees: Term) -> Iterator[tuple[Call, Place]]:
-        for part in _all(trees):
-            if isinstance(part, Call) and (place := place_of(part, self.n)) is not None:
-                yield part, place
+        for call in (call for tree in trees for call in calls_in(tree)):
+            if (place := place_of(call, self.n)) is not None:
+                yield call, place
 
     def _places(self, tree: Term) -> list[tuple[str, Place]]:
         return [(call.function, place) for call, place in self._calls(tree)]

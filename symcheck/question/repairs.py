@@ -398,12 +398,12 @@ def _is_same(problem: Problem) -> bool:
     return problem.claim[1:2] == problem.claim[2:3]
 
 
-def _proof_holds(problem: Problem, point: dict[str, JSON], complex_: bool) -> bool:
+def _proof_holds(problem: Problem, point: dict[str, JSON], parts: bool) -> bool:
     for way in (jets.of, jets.without):
         if (numbers := way(problem)) is None:
             continue
         tried, reader = numbers.problem, Reader()
-        if _is_same(tried) and not complex_:  # that real parts are the same is what an exponential means
+        if _is_same(tried) and not parts:
             return False
         with suppress(KeyError, ValueError):
             if fails_at(tried, {x: reader.term(value) for x, value in point.items()}):

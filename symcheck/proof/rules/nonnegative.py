@@ -35,9 +35,7 @@ def prove_order(
     small, large = goal.terms if goal.tag[0] == "<" else goal.terms[::-1]
     gap: Term = large if small == 0 else node("+", large, node("-", small))
     wanted = 1 if goal.tag.endswith("=") else 2
-    strict = replace(known, signs=tuple(sign for sign in known.signs if sign.level == 2))
-    more = (stronger(form, strict) for form in _derived(gap, strict)) if wanted == 2 else ()
-    for form in chain((*forms, gap), _derived(gap, known), more):
+    for form in chain((*forms, gap), _derived(gap, known), _strict(gap, known) if wanted == 2 else ()):
         level, grounds = known.sign(form)
         if level < wanted:
             continue
@@ -61,3 +59,10 @@ def _derived(gap: Term, known: Knowledge) -> Iterator[Term]:
             yield 0
         elif (form := fraction_form(gap, known, poly)) is not None:
             yield form
+
+
+def _strict(gap: Term, known: Knowledge) -> Iterator[Term]:
+    """Forms found from strict signs alone, their even powers of what has one sign."""
+    strict = replace(known, signs=tuple(sign for sign in known.signs if sign.level == 2))
+    for form in _derived(gap, strict):
+        yield stronger(form, strict)
