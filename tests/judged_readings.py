@@ -2179,7 +2179,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} = \\mathbf C_{I\\!B}^T \\cdot \\mathbf E(\\mbox{\\boldmath $\\chi$}) \\cdot \\dot{\\mbox{\\boldmath $\\chi$}}",
-        "Chain(\\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }, Mul(Transpose(\\mathbf{C}_{I\\!B}), Call(\\mathbf{E}; Call(\\boldsymbol{\\chi})), Call(\\dot{\\boldsymbol{\\chi}}); 2); =)",
+        "Chain(\\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }, Mul(Transpose(\\mathbf{C}_{IB}), Call(\\mathbf{E}; Call(\\boldsymbol{\\chi})), Call(\\dot{\\boldsymbol{\\chi}}); 2); =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -2644,7 +2644,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\phi_{n,2\\,j-1} = \\phi_{n,2\\,j} = e^{-c_j\\,(t_n - t_{n-1})}",
-        "Chain(\\phi_{n,2\\,j-1}, \\phi_{n,2\\,j}, Pow(e; Neg(Mul(c_j, Add(t_n, Neg(t_{n-1}))))); =, =)",
+        "Chain(\\phi_{n,2j-1}, \\phi_{n,2j}, Pow(e; Neg(Mul(c_j, Add(t_n, Neg(t_{n-1}))))); =, =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -2754,7 +2754,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I \\mathbf J_Q(\\mathbf q) &= \\begin{bmatrix} {}_I \\mathbf J_P \\\\ {}_I \\mathbf J_R \\end{bmatrix} \\\\ &= \\begin{bmatrix} \\mathds{1}_{3\\times 3} && -\\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\\\ \\mathbf{0}_{3 \\times 3} && \\mathbf C_{I\\!B} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{R_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\end{aligned}",
-        "Chain(Call(\\prescript { } { I } { \\mathbf { J } } _ { Q }; \\mathbf{q}), MatrixOf(\\prescript { } { I } { \\mathbf { J } } _ { P }, \\prescript { } { I } { \\mathbf { J } } _ { R }), MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(\\mathbf{C}_{I\\!B}, \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q })), Blank(), Mul(\\mathbf{C}_{I\\!B}, Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; \\mathbf{q}_j)), Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{I\\!B}, Blank(), Mul(\\mathbf{C}_{I\\!B}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))); =, =)",
+        "Chain(Call(\\prescript { } { I } { \\mathbf { J } } _ { Q }; \\mathbf{q}), MatrixOf(\\prescript { } { I } { \\mathbf { J } } _ { P }, \\prescript { } { I } { \\mathbf { J } } _ { R }), MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(\\mathbf{C}_{IB}, \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q })), Blank(), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; \\mathbf{q}_j)), Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{IB}, Blank(), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))); =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -3734,7 +3734,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} \\Delta v &= \\lvert v_f - v_{t,a}\\rvert + \\lvert v_i - v_{t,p}\\rvert & \\text{If $r_i < r_f$} \\\\ \\Delta v &= \\lvert v_f - v_{t,p}\\rvert + \\lvert v_i - v_{t,a}\\rvert & \\text{If $r_f < r_i$} \\end{aligned}",
-        "System(Chain(\\Delta v, Add(Bars(Add(v_f, Neg(v_{t,a}))), Bars(Add(v_i, Neg(v_{t,p})))); =), Words(\\text{If$r_{i}<r_{f}$}), Chain(\\Delta v, Add(Bars(Add(v_f, Neg(v_{t,p}))), Bars(Add(v_i, Neg(v_{t,a})))); =), Words(\\text{If$r_{f}<r_{i}$}))",
+        "System(Implies(Chain(r_i, r_f; <); Chain(\\Delta v, Add(Bars(Add(v_f, Neg(v_{t,a}))), Bars(Add(v_i, Neg(v_{t,p})))); =)), Implies(Chain(r_f, r_i; <); Chain(\\Delta v, Add(Bars(Add(v_f, Neg(v_{t,p}))), Bars(Add(v_i, Neg(v_{t,a})))); =)))",
         "bryanwweber/orbital-mechanics-notes/orbital-maneuvers/hohmann-transfer.md",
     ),
     (
@@ -4394,7 +4394,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\dot{\\mbox{\\boldmath $\\chi$}} = \\bar{\\mathbf E}(\\mbox{\\boldmath $\\chi$}) \\cdot \\mathbf C_{I\\!B} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B}",
-        "Chain(Call(\\dot{\\boldsymbol{\\chi}}), Mul(Call(\\bar{\\mathbf{E}}; Call(\\boldsymbol{\\chi})), \\mathbf{C}_{I\\!B}, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }); =)",
+        "Chain(Call(\\dot{\\boldsymbol{\\chi}}), Mul(Call(\\bar{\\mathbf{E}}; Call(\\boldsymbol{\\chi})), \\mathbf{C}_{IB}, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }); =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -5719,7 +5719,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}_I\\mathbf r_{I\\!Q}(\\mathbf q) = {}_I\\mathbf r_{I\\!B}(\\mathbf q) + \\mathbf C_{I\\!B}(\\mathbf q) \\cdot {}_B\\mathbf r_{B\\!Q}(\\mathbf q),",
-        "Chain(Call(\\prescript { } { I } { \\mathbf { r } } _ { I \\! Q }; \\mathbf{q}), Add(Call(\\prescript { } { I } { \\mathbf { r } } _ { I \\! B }; \\mathbf{q}), Mul(Call(\\mathbf{C}_{I\\!B}; \\mathbf{q}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B \\! Q }; \\mathbf{q}); 1)); =)",
+        "Chain(Call(\\prescript { } { I } { \\mathbf { r } } _ { I Q }; \\mathbf{q}), Add(Call(\\prescript { } { I } { \\mathbf { r } } _ { I B }; \\mathbf{q}), Mul(Call(\\mathbf{C}_{IB}; \\mathbf{q}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q }; \\mathbf{q}); 1)); =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -5779,7 +5779,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I\\mbox{\\boldmath $\\omega$}_{I\\!Q} &= {}_I\\mbox{\\boldmath $\\omega$}_{I\\!B} + {}_I\\mbox{\\boldmath $\\omega$}_{B\\!Q} \\\\ &= \\begin{bmatrix} \\mathbf{0}_{3 \\times 3} && \\mathbf C_{I\\!B} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{R_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\cdot \\mathbf u \\end{aligned}",
-        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I \\! Q }, Add(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I \\! B }, \\prescript { } { I } { \\boldsymbol { \\omega } } _ { B \\! Q }), Mul(MatrixOf(Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{I\\!B}, Blank(), Mul(\\mathbf{C}_{I\\!B}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))), \\mathbf{u}; 1); =, =)",
+        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I Q }, Add(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I B }, \\prescript { } { I } { \\boldsymbol { \\omega } } _ { B Q }), Mul(MatrixOf(Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{IB}, Blank(), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))), \\mathbf{u}; 1); =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -5974,7 +5974,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "U_{n,2\\,j-1} &=& a_j\\,e^{-c_j\\,t_n}\\,\\cos(d_j\\,t_n) + b_j\\,e^{-c_j\\,t_n}\\,\\sin(d_j\\,t_n) \\\\ U_{n,2\\,j} &=& a_j\\,e^{-c_j\\,t_n}\\,\\sin(d_j\\,t_n) - b_j\\,e^{-c_j\\,t_n}\\,\\cos(d_j\\,t_n) \\\\ V_{m,2\\,j-1} &=& e^{c_j\\,t_m}\\,\\cos(d_j\\,t_m) \\\\ V_{m,2\\,j} &=& e^{c_j\\,t_m}\\,\\sin(d_j\\,t_m) \\\\ A_{n,n} &=& \\sigma_n^2 + \\sum_{j=1}^J a_j \\quad.",
-        "System(Chain(U_{n,2\\,j-1}, Add(Mul(a_j, Pow(e; Neg(Mul(c_j, t_n))), Call(cos; Mul(d_j, t_n))), Mul(b_j, Pow(e; Neg(Mul(c_j, t_n))), Call(sin; Mul(d_j, t_n)))); =), Chain(U_{n,2\\,j}, Add(Mul(a_j, Pow(e; Neg(Mul(c_j, t_n))), Call(sin; Mul(d_j, t_n))), Neg(Mul(b_j, Pow(e; Neg(Mul(c_j, t_n))), Call(cos; Mul(d_j, t_n))))); =), Chain(V_{m,2\\,j-1}, Mul(Pow(e; Mul(c_j, t_m)), Call(cos; Mul(d_j, t_m))); =), Chain(V_{m,2\\,j}, Mul(Pow(e; Mul(c_j, t_m)), Call(sin; Mul(d_j, t_m))); =), Chain(A_{n,n}, Add(Pow(\\sigma_n; 2), BigSum(j; 1; J; a_j)); =))",
+        "System(Chain(U_{n,2j-1}, Add(Mul(a_j, Pow(e; Neg(Mul(c_j, t_n))), Call(cos; Mul(d_j, t_n))), Mul(b_j, Pow(e; Neg(Mul(c_j, t_n))), Call(sin; Mul(d_j, t_n)))); =), Chain(U_{n,2j}, Add(Mul(a_j, Pow(e; Neg(Mul(c_j, t_n))), Call(sin; Mul(d_j, t_n))), Neg(Mul(b_j, Pow(e; Neg(Mul(c_j, t_n))), Call(cos; Mul(d_j, t_n))))); =), Chain(V_{m,2j-1}, Mul(Pow(e; Mul(c_j, t_m)), Call(cos; Mul(d_j, t_m))); =), Chain(V_{m,2j}, Mul(Pow(e; Mul(c_j, t_m)), Call(sin; Mul(d_j, t_m))); =), Chain(A_{n,n}, Add(Pow(\\sigma_n; 2), BigSum(j; 1; J; a_j)); =))",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -6294,7 +6294,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I \\mathbf v_{Q} &= {}_I \\mathbf v_{B} + \\dot{\\mathbf C}_{I\\!B} \\cdot {}_B\\mathbf r_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} + \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot {}_B\\mathbf r_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} - \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} - \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} + \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\cdot \\dot{\\mathbf q}_j \\\\ &= \\begin{bmatrix} \\mathds{1}_{3\\times 3} && -\\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\cdot \\mathbf u \\end{aligned}",
-        "Chain(\\prescript { } { I } { \\mathbf { v } } _ { Q }, Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\dot{\\mathbf{C}}_{I\\!B}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B \\! Q })), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B \\! Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, Call(\\prescript { } { B } { \\mathbf { r } } _ { B \\! Q }); 2), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B \\! Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }; 2)), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B \\! Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I \\! B }; 2)), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)), Call(\\dot{\\mathbf{q}}_j); 2)), Mul(MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(Call(\\mathbf{C}_{I\\!B}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B \\! Q })), Blank(), Mul(Call(\\mathbf{C}_{I\\!B}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)))), \\mathbf{u}; 1); =, =, =, =, =)",
+        "Chain(\\prescript { } { I } { \\mathbf { v } } _ { Q }, Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\dot{\\mathbf{C}}_{IB}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q })), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { I B }, Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q }); 2), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }; 2)), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }; 2)), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)), Call(\\dot{\\mathbf{q}}_j); 2)), Mul(MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q })), Blank(), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)))), \\mathbf{u}; 1); =, =, =, =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -7484,7 +7484,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "I'_{3\\,3} = \\dot{m}_\\text{fuel}\\,r^2",
-        "Chain(I_{3\\,3}', Mul(Call(\\dot{m}_{fuel}), Pow(r; 2)); =)",
+        "Chain(I_{33}', Mul(Call(\\dot{m}_{fuel}), Pow(r; 2)); =)",
         "AVSLab/basilisk/src/simulation/dynamics/FuelTank/_Documentation/secModelDescription.tex",
     ),
     (
@@ -7559,7 +7559,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\mathbf C_{I\\!Q} = \\mathbf C_{I\\!B} \\cdot \\mathbf C_{B\\!Q}",
-        "Chain(\\mathbf{C}_{I\\!Q}, Mul(\\mathbf{C}_{I\\!B}, \\mathbf{C}_{B\\!Q}); =)",
+        "Chain(\\mathbf{C}_{IQ}, Mul(\\mathbf{C}_{IB}, \\mathbf{C}_{BQ}); =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -7854,7 +7854,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!Q} \\cdot \\mathbf C_{I\\!Q} &= {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot \\mathbf C_{I\\!B} \\cdot \\mathbf C_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mbox{\\boldmath $\\omega$}}_{B\\!Q} \\cdot \\mathbf C_{B\\!Q} \\\\ &= {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot \\mathbf C_{I\\!Q} + \\mathbf C_{I\\!B} \\cdot \\mathbf C_{B\\!I} \\cdot {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{B\\!Q} \\cdot \\mathbf C_{B\\!I}^\\mathsf{T} \\cdot \\mathbf C_{B\\!Q} \\\\ &= {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot \\mathbf C_{I\\!Q} + {}_I\\hat{\\mbox{\\boldmath $\\omega$}}_{B\\!Q} \\cdot \\mathbf C_{I\\!Q}, \\end{aligned}",
-        "Chain(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! Q }, \\mathbf{C}_{I\\!Q}), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, \\mathbf{C}_{I\\!B}, \\mathbf{C}_{B\\!Q}), Mul(\\mathbf{C}_{I\\!B}, \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { B \\! Q }, \\mathbf{C}_{B\\!Q})), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, \\mathbf{C}_{I\\!Q}), Mul(\\mathbf{C}_{I\\!B}, \\mathbf{C}_{B\\!I}, \\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { B \\! Q }, Transpose(\\mathbf{C}_{B\\!I}), \\mathbf{C}_{B\\!Q})), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I \\! B }, \\mathbf{C}_{I\\!Q}), Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { B \\! Q }, \\mathbf{C}_{I\\!Q})); =, =, =)",
+        "Chain(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I Q }, \\mathbf{C}_{IQ}), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I B }, \\mathbf{C}_{IB}, \\mathbf{C}_{BQ}), Mul(\\mathbf{C}_{IB}, \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { B Q }, \\mathbf{C}_{BQ})), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I B }, \\mathbf{C}_{IQ}), Mul(\\mathbf{C}_{IB}, \\mathbf{C}_{BI}, \\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { B Q }, Transpose(\\mathbf{C}_{BI}), \\mathbf{C}_{BQ})), Add(Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { I B }, \\mathbf{C}_{IQ}), Mul(\\prescript { } { I } { \\hat { \\boldsymbol { \\omega } } } _ { B Q }, \\mathbf{C}_{IQ})); =, =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -8709,7 +8709,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\tilde{U}_{n,2\\,j-1} &=& a_j\\,\\cos(d_j\\,t_n) + b_j\\,\\sin(d_j\\,t_n) \\\\ \\tilde{U}_{n,2\\,j} &=& a_j\\,\\sin(d_j\\,t_n) - b_j\\,\\cos(d_j\\,t_n) \\\\ \\tilde{V}_{m,2\\,j-1} &=& \\cos(d_j\\,t_m) \\\\ \\tilde{V}_{m,2\\,j} &=& \\sin(d_j\\,t_m) \\\\ \\tilde{W}_{n,2\\,j-1} &=& e^{-c_j\\,t_n}\\,W_{n,2\\,j-1} \\\\ \\tilde{W}_{n,2\\,j} &=& e^{-c_j\\,t_n}\\,W_{n,2\\,j}",
-        "System(Chain(\\tilde{U}_{n,2\\,j-1}, Add(Mul(a_j, Call(cos; Mul(d_j, t_n))), Mul(b_j, Call(sin; Mul(d_j, t_n)))); =), Chain(\\tilde{U}_{n,2\\,j}, Add(Mul(a_j, Call(sin; Mul(d_j, t_n))), Neg(Mul(b_j, Call(cos; Mul(d_j, t_n))))); =), Chain(\\tilde{V}_{m,2\\,j-1}, Call(cos; Mul(d_j, t_m)); =), Chain(\\tilde{V}_{m,2\\,j}, Call(sin; Mul(d_j, t_m)); =), Chain(\\tilde{W}_{n,2\\,j-1}, Mul(Pow(e; Neg(Mul(c_j, t_n))), W_{n,2\\,j-1}); =), Chain(\\tilde{W}_{n,2\\,j}, Mul(Pow(e; Neg(Mul(c_j, t_n))), W_{n,2\\,j}); =))",
+        "System(Chain(\\tilde{U}_{n,2j-1}, Add(Mul(a_j, Call(cos; Mul(d_j, t_n))), Mul(b_j, Call(sin; Mul(d_j, t_n)))); =), Chain(\\tilde{U}_{n,2j}, Add(Mul(a_j, Call(sin; Mul(d_j, t_n))), Neg(Mul(b_j, Call(cos; Mul(d_j, t_n))))); =), Chain(\\tilde{V}_{m,2j-1}, Call(cos; Mul(d_j, t_m)); =), Chain(\\tilde{V}_{m,2j}, Call(sin; Mul(d_j, t_m)); =), Chain(\\tilde{W}_{n,2j-1}, Mul(Pow(e; Neg(Mul(c_j, t_n))), W_{n,2j-1}); =), Chain(\\tilde{W}_{n,2j}, Mul(Pow(e; Neg(Mul(c_j, t_n))), W_{n,2j}); =))",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -10809,7 +10809,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}_I\\mbox{\\boldmath $\\omega$}_{I\\!B} = \\mathbf E(\\mbox{\\boldmath $\\chi$}) \\cdot \\dot{\\mbox{\\boldmath $\\chi$}}",
-        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I \\! B }, Mul(Call(\\mathbf{E}; Call(\\boldsymbol{\\chi})), Call(\\dot{\\boldsymbol{\\chi}}); 1); =)",
+        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I B }, Mul(Call(\\mathbf{E}; Call(\\boldsymbol{\\chi})), Call(\\dot{\\boldsymbol{\\chi}}); 1); =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -10939,7 +10939,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{}_I \\mathbf e^x_{I''} = \\mathbf C_{I\\!I'}(z) \\cdot \\mathbf C_{I\\!'I''}(y) \\cdot \\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\end{bmatrix} = \\begin{bmatrix} \\cos(z) & -\\sin(z) & 0 \\\\ \\sin(z) & \\cos(z) & 0 \\\\ 0 & 0 & 1 \\end{bmatrix} \\begin{bmatrix} \\cos(y) & 0 & \\sin(y) \\\\ 0 & 1 & 0 \\\\ -\\sin(y) & 0 & \\cos(z) \\end{bmatrix} \\begin{bmatrix} 1 \\\\ 0 \\\\ 0 \\end{bmatrix} = \\begin{bmatrix} \\cos(y)\\cos(z) \\\\ \\cos(y)\\sin(z) \\\\ -\\sin(z) \\end{bmatrix}",
-        "Chain(\\prescript { } { I } { \\mathbf { e } } _ { I ' ' } ^ { x }, Mul(Call(\\mathbf{C}_{I\\!I'}; z), Call(\\mathbf{C}_{I\\!'I''}; y), MatrixOf(1, 0, 0)), Mul(MatrixOf(Call(cos; z), Neg(Call(sin; z)), 0, Call(sin; z), Call(cos; z), 0, 0, 0, 1), MatrixOf(Call(cos; y), 0, Call(sin; y), 0, 1, 0, Neg(Call(sin; y)), 0, Call(cos; z)), MatrixOf(1, 0, 0)), MatrixOf(Mul(Call(cos; y), Call(cos; z)), Mul(Call(cos; y), Call(sin; z)), Neg(Call(sin; z))); =, =, =)",
+        "Chain(\\prescript { } { I } { \\mathbf { e } } _ { I ' ' } ^ { x }, Mul(Call(\\mathbf{C}_{II'}; z), Call(\\mathbf{C}_{I'I''}; y), MatrixOf(1, 0, 0)), Mul(MatrixOf(Call(cos; z), Neg(Call(sin; z)), 0, Call(sin; z), Call(cos; z), 0, 0, 0, 1), MatrixOf(Call(cos; y), 0, Call(sin; y), 0, 1, 0, Neg(Call(sin; y)), 0, Call(cos; z)), MatrixOf(1, 0, 0)), MatrixOf(Mul(Call(cos; y), Call(cos; z)), Mul(Call(cos; y), Call(sin; z)), Neg(Call(sin; z))); =, =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -12314,7 +12314,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\phi_{1,2\\,j-1} = \\phi_{1,2\\,j} = 0 \\quad.",
-        "Chain(\\phi_{1,2\\,j-1}, \\phi_{1,2\\,j}, 0; =, =)",
+        "Chain(\\phi_{1,2j-1}, \\phi_{1,2j}, 0; =, =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -12609,7 +12609,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\omega_{0,\\,j} = 2\\,\\pi\\,(\\nu_\\mathrm{max} + j\\,\\Delta\\nu + \\epsilon)",
-        "Chain(\\omega_{0,\\,j}, Mul(2, \\pi, Add(\\nu_{max}, Mul(j, \\Delta \\nu), \\epsilon)); =)",
+        "Chain(\\omega_{0,j}, Mul(2, \\pi, Add(\\nu_{max}, Mul(j, \\Delta \\nu), \\epsilon)); =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (

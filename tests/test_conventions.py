@@ -209,10 +209,10 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
     "unreadable": [
         (r"dx\,dy = r\,dr\,d\theta", [r"x = r\cos\theta", r"y = r\sin\theta"]),
         (r"x^\mu x_\mu = s^2 + 1", []),
-        (r"\sigma^2 = E[X^2] - \mu^2", []),
         (r"I = \int r^2 dm", []),
     ],
     "undecided": [
+        (r"\sigma^2 = E[X^2] - \mu^2", []),
         (r"\int_0^1 f(t)^2 \,dt = \left(\int_0^1 f(t) \,dt\right)^2", []),
         (r"\int_0^1 f(t) \,dt = f(t)", []),
         (r"y = 1 + \frac{x}{2} + O(x^2)", ["y^2 = 1 + x"]),
@@ -298,13 +298,14 @@ UNDER = {
         (r"{\bf A} {\bf B} = {\bf B} {\bf A}", ""),
     ],
     "undecided": [
+        (r"\overline{x^2} - \bar{x}^2 = 0", ""),
         (r"\int_1^\infty \frac{1}{x} dx = 1", ""),
         (r"\int_0^\infty e^{x} dx = -1", ""),
         (r"\int_0^\infty e^{-ax} dx = \frac{1}{a}", ""),
         (r"\int_0^\infty \sin x\, dx = 1", ""),
     ],
     "ambiguous": [("sin^2 x + cos^2 x = 1", ""), (r"\frac{sin x}{x} = 1", ""), (r"e^{exp x} = 1", "")],
-    "unreadable": [(r"\overline{x^2} - \bar{x}^2 = 0", ""), (r"\dot{x^2} = \dot{x}^2", ""), ("{-x}^2 = x^2", "")],
+    "unreadable": [(r"\dot{x^2} = \dot{x}^2", ""), ("{-x}^2 = x^2", "")],
 }
 
 
@@ -447,10 +448,12 @@ UNSAID = [
 # primes beside dots
 APPLIED = [
     (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
-    ("E[XY] = E[X] Y", []),
     (r"\dot x = x'", []),
     (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
     (r"m\text{-}P = P\text{-}m", []),
+]
+BESIDE_CALLS = [
+    ("E[XY] = E[X] Y", []),
     ("v(t) = v t", []),
     (r"E_n = 2^n E_n\left(\frac{1}{2}\right)", []),
     (r"x = \int_0^t f(\tau) h(t - \tau) d\tau + f", []),
@@ -462,7 +465,7 @@ APPLIED = [
     [
         case(verdict, *each)
         for verdict, several in (
-            ("undecided", EQUATIONS),
+            ("undecided", [*EQUATIONS, *BESIDE_CALLS]),
             ("refuted", SLIPS),
             ("ambiguous", UNSAID),
             ("unreadable", APPLIED),

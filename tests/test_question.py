@@ -214,14 +214,18 @@ REFUSED = (
     r"\sin (x)^2 = \sin^2 x", r"\sin 2 x^2 = 0", r"3 \frac{1}{2} = \frac{7}{2}", "0^0 = 1", "1,000 = 1000",
     r"1,5 = \frac{3}{2}",
     r"\mathbf{a} \cdot \mathbf{b} \cdot \mathbf{c} = \mathbf{c} \cdot \mathbf{b} \cdot \mathbf{a}",
-    r"\mathbf{a} \times \mathbf{b} \times \mathbf{c} = 0", r"\mathbf{a}\mathbf{b} = \mathbf{b}\mathbf{a}",
+    r"\mathbf{a} \times \mathbf{b} \times \mathbf{c} = 0",
     r"\int x^2 = \frac{x^3}{3}", r"\frac{d}{dx} f g = f' g + f g'",
     "x_12 = x_{12}", "2^3^2 = 512", r"f^{-1}(x) = \frac{1}{f(x)}", r"\arctan x/y = \arctan \frac{x}{y}",
-    r"\ln x^2 = 2 \ln x", r"\det \mathbf{A} \mathbf{B} = \det \mathbf{A}", "[x] = x", r"\{x\} = x - [x]", "(a, b) = 0",
-    "a:b = c:d", r"5\% = 0.05", r"a \mod b = 0", r"\foo = 1",
-    r"\nabla \cdot (\nabla \times \mathbf{A}) = 0", r"x \approx y", "[A, B] = AB - BA", "", "x = ", r"\frac{1}{x = 2",
+    r"\ln x^2 = 2 \ln x", r"\det \mathbf{A} \mathbf{B} = \det \mathbf{A}", "[x] = x", r"\{x\} = x - [x]",
+    "a:b = c:d", r"5\% = 0.05", r"\foo = 1", "[A, B] = AB - BA", "", "x = ", r"\frac{1}{x = 2",
     r"\sqrt{-1} = i", r"(-1)^{1/2} = i", r"\sqrt{-1} = x", r"\ln(-1) = x",
     r"\left( x = 1", "x == 1", "x = 1 = ", "((x) = 1",
+)  # fmt: skip
+WITHOUT_VALUE = (  # read whole, but of what is printed something has no value that is known
+    r"\mathbf{a}\mathbf{b} = \mathbf{b}\mathbf{a}", "(a, b) = 0", r"a \mod b = 0", r"x \approx y",
+    r"\nabla \cdot (\nabla \times \mathbf{A}) = 0", r"\langle x + y \rangle = \langle x \rangle", r"\min_x x^2 + 1",
+    r"u = 0 \text{ on $\Gamma$}", r"x = y \text{ unless $y > 0$}", r"\overline{x^2} = 0",
 )  # fmt: skip
 EXACTLY = {  # by the conventions of print, with certainty
     r"\lg 100 = 2": "proved", r"f^2(x) = f(x)^2": "proved", r"\Delta x^2 = (\Delta x)^2": "proved",
@@ -323,6 +327,14 @@ def test_what_is_not_understood_is_refused_in_one_line(relation: str) -> None:
     assert answer.verdict == "unreadable"
     assert answer.reason
     assert "\n" not in answer.reason
+
+
+@pytest.mark.parametrize("relation", WITHOUT_VALUE)
+def test_what_is_read_and_has_no_value_is_shown_and_not_decided(relation: str) -> None:
+    answer = decide(relation)
+    assert answer.verdict == "undecided"
+    assert answer.reason
+    assert answer.reading
 
 
 @pytest.mark.parametrize("relation", EXACTLY)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -10,8 +11,10 @@ from symcheck.document.printed import Printed
 from symcheck.document.survey import Role, Said, Seen, is_sayable
 from symcheck.reading.faces import is_styled
 from symcheck.reading.guesses import PRINTED
-from symcheck.reading.names import KINDS_OPEN
+from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
 
+_LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
+LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
     "vector": "a vector",
@@ -116,4 +119,17 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter]) -> Said:
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
+    if LABEL_DOUBT in seen.reason:
+        found |= {r.letter: "scalar" for r in seen.roles if _is_labelled(shown(r.letter), known)}
     return tuple(found.items())
+
+
+def _is_labelled(name: str, known: Mapping[str, Letter]) -> bool:
+    """Is a superscript of letters a label by all of the document: a word, or of letters that are nowhere numbers?"""
+    above = _LABEL.search(name)
+    if above is None:
+        return False
+    below, letters = above.groups()
+    if len(letters) == 1 or letters.startswith("\\"):
+        return bool(below) and letters not in known
+    return len(letters) > LONGEST_PRODUCT or len({*letters}) < len(letters) or {*letters}.isdisjoint(known)

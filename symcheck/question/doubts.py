@@ -15,7 +15,9 @@ from symcheck.question.conventions import mentioned, unsaid
 from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, VARIABLES, Reading
 from symcheck.reading import Tree, read, tex, to_latex
+from symcheck.reading.commands import OVER
 from symcheck.reading.landau import terms_of_order
+from symcheck.reading.lexer import SIZES, SPACES
 from symcheck.reading.notation import SAID
 from symcheck.reading.tree import (
     Add,
@@ -84,11 +86,26 @@ def functions_in_letters(text: str) -> Iterator[str]:
 
 
 def braced(relation: str) -> str:
-    """The doubt whether terms with braces that say what they are, are equal for all values of letters."""
-    found = _BRACED.search(relation)
-    return (
-        f"is what stands at {found[1]} equal by an equation to be solved? write it without the brace" if found else ""
-    )
+    """The doubt whether terms with braces that say what they are, are equal for all values of letters.
+
+    Or whether a script behind braces, which nobody sees, belongs to all that stands in them.
+    """
+    if found := _BRACED.search(relation):
+        return f"is what stands at {found[1]} equal by an equation to be solved? write it without the brace"
+    texts = tex.texts(relation)
+    for k, text in enumerate(texts):
+        before = texts[k - 1] if k else ""
+        if text != "{" or before in ("_", "^", "}", "]") or (before[:1] == "\\" and before not in SPACES):
+            continue
+        end = next((m for m in range(k, len(texts)) if texts[k : m + 1].count("{") == texts[k : m + 1].count("}")), k)
+        inside = texts[k + 1 : end]
+        several = len(inside) > 1 and all(part.isalnum() or part[:1] == "\\" for part in inside[:2])
+        if texts[end + 1 : end + 2] == ("^",) and several and inside[0] not in OVER | SIZES:
+            shown = "".join(inside)
+            return (
+                f"does the power behind {shown} in braces belong to all of it? write brackets around it, or no braces"
+            )
+    return ""
 
 
 def defines(problem: Problem, *, bare: bool = False) -> bool:

@@ -52,8 +52,8 @@ PARTNER = {
     "RANGLE": "LANGLE", "RHALF": "LHALF", "RLIST": "LLIST", "CEND": "CBEGIN",
 }  # fmt: skip
 SIMPLE = {
-    "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA", ";": "SEMI",
-    ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS", r"\vdots": "DOTS",
+    "+": "PLUS", "-": "MINUS", "/": "SLASH", r"\div": "SLASH", r"\cdot": "CDOT", r"\times": "TIMES", ",": "COMMA",
+    ";": "SEMI", ":": "COLON", r"\dots": "DOTS", r"\ldots": "DOTS", r"\cdots": "DOTS", r"\vdots": "DOTS",
     r"\ddots": "DOTS",
     "!": "BANG", r"\pm": "PM", r"\mp": "PM", r"\infty": "INFINITY", r"\langle": "LANGLE",
 }  # fmt: skip
@@ -67,7 +67,7 @@ OPERATORS = frozenset(  # between two terms, of which no notation says what they
 CLOSED = frozenset({r"\oint", r"\iint", r"\iiint"})  # integrals over curves, surfaces and bodies
 LIMITING = frozenset({"lim", "min", "max", "sup", "inf", "argmin", "argmax", "limsup", "liminf"})
 MARKS = frozenset(
-    {"+", "-", "*", r"\#", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat"}
+    {"+", "-", "*", r"\#", r"\dagger", r"\star", r"\ddagger", r"\sharp", r"\flat", r"\perp", r"\parallel"}
 )  # scripts that are no power
 SETS = frozenset(
     {
@@ -95,6 +95,9 @@ _ENDS = frozenset(
 _OPERATORS = frozenset(
     {"OPERATOR", "PLUS", "MINUS", "PM", "REL", "AND", "OR", "IMPLIES", "IFF", "CDOT", "TIMES", "SLASH"}
 )
+_FIELDS = {r"\cdot": "div", r"\times": "curl", "^": "laplacian"}  # operators, by what stands behind \nabla
+_ENDS_OPERATOR = frozenset({")", "]", r"\right", "", "+", "-", "=", ",", "&", r"\\", r"\quad"})
+_BEHIND_POINT = frozenset({"}", ")", r"\right", "+", "-", "/", "*", r"\cdot", r"\times"})
 _MARKED = frozenset({"RPAR", "RBRA", "RSET", "RNORM", "RBAR", "MEND", "RFLOOR"})  # what may have a mark
 _BREAKS = frozenset({"COMMA", "SEMI", "COLON", "FOR"})
 _NO_FACTORS = _OPERATORS | _BREAKS
@@ -173,13 +176,15 @@ class Lexer(tex.Reader):
         return bool(before) and (before[-1].type, before[-1].value) == ("REL", r"\in")
 
     def mean_ends(self) -> None:
-        r"""`\rangle_\psi`: the end of an average, with the phase; without a phase, of a list or a scalar product."""
+        r"""`\rangle_\psi`: the end of an average, with the phase or without, of a list or a scalar product."""
         at = self.at()
         self.i += 1
         if self.peek() != "_":
             opening = self.open[-1] if self.open else None
             between = self.out[self.out.index(opening) :] if opening in self.out else []
-            if opening is None or opening.type != "LANGLE" or not any(each.type == "COMMA" for each in between):
+            bars = any(each.type in ("MID", "LBAR", "LNORM") for each in between)  # of states
+            listed = self.notation.inferred or any(each.type == "COMMA" for each in between)
+            if opening is None or opening.type != "LANGLE" or bars or not listed:
                 self.fail("an average needs the letter it is taken over", at)
             self.out[self.out.index(opening)] = self.open[-1] = Lexeme("LLIST", opening.value, opening.at)
             self.emit("RLIST", r"\rangle", at)
@@ -226,6 +231,8 @@ class Lexer(tex.Reader):
                 self.emit(kind, text, at)
             for _ in range(count):
                 self.argument()
+        elif text == r"\overline" and self.overlined():
+            return
         elif text in CLOSED:
             self.over_domain()
         elif text in (r"\sum", r"\prod", r"\int"):
@@ -239,6 +246,8 @@ class Lexer(tex.Reader):
             self.emit("FORALL", text, at)
         elif text == r"\rangle":
             self.mean_ends()
+        elif text == r"\nabla":
+            self.nabla()
         elif text in "^'":
             self.refuse_bracketed()
             self.script()
@@ -267,6 +276,43 @@ class Lexer(tex.Reader):
             meant = self.notation.resembling(text)
             said = tex.no_letter(text) if known(text) else f"{text} cannot be read here"
             self.fail(f"{said}, or did you mean {meant}?" if meant else said)
+
+    def nabla(self) -> None:
+        r"""`\nabla` that makes no name with the letter behind it: an operator on fields, or one that stands alone."""
+        at, below = self.at(), ""
+        self.i += 1
+        if self.peek() == "_":
+            self.i += 1
+            below = tex.subscript(self.group())
+        while self.peek() in SPACES:
+            self.i += 1
+        if self.peek() in _ENDS_OPERATOR:
+            self.emit("NAME", Name(rf"\nabla{below}"), at)
+            return
+        kind = _FIELDS.get(self.peek(), "grad")
+        if self.peek() in _FIELDS:
+            self.i += 1
+        if kind == "laplacian" and self.group() != ("2",):
+            self.fail(r"a power of \nabla other than 2", at)
+        self.emit("FN", f"{kind}{below}", at)
+
+    def overlined(self) -> bool:
+        """A line over more than one letter: a mean, or what is conjugate, of all of it."""
+        start, at = self.i, self.at()
+        self.i += 1
+        if not self.peek() or tex.spelled(" ".join(self.group())) is not None:
+            self.i = start
+            return False
+        stop, self.i = self.i - 1, start + 2
+        self.emit("FN", "overlined", at)
+        self.emit("LPAR", "(", at)
+        while self.i < stop:
+            self.step()
+        if self.i != stop:
+            self.fail("unbalanced brace", at)
+        self.i += 1
+        self.emit("RPAR", ")", at)
+        return True
 
     def space(self) -> None:
         """A space; what it means where it could part two things is settled in `joined`."""
@@ -305,6 +351,8 @@ class Lexer(tex.Reader):
         if self.peek() == "." and self.peek(1).isdigit() and self.peek(1).isascii():
             self.i += 1
             text += "." + self.digits()
+        elif self.peek() == "." and self.peek(1) in _BEHIND_POINT and text:
+            self.i += 1  # a point without decimals
         if self.peek() == ")" and not self.open and self.clause_begins():
             text += ")." if self.peek(1) == "." else ")"
             self.i += text.endswith(".") + 1
@@ -500,7 +548,7 @@ class Lexer(tex.Reader):
         if name not in ENVIRONMENTS | MATRICES:
             self.fail(f"unknown environment {name}", at)
         if begin:
-            if name == "cases" and self.last() in _OPERATORS:
+            if name == "cases" and self.last() in _OPERATORS | _ENDS - {"DOTS", "MARK"}:
                 self.environments.append((VALUES, at))
                 self.emit("CBEGIN", name, at)
                 return

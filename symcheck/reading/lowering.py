@@ -192,7 +192,7 @@ def algebraic(
 def _relations(item: Relation | Tree) -> tuple[Relation, ...]:
     found = (item,) if isinstance(item, Relation) else relations(item)
     if not found:
-        raise SymcheckError(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
+        raise NoForm(f"{to_latex(item)} states no relation" if isinstance(item, Tree) else "no relation")
     for tree in (each.tree for each in found):
         first = tree.parts[0] if isinstance(tree, And) else None
         if isinstance(first, Chain) and first.signs[0] == "=" and not {*first.signs} <= {"=", r"\equiv"}:
@@ -597,7 +597,7 @@ class Lowering:
             raise SymcheckError(f"{to_latex(tree)}: this integral does not say what it is taken over")
         if method is None:
             error = NoForm if isinstance(tree, Limiting | Dots) else Unsaid
-            raise error(f"{to_latex(tree)} has no algebraic form; state it formally")
+            raise error(f"{to_latex(tree) or 'an operator alone'} has no algebraic form; state it formally")
         return method(tree, env)
 
     def of_number(self, tree: tree_of.Number, env: Env) -> Value:

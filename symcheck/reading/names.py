@@ -23,6 +23,7 @@ from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
+_SIGNS |= {r"\perp", r"\parallel", r"\uparrow", r"\downarrow"}
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
 _ANGLES = frozenset(  # letters with a circle above of which that hardly says a standard state
     {r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\alpha", r"\beta", r"\gamma", r"\delta", r"\lambda", "x"}
@@ -48,7 +49,8 @@ EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before sq
 KINDS_OPEN = "too many of these may be vectors or matrices"
 INTEGRATED = "all that is integrated by"
 INDEX_IN_NAME = "an index of a name is not summed over"
-POWER_OR_LABEL = "a power, or a label? say what {} is, or write brackets around the base of the power"
+LABEL_DOUBT = "a power, or a label?"
+POWER_OR_LABEL = LABEL_DOUBT + " say what {} is, or write brackets around the base of the power"
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +188,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     """What is in doubt about a superscript that may be a label; None if it is a power, transposes, or is none."""
     inside = [text for text in of.above if text not in SPACES]
     sign = len(inside) == 1 and inside[0] in ("*", r"\star") and of.word == r"\pi"  # a policy
+    sign = sign or (of.word == r"\delta" and _is_word(inside))
     if of.word == "e" and len(inside) == 1 and inside[0] in told.mixed:
         return POWER_OR_LABEL.format(inside[0])  # one of the reciprocal vectors
     if of.word == r"\delta" and of.word != of.bare and len(inside) == 1 and _letters(inside):

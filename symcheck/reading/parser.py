@@ -5,14 +5,15 @@ from __future__ import annotations
 import itertools
 import re
 from collections import Counter
-from collections.abc import Container, Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.functions import INVERSES
+from symcheck.reading.faces import face
+from symcheck.reading.functions import FIELDS, INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
 from symcheck.reading.names import DIMENSIONLESS, EXPECTED, NO_FACTORS, PRODUCTS
@@ -84,6 +85,7 @@ from symcheck.reading.tree import (
 from symcheck.reading.tree import nodes as walked  # where a rule of the grammar calls its own parts nodes
 
 OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
+_INDICES = re.compile(r"(?<![A-Za-z\\])[a-z](?![A-Za-z])")  # below the sign of a sum
 TRACES = frozenset({"tr", "Tr", "sp", "Sp"})
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair, Norm)
@@ -625,9 +627,8 @@ class Builder:
             return self.crossed_twice([left, right, self.items(nodes[4])], nodes[3].value.at)
         if nodes[1].type == "TIMES":
             crossed = self.plain(right)
-            if left[0].kind == "sum" and left[0].bounds and len(left) > 1 and self.runs_over(left, crossed):
-                made = BigProduct if left[0].name else BigSum
-                return made(*left[0].bounds, Cross(self.plain(left[1:]), crossed))
+            if (summed := self.summed(left, crossed, Cross)) is not None:
+                return summed
             if any(item.kind in ("sum", "integral", "over", "under") for item in left):
                 raise self.fail(nodes[1].value.at, "a cross product behind a sum is ambiguous")
             return Cross(self.plain(left), crossed)
@@ -656,18 +657,36 @@ class Builder:
             return Cross(Cross(first, second), third)
         raise self.fail(at, "which of these cross products comes first? write brackets")
 
-    def runs_over(self, items: list[Item], crossed: Tree) -> bool:
-        """Does the index of the only sum, which comes first, stand in what is behind the cross, too?"""
-        inner = any(item.kind in ("sum", "integral", "over", "under") for item in items[1:])
+    def summed(self, items: list[Item], last: Tree, made: Callable[[Tree, Tree], Tree]) -> Tree | None:
+        """The sum of what is made of its last factors and of what is behind their sign, if its index stands there."""
+        reaching = [k for k, item in enumerate(items) if item.kind in ("sum", "integral", "over", "under")]
+        if len(reaching) != 1 or (k := reaching[0]) + 1 == len(items) or items[k].kind not in ("sum", "under"):
+            return None
+        sign = items[k]
+        indices = sign.bounds[0] if sign.bounds else _INDICES.findall(sign.text) if sign.name in ("sum", "prod") else ()
+        if not self.runs_over(indices, last):
+            return None
+        body = made(self.plain(items[k + 1 :]), last)
+        if sign.bounds is None:
+            found: Tree = Limiting(sign.name, sign.text, body)
+        else:
+            found = (BigProduct if sign.name else BigSum)(*sign.bounds, body)
+        return self.plain([*items[:k], Item("fraction", sign.at, found)]) if k else found
+
+    def runs_over(self, indices: Sequence[str], crossed: Tree) -> bool:
+        """Does an index of a sum stand in what is behind the cross, too?"""
         names = [node for node in nodes(crossed) if isinstance(node, Name)]
         used = {index for name in names for index in (name.letter, *name.subscripts)}
         used |= {text for name in names for text in tex.texts(name.letter)}
-        bounds = items[0].bounds
-        return not inner and bounds is not None and bool(used.intersection(bounds[0]))
+        return bool(used.intersection(indices))
 
     def operated(self, nodes: list[ParseNode]) -> Tree:
         """Terms with signs between them of which nothing is said: from the left to the right."""
         several = [self.items(node) for node in nodes[0::2]]
+        if len(several) == 2:
+            operated = partial(Operated, str(nodes[1].value.value))
+            if (summed := self.summed(several[0], self.plain(several[1]), operated)) is not None:
+                return summed
         if any(item.kind in ("sum", "integral", "over", "under") for items in several for item in items):
             raise self.fail(nodes[1].value.at, f"{nodes[1].value.value} behind a sum is ambiguous")
         found = self.plain(several[0])
@@ -859,6 +878,8 @@ class Builder:
         if item.kind in ("integral", "antiderivative", "over"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
+            if k + 1 == len(items):
+                return Derivative(Blank(), item.variables, item.partial), k + 1
             alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
             if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
                 alone = self.call(items, k + 1)[1] == len(items)
@@ -908,13 +929,18 @@ class Builder:
             return self.integrated(
                 sign, [*items[k + 1 : end - 1], Item("fraction", fraction.at, fraction.node)], fraction.letters[0]
             )
+        if not depth and end < len(items) and items[end - 2].kind == "dot" and _is_styled(items[end].node):
+            items, end = [*items[: end - 2], *items[end - 1 :]], end - 1  # `F \\cdot ds` along a curve
         if depth or end >= len(items) or items[end].kind != "atom" or items[end].postfix or items[end - 1].power:
             raise self.fail(sign.at, "this integral does not say what it is taken over")
         if items[end - 1].partial:
             raise self.fail(items[end - 1].at, "an integral is taken over dx, not over a partial differential")
-        if end + 1 < len(items):
-            raise self.fail(items[end + 1].at, "does this belong to the integral? put the integral in brackets")
-        return self.integrated(sign, items[k + 1 : end - 1], self.atom(items[end]))
+        variable, rest = self.atom(items[end]), items[end + 1 :]
+        if rest and end == k + 2 and variable in nodes(behind := self.plain(rest)):  # the differential comes first
+            return self.integrated(sign, [Item("fraction", rest[0].at, behind)], variable)
+        if rest:
+            raise self.fail(rest[0].at, "does this belong to the integral? put the integral in brackets")
+        return self.integrated(sign, items[k + 1 : end - 1], variable)
 
     def integrated(self, sign: Item, body: list[Item], variable: Tree) -> Tree:
         """The integral of a product over a letter, with bounds or without."""
@@ -1050,6 +1076,17 @@ class Builder:
             if k + 1 < len(items) and (self.simple(items[k + 1]) or self.in_brackets(items[k + 1])):
                 raise self.fail(items[k + 1].at, f"does this factor belong to the argument of {head.name}?")
             return self.powered(head, (self.atom(items[k]),)), k + 1
+        field_ = head.name.partition("_")[0] in FIELDS
+        if field_ and k < len(items) and items[k].kind == "function" and items[k].name.partition("_")[0] in FIELDS:
+            value, k = self.call(items, k)
+            return self.powered(head, (value,)), k
+        if field_ and k < len(items) and isinstance(items[k].node, Name):
+            if items[k].postfix:
+                raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
+            field, k = self.applied(items, k)
+            if k < len(items) and items[k].kind != "dot":
+                raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
+            return self.powered(head, (field,)), k
         if head.name in OF_MATRICES and k < len(items) and self.is_matrix(items[k]):
             beside = items[k + 1] if k + 1 < len(items) else None
             if items[k].postfix not in ("", "TRANSPOSE") or (
@@ -1424,6 +1461,8 @@ class Builder:
 
     def from_llist(self, nodes: list[ParseNode], at: int) -> Item:
         items = self.entries(self.build(nodes[1]))
+        if len(items) == 1:
+            return Item("atom", at, Call("average", items))
         return Item("atom", at, Tuple(items, "()") if len(items) != 2 else Pair(*items))
 
     def from_over(self, nodes: list[ParseNode], at: int) -> Item:
@@ -1555,6 +1594,11 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for node in nodes(tree))
+
+
+def _is_styled(tree: Tree | None) -> bool:
+    """Is this a letter in bold, or with an arrow?"""
+    return isinstance(tree, Name) and bool(face(tree.letter))
 
 
 def _is_bracket(tree: Tree) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from symcheck.reading.commands import ACCENTS, STYLES
@@ -10,13 +11,76 @@ from symcheck.reading.commands import ACCENTS, STYLES
 _FRAME = r"\{ [^{}]*(?:\{[^{}]*\}[^{}]*)? \}"  # at the left of a d
 _D = r"(?:d|\\mathrm \{ d \}|\\text \{ d \})"
 _ROUND = r"\\left \( (?:(?!\\left|\\right).)* \\right \)"  # brackets without others
-_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,)\s*)*"
+_GAPS = r"(?:(?:\\[,;: ]|\\quad|~|&) )*"
+_QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,|~)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
 _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
-_SPELLINGS = (  # of one thing in several tokens, behind what always stands in it, with the usual one
+_SPELLINGS: Sequence[
+    tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]
+] = (  # of one thing in several tokens, behind what always stands in it, with the usual one
     (r"\operatorname { \text", re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
     (". ", re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
+    # signs that are typed as two, or as another one
+    (r"\left < ", re.compile(r"\\left < "), r"\\left \\langle "),
+    (r"\right >", re.compile(r"\\right >"), r"\\right \\rangle"),
+    ("< = ", re.compile(r"< = "), r"\\le "),
+    ("> = ", re.compile(r"> = "), r"\\ge "),
+    (r"\text { .", re.compile(r"(?:\\text \{ (?:\. )+\} ?){3}|\\text \{ \. \. \. \} ?"), r"\\dots "),
+    # the operator of fields in bold, or with an arrow
+    (r"\nabla", re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|overrightarrow) \{ \\nabla \}"), r"\\nabla"),
+    # the power of what has a star
+    (r"^ { ", re.compile(r"\^ \{ (\*|\\star) (\d) \}"), r"^ { \1 } ^ { \2 }"),
+    # narrow spaces in subscripts
+    (r"_ { ", re.compile(r"_ \{ [^{}]*\\[,!] [^{}]*\}"), lambda found: re.sub(r"\\[,!] ", "", found[0])),
+    ('"', re.compile('"'), "' '"),
+    # signs and numbers in upright type
+    (r"\mathrm { ", re.compile(r"(?<![_^] )\\mathrm \{ ([-+=/] [-+=/ ]*|[\d. ]+)\}"), r"\1"),
+    # a narrow space before a script
+    (r"\! ", re.compile(r"(?:\\! )+(?=[_^])"), ""),
+    # the letter of a sum or an integral above its sign, or below the sign of an integral over it
+    ("} ^ { ", re.compile(r"(\\(?:sum|prod) _ \{ (\w) = [^{}]* \} \^ \{ )\2 = (?=[^{}]* \})"), r"\1"),
+    (r"\int _ { ", re.compile(rf"(\\int _ \{{ )(\w) = (?={_BRACED[2:]}.* d (?:\\[,;] )?\2(?!\w))"), r"\1"),
+    (
+        r"\int _ ",
+        re.compile(rf"(\\int _ (?:\w|{_BRACED}) \^ \{{ )(\w) = (?={_BRACED[2:]}.* d (?:\\[,;] )?\2(?!\w))"),
+        r"\1",
+    ),
+    # a set for whose points a relation holds, as a remark
+    (
+        r"\text { ",
+        re.compile(
+            rf"\\text \{{ (?:~ )*(o n|i n) (?:~ )*\}} {_GAPS}(\\?[A-Za-z]+(?: _ (?:\w|\{{ [^{{}}]* \}}))?)"
+            r"(?=(?: [.,;])?(?: $| \\\\| \\q?quad| \\end|$))"
+        ),
+        r"\\text { \1 ~ \2 }",
+    ),
+    # values by cases in an array
+    (
+        r"\left \{ ",
+        re.compile(
+            r"(?<=[-+=] )((?:(?:\\[,;: ]|~) )*)\\left \\\{ \\begin \{ a r r a y \} \{ [^{}]* \} "
+            r"((?:(?!\\begin|\\end|\\left \\\{).)*&(?:(?!\\begin|\\end).)*)\\end \{ a r r a y \} \\right \."
+        ),
+        lambda found: rf"{found[1]}\begin {{ c a s e s }} {_in_two_columns(found[2])}\end {{ c a s e s }}",
+    ),
+    # a system of equations in an array with a brace
+    (
+        r"\left \{ \begin",
+        re.compile(r"^\\left \\\{ (\\begin \{ a r r a y \} (?:(?!\\left|\\begin).)*\\end \{ a r r a y \}) \\right \."),
+        r"\1",
+    ),
+    # several spaces that are as wide as a quad
+    *(
+        (" ".join([each] * 3), re.compile(rf"(?:{re.escape(each)} ){{3,}}"), r"\\quad ")
+        for each in (r"\;", r"\:", "\\ ", "~")
+    ),
+    # commas at the ends of the cells of a matrix
+    (
+        "m a t r i x",
+        re.compile(r"(\\begin \{ [bBpvV ]*m a t r i x \}(?:(?!\\begin|\\end).)*)(?=\\end)"),
+        lambda found: found[1].replace(" , &", " &"),
+    ),
     # a matrix in brackets, and one of zeros
     (r"\left [", re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
     ("[ 0 ]", re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
@@ -86,7 +150,7 @@ _SPELLINGS = (  # of one thing in several tokens, behind what always stands in i
 )
 WIDE = r", \quad"
 WORDS = tuple(  # that part relations: what stands behind them holds as well, or says when the others hold
-    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ [\s,~]*(?:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
+    (re.compile(rf"(?:{_QUADS} )?\\(?:text|mathrm) {{ [\s,~]*(?i:{words})[\s,:~]* }}(?: {_QUADS})?"), sign)
     for words, sign in (
         ("w h e r e|w i t h", WIDE),
         ("a n d", r"\text{and}"),
@@ -104,15 +168,23 @@ _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same 
 
 def phrased(text: str) -> str:
     """The same text with usual spellings, signs between relations for words, and problems with what is to be found."""
-    text = _STOP.sub("", _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", text)))
+    text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", text))
     for inside, layout, change in _SPELLINGS:
         if inside in text:
             text = layout.sub(change, text)
+    text = _STOP.sub("", text)
     for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
+    text = text.removeprefix(f"{WIDE} ")
     if _SPACE in text:
         text = _SPACED.sub(lambda found: f"{found[1]} {_APART.sub(f'{_PARTING[found[1][-1]]} ', found[2])}", text)
     return _problem(_MATRIX.sub(_with_cells, text) if "m a t r i x" in text else text)
+
+
+def _in_two_columns(body: str) -> str:
+    """The rows of an array with no more than two cells each: a value, and where it is taken."""
+    rows = [row.split("& ") for row in body.split("\\\\ ") if row.strip()]
+    return "\\\\ ".join("& ".join([row[0], "".join(row[1:])]) if len(row) > 1 else row[0] for row in rows)
 
 
 # a matrix without cells, but with commas
@@ -140,7 +212,8 @@ def _with_cells(found: re.Match[str]) -> str:
 
 # what introduces the conditions of a problem
 _SUBJECT = re.compile(
-    r"(?:(?:\\q?quad|\\[,;: ]|,|&|\\\\) )*\\text \{ (?:~ )?(?:s u b j e c t ~ t o|s \. (?:~ )?t \.)(?: [~:])* \}"
+    r"(?:(?:\\q?quad|\\[,;: ]|,|&|\\\\) )*\\text \{ "
+    r"(?:~ )?(?:s u b j e c t ~ t o|s u c h ~ t h a t|s \. (?:~ )?t \.)(?: [~:])* \}"
     r"(?: (?:\\q?quad|\\[,;: ]|&))*"
 )
 # signs of a relation, or of words and lines beside what is to be found

@@ -8,7 +8,7 @@ from contextvars import ContextVar
 from typing import Any
 
 from symcheck.reading import tex
-from symcheck.reading.functions import COMMANDS
+from symcheck.reading.functions import COMMANDS, FIELDS
 from symcheck.reading.tree import (
     BRACKETED,
     Add,
@@ -248,9 +248,12 @@ def _first(tree: Tree) -> Tree:
     return tree
 
 
+_IN_BRACKETS = BRACKETED | {*FIELDS, "average", "overlined"}  # functions whose argument is printed in brackets
+
+
 def _is_bare(tree: Call) -> bool:
     """Can the argument of a function stand without brackets?"""
-    if len(tree.arguments) != 1 or tree.function in BRACKETED:
+    if len(tree.arguments) != 1 or str(tree.function).partition("_")[0] in _IN_BRACKETS:
         return False
     argument = tree.arguments[0]
     factors = argument.factors if isinstance(argument, Mul) else (argument,)
@@ -268,7 +271,8 @@ def _call(tree: Call, power: str = "") -> str:
     inside = ", ".join(_print(a, SUM) for a in tree.arguments)
     if isinstance(tree.function, Name):
         return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
-    head = tree.function if tree.function in COMMANDS else rf"operatorname{{{tree.function}}}"
+    name, _, below = tree.function.partition("_")
+    head = name if name in COMMANDS else rf"operatorname{{{name}}}" + (f"_{below}" if below else "")
     single = isinstance(tree.arguments[0], Name | Number)
     if _is_bare(tree) and (single or not _bracketed.get()):
         return rf"\{head}{power} {inside}"

@@ -83,6 +83,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     Formulas beside it tell whether a capital gamma is the function.
     """
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
+    source = _WORDS.sub(_with_formulas, source)
     source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
     source = _UNITS.sub(r"\\mathrm{\1}\\,\\mathrm{\2}", source)
     source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
@@ -97,6 +98,18 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if rest != len(tokens):
         return source
     return phrased(_printed(_made_plain(parts)))
+
+
+def _with_formulas(found: re.Match[str]) -> str:
+    """Words among which formulas stand, as words and formulas one behind the other."""
+    words, formulas = found[1].split("$")[::2], found[1].split("$")[1::2]
+    if len(words) == len(formulas):  # a dollar without another one
+        return found[0]
+    parts = [each for pair in zip(words, [*formulas, ""], strict=True) for each in pair]
+    return "".join(
+        f" {part} " if k % 2 or not any(map(str.isalpha, part)) else rf"\text{{{part}~}}"  # a remark, and no factor
+        for k, part in enumerate(parts)
+    )
 
 
 def _operator(found: re.Match[str]) -> str:
@@ -301,9 +314,10 @@ MARKS = frozenset({"{", "}", "*", "+", "-", "'", r"\ast", r"\star", r"\prime", r
 
 def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     """An accent or style over a letter with scripts, which stand behind it; a style over several letters is of each."""
-    if "'" in inner[-2:] and len(inner) > 1:  # primes stand behind it
-        count = 1 + (inner[-2] == "'")
-        return [*_over_letters(command, inner[:-count]), *inner[-count:]]
+    count = 1 + ("'" in inner[-2:-1])
+    signs = inner[_letter_here(inner, 0)[1] : -count : 2]
+    if inner[-1:] == ["'"] and count < len(inner) and all(each in ("_", "^") for each in signs):
+        return [*_over_letters(command, inner[:-count]), *inner[-count:]]  # primes stand behind it
     if command in STYLES and len(inner) == 2 and inner[0] in ACCENTS and isinstance(inner[1], Group):
         return [inner[0], Group(_over_letters(command, inner[1].parts))]  # the style is of the letter
     letter, end = _letter_here(inner, 0)
@@ -417,6 +431,8 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     """A group that is no argument: its braces print nothing; empty ones before a script carry a script of the left."""
     if not inner and after in ("^", "_"):
         return [Group([])]
+    if after in ("^", "_") and len(inner) > 1 and isinstance(inner[0], str) and inner[0][:1].isdigit():
+        return [inner[0], *_loose(inner[1:], [*before, inner[0]], after)]  # `{6x}^5` is printed as `6x^5`
     if after == "^" and len(inner) == 3 and inner[1] == "_" and isinstance(inner[2], Group):
         return inner  # `{c_j}^2` is printed as `c_j^2`
     if after == "^" and len(inner) == 4 and inner[0] in OVER and inner[2] == "_":
@@ -504,6 +520,10 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
 _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold letter in text
+# words, perhaps with formulas among them
+_WORDS = re.compile(
+    r"\\(?:text|mbox|textrm|textnormal|hbox)\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\$(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}"
+)
 # the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|\\[!,;:]|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 # an upright d before the letter of an integration or derivative

@@ -18,7 +18,7 @@ _TAG = re.compile(
     rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+\.\d+[a-zа-я]?)\))(?={_SPACE}*$)"
 )
 _TAGGED = (r"\tag", r"\eqno", "quad")  # one of these stands before it
-_TAIL = re.compile(rf"(?:{_SPACE}|[.,;])+$")  # spaces and punctuation at the end of a formula
+_TAIL = re.compile(rf"(?:{_SPACE}|(?<!\\right)(?<!\\right )[.,;])+$")  # spaces and punctuation at the end of a formula
 _TAILS = ("quad", *"~.,;:!")  # with which such a tail ends
 
 MAX_DEPTH = 30  # of brackets; the papers have less than ten

@@ -57,6 +57,8 @@ def _with_words(source: str) -> list[tex.Tok]:
         elif tok.text.isalpha() and len(word := _letters(toks, k)) > 1:
             if _is_greek(word, toks, k) or _is_command(word, toks, k):
                 made = [f"\\{word}"]
+            elif word == "exp" and [t.text for t in toks[k - 1 : k] + toks[k + 3 : k + 4]] == ["{", "}"] and inside:
+                made = [r"\text", "{", *word, "}"]  # a label
             elif _is_function(word, toks, k):
                 made = [f"\\{_OTHERWISE.get(word, word)}"]
             elif not inside and _is_word(word, toks, k):
