@@ -55,6 +55,7 @@ from symcheck.reading.components import (
     zipped,
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
+from symcheck.reading.faces import face
 from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt
 from symcheck.reading.functions import SPELLED, applied, extreme
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
@@ -524,6 +525,10 @@ class Lowering:
                 return zero(b), b
             if right == tree_of.Number("0"):
                 return a, zero(a)
+            for side, other in ((left, right), (right, left)):
+                several = isinstance(side, Call) and isinstance(other, Name) and len(side.arguments) > 2
+                if several and not any(face(part.letter) for part in nodes(side) if isinstance(part, Name)):
+                    raise SymcheckError(f"{to_latex(side)}: a function, or a factor before a vector? write \\cdot")
             raise Unsaid(
                 f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) do not compare; check the notation"
             )

@@ -11,6 +11,7 @@ from symcheck.reading.commands import ACCENTS, STYLES
 _FRAME = r"\{ [^{}]*(?:\{[^{}]*\}[^{}]*)? \}"  # at the left of a d
 _D = r"(?:d|\\mathrm \{ d \}|\\text \{ d \})"
 _ROUND = r"\\left \( (?:(?!\\left|\\right).)* \\right \)"  # brackets without others
+_ENVIRONMENT = r"\\begin (?:(?!\\begin|\\end).)*\\end \{ [^{}]* \}"  # without others in it
 _GAPS = r"(?:(?:\\[,;: ]|\\quad|~|&) )*"
 _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,|~)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
@@ -36,14 +37,24 @@ _SPELLINGS: Sequence[
     ('"', re.compile('"'), "' '"),
     # signs and numbers in upright type
     (r"\mathrm { ", re.compile(r"(?<![_^] )\\mathrm \{ ([-+=/] [-+=/ ]*|[\d. ]+)\}"), r"\1"),
+    # spaces between a function that is defined and its arguments
+    (
+        "~ ",
+        re.compile(r"^((?:& )?\\?[A-Za-z]+(?: _ (?:\w|\{ [^{}]* \}))? )(?:~ )+(?=\( [^()]* \) (?:~ |& )*= )"),
+        r"\1",
+    ),
     # a narrow space before a script
     (r"\! ", re.compile(r"(?:\\! )+(?=[_^])"), ""),
     # the letter of a sum or an integral above its sign, or below the sign of an integral over it
     ("} ^ { ", re.compile(r"(\\(?:sum|prod) _ \{ (\w) = [^{}]* \} \^ \{ )\2 = (?=[^{}]* \})"), r"\1"),
-    (r"\int _ { ", re.compile(rf"(\\int _ \{{ )(\w) = (?={_BRACED[2:]}.* d (?:\\[,;] )?\2(?!\w))"), r"\1"),
+    (
+        r"\int _ { ",
+        re.compile(rf"(\\int _ \{{ )(\w) = (?={_BRACED[2:]}.* {_D} (?:\\[,;] )?\2(?!\w))"),
+        r"\1",
+    ),
     (
         r"\int _ ",
-        re.compile(rf"(\\int _ (?:\w|{_BRACED}) \^ \{{ )(\w) = (?={_BRACED[2:]}.* d (?:\\[,;] )?\2(?!\w))"),
+        re.compile(rf"(\\int _ (?:\w|{_BRACED}) \^ \{{ )(\w) = (?={_BRACED[2:]}.* {_D} (?:\\[,;] )?\2(?!\w))"),
         r"\1",
     ),
     # a set for whose points a relation holds, as a remark
@@ -59,10 +70,10 @@ _SPELLINGS: Sequence[
     (
         r"\left \{ ",
         re.compile(
-            r"(?<=[-+=] )((?:(?:\\[,;: ]|~) )*)\\left \\\{ \\begin \{ a r r a y \} \{ [^{}]* \} "
-            r"((?:(?!\\begin|\\end|\\left \\\{).)*&(?:(?!\\begin|\\end).)*)\\end \{ a r r a y \} \\right \."
+            rf"(?<=[-+=] )(&? ?(?:(?:\\[,;: ]|~) )*)\\left \\\{{ \\begin \{{ a r r a y \}} \{{ [^{{}}]* \}} "
+            rf"((?:(?!\\begin|\\end|\\left \\\{{).|{_ENVIRONMENT})*)\\end \{{ a r r a y \}} \\right \."
         ),
-        lambda found: rf"{found[1]}\begin {{ c a s e s }} {_in_two_columns(found[2])}\end {{ c a s e s }}",
+        lambda found: _with_cases(found),
     ),
     # a system of equations in an array with a brace
     (
@@ -175,16 +186,24 @@ def phrased(text: str) -> str:
     text = _STOP.sub("", text)
     for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
-    text = text.removeprefix(f"{WIDE} ")
     if _SPACE in text:
         text = _SPACED.sub(lambda found: f"{found[1]} {_APART.sub(f'{_PARTING[found[1][-1]]} ', found[2])}", text)
-    return _problem(_MATRIX.sub(_with_cells, text) if "m a t r i x" in text else text)
+    return _AT_FIRST.sub("", _problem(_MATRIX.sub(_with_cells, text) if "m a t r i x" in text else text))
 
 
-def _in_two_columns(body: str) -> str:
-    """The rows of an array with no more than two cells each: a value, and where it is taken."""
-    rows = [row.split("& ") for row in body.split("\\\\ ") if row.strip()]
-    return "\\\\ ".join("& ".join([row[0], "".join(row[1:])]) if len(row) > 1 else row[0] for row in rows)
+_AT_FIRST = re.compile(r"^ *, \\quad (?=.*\S)")  # what parted relations where none stands before it
+
+
+def _with_cases(found: re.Match[str]) -> str:
+    """An array behind a brace as cases: values, and where each is taken, which may fill several cells."""
+    inner = re.findall(_ENVIRONMENT, found[2])  # matrices, whose cells are their own
+    rows = [row.split("& ") for row in re.sub(_ENVIRONMENT, "\0", found[2]).split("\\\\ ") if row.strip()]
+    if not any(len(row) > 1 for row in rows):
+        return found[0]
+    body = "\\\\ ".join("& ".join([row[0], "".join(row[1:])]) if len(row) > 1 else row[0] for row in rows)
+    for each in inner:
+        body = body.replace("\0", each, 1)
+    return rf"{found[1]}\begin {{ c a s e s }} {body}\end {{ c a s e s }}"
 
 
 # a matrix without cells, but with commas

@@ -43,11 +43,17 @@ def _with_words(source: str) -> list[tex.Tok]:
             inside += scripts[-1]
         elif tok.text == "}" and scripts:
             inside -= scripts.pop()
+        if tok.text == "e" and not inside and (power := _scientific(toks, k)):
+            spelled = (r"\cdot", "1", "0", "^", "{", *str(int(power)), "}")
+            found += [tex.Tok(text, tok.at + n) for n, text in enumerate(spelled)]  # their places make one number
+            k += 1 + len(power)
+            continue
         if tok.text in _TEXTS and k + 1 < len(toks) and toks[k + 1].text == "{":
             text_ends = _closing(toks, k + 1)
         if k < text_ends:
             spaced = k > 1 and toks[k - 1].text.isalpha() and tok.text.isalpha() and tok.at > toks[k - 1].at + 1
             found += [tex.Tok("~", tok.at - 1)] if spaced else []
+            tok = tex.Tok(r"\_", tok.at) if tok.text == "_" else tok
         elif tok.text.isalpha() and not inside and (count := _digits_behind(toks, k)):
             found += [
                 tex.Tok(text, tok.at) for text in (r"\text", "{", *(t.text for t in toks[k : k + 1 + count]), "}")
@@ -71,6 +77,19 @@ def _with_words(source: str) -> list[tex.Tok]:
         found.append(tok)
         k += 1
     return found
+
+
+def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
+    """The sign and digits of the power of ten at an e, as in `2.5e-07`; one digit may be added to a multiple of e."""
+    run = [toks[k]]
+    while k + len(run) < len(toks) and toks[k + len(run)].at == run[-1].at + len(run[-1].text):
+        run.append(toks[k + len(run)])
+    number = k > 0 and toks[k - 1].text.isdigit() and toks[k - 1].at + 1 == toks[k].at
+    found = _POWER_OF_TEN.match("".join(tok.text for tok in run)) if number else None
+    return found[1] if found else ""
+
+
+_POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")
 
 
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
@@ -168,7 +187,20 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
 _COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mathbf"})
 # operators of statistics, before brackets
 _OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
-_OF_VARIABLES |= {"sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}  # and functions
+_OF_VARIABLES |= {
+    "sign",
+    "trace",
+    "sinc",
+    "Sinc",
+    "rect",
+    "Rect",
+    "Sin",
+    "Cos",
+    "Tan",
+    "Exp",
+    "Log",
+    "Ln",
+}  # and functions
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
