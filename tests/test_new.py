@@ -18,6 +18,7 @@ from symcheck.checker.__main__ import main as check_certificates
 from symcheck.cli import cli
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.rewriting import Rule, rewritten
+from symcheck.question import Status
 
 SHORT = r"""\documentclass{article}
 \begin{document}
@@ -83,6 +84,28 @@ def test_a_fresh_audit_decides_without_an_edit(tmp_path: Path) -> None:
     assert run("generate", audit, "--jobs", 0).exit_code == 0
     assert check_certificates([str(audit / "generated")]) == 0
     assert run("check", audit, "--jobs", 0).exit_code == 0
+
+
+def test_faults_are_planted_in_what_a_document_prints_and_all_are_noticed(tmp_path: Path) -> None:
+    audit = begun(tmp_path, SHORT)
+    done = run("selftest", audit, "--jobs", 0, "--json")
+    assert done.exit_code == 0, done.output
+    counts = json.loads(done.stdout)["classes"]
+    assert [*counts] == ["documents"]
+    assert counts["documents"]["rejected"] >= 20
+    assert counts["documents"]["accepted"] == 0
+    assert run("selftest", audit, "--record").exit_code == 2
+
+
+def test_an_audit_that_proves_everything_of_a_document_is_noticed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    audit = begun(tmp_path, SHORT)
+    run("check", audit, "--jobs", 0)
+    monkeypatch.setattr("symcheck.document.asked.Inquiry.verdict", lambda self, link: Status.PROVED)
+    done = run("selftest", audit, "--jobs", 0, "--json")
+    assert done.exit_code == 1
+    assert json.loads(done.stdout)["classes"]["documents"]["accepted"] >= 20
 
 
 @pytest.mark.parametrize(

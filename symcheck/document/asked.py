@@ -31,6 +31,7 @@ from symcheck.question.jets import LEADING
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import stated
 from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings, unlowered
+from symcheck.question.prepare import Reading as ReadAs
 from symcheck.reading import Tree, relations, to_latex
 
 METHOD = "decide"
@@ -233,6 +234,22 @@ class Inquiry:
                 (where if is_equation else given).append(part)
         said = self.said(link, *where, *given)
         return Asked(link, tuple(dict.fromkeys(where)), tuple(dict.fromkeys(given)), said)
+
+    def verdict(self, link: str) -> Status:
+        """What is said of one relation, or of another one in its place, with what it follows from."""
+        asked = self._asked(link)
+        if any(proved_for_all_sizes(plainly(each)) for each in dict.fromkeys((_fewer(asked), asked))):
+            return Status.PROVED
+        return (_proof(_fewer(asked)) or _answer(asked, wanted=False)).verdict
+
+    def readings(self, link: str) -> list[ReadAs]:
+        """The likely readings of one relation with what it follows from; of matrices of all sizes without problems."""
+        asked = plainly(self._asked(link))
+        try:
+            found = readings(asked)
+        except SymcheckError:
+            return unlowered(asked)
+        return [each for each in found if not each.inference.remote] or found
 
     def said(self, *texts: str) -> Said:
         """What is said of letters beyond what each formula alone shows of them."""
@@ -454,12 +471,12 @@ def _is_read(asked: Asked) -> bool:
         return False
 
 
-def _answer(asked: Asked, claimed: bool = False) -> Answer:
-    """The answer, with repairs if there is time."""
+def _answer(asked: Asked, claimed: bool = False, wanted: bool = True) -> Answer:
+    """The answer, with repairs if they are wanted and there is time."""
     arguments = asked.relation, asked.where, asked.given, dict(asked.letters)
     answer = None
     with suppress(OutOfTime), limited(REPAIRING):
-        answer = answered(*arguments, claimed=claimed, all_sizes=False)
+        answer = answered(*arguments, wanted=wanted, claimed=claimed, all_sizes=False)
     return answer or answered(*arguments, wanted=False, claimed=claimed, all_sizes=False)
 
 

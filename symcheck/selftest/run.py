@@ -13,6 +13,7 @@ from random import Random
 from symcheck import selftest
 from symcheck.audit import Crash, Done, Executor, Timeout
 from symcheck.ledger import Record
+from symcheck.selftest.documents import is_asked
 from symcheck.selftest.engines import Agreement, agreement
 from symcheck.selftest.statements import places, says_more, unguarded
 from symcheck.selftest.trial import Count, FaultClass, Status, total
@@ -68,7 +69,8 @@ def tasks(records: Sequence[Record], faults: int, seed: int) -> list[str]:
     texts = []
     for name, fault in classes().items():
         wanted = -(-faults * fault.share // 10_000)
-        places = list(fault.places(records))
+        those = [each for each in records if is_asked(each) == fault.documents]
+        places = list(fault.places(those)) if those else []
         Random(f"{seed} {name}").shuffle(places)
         places = places[:wanted]
         for n, place in enumerate(places):
@@ -94,8 +96,11 @@ def run(
     progress: Progress = lambda done, total: None,
 ) -> Result:
     """Plant about so many faults in what the records speak of; the same seed plants the same ones."""
+    asked = [each for each in records if is_asked(each)]
+    own = [each for each in records if not is_asked(each)]
     todo = tasks(records, faults, seed)
-    result = Result(seed, {name: {kind: Count() for kind in fault.kinds} for name, fault in classes().items()})
+    those = {name: fault for name, fault in classes().items() if (asked if fault.documents else own)}
+    result = Result(seed, {name: {kind: Count() for kind in fault.kinds} for name, fault in those.items()})
     for done, (task, answer) in enumerate(executor.map(planted, todo, TIMEOUT), 1):
         name, _, _, place = json.loads(task)
         if isinstance(answer, Done):
@@ -104,8 +109,8 @@ def run(
         else:
             result.unfinished.append(f"{name} {place[:80]}: {_why(answer)}")
         progress(done, len(todo))
-    result.findings = findings(records)
-    for place, more in executor.map(says_more, places(records), TIMEOUT):
+    result.findings = findings(own)
+    for place, more in executor.map(says_more, places(own), TIMEOUT):
         if isinstance(more, Done):
             result.findings += more.value
         else:

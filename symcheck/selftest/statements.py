@@ -23,12 +23,12 @@ from symcheck.core.verdicts import Role, SymcheckError, Verdict
 from symcheck.ledger import Record
 from symcheck.proof import fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
-from symcheck.reading.tree import Add, Number, children, replaced, walk
+from symcheck.reading.tree import Add, Number, replaced, walk
 from symcheck.selftest.evidence import holds, ledger_verdict, states
 from symcheck.selftest.oracle import fails
 from symcheck.selftest.slips import ARGUMENT, CONNECTIVE, EQUATED, arguments, connectives, ends, slips_of, stronger
 from symcheck.selftest.strength import compared, same
-from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
+from symcheck.selftest.trial import FaultClass, Status, Trial, drawn, where
 
 EQUALITY = "equality case"
 RARE = (EQUALITY, "strictness", "bound", "interval end", CONNECTIVE, EQUATED, ARGUMENT)
@@ -147,22 +147,12 @@ def _is_lost_in_reading(original: Proved, edit: Edit) -> bool:
     before = read(original.equality, original.context.notation) if edit.kind == EQUALITY else original.unit.tree
     if stated(edit.tree) != stated(before):
         return False
-    path = _where(before, edit.tree)
+    path = where(before, edit.tree)
     node = dict(walk(before))[path]
     try:
         return stated(replaced(before, path, Add((node, Number("7"))))) == stated(before)
     except SymcheckError:
         return False  # what stands there matters
-
-
-def _where(before: Tree, after: Tree) -> tuple[int, ...]:
-    """The path to the lowest place at which all that is different lies."""
-    parts = (children(before), children(after))
-    if type(before) is type(after) and len(parts[0]) == len(parts[1]):
-        others = [k for k, (one, other) in enumerate(zip(*parts, strict=True)) if one != other]
-        if len(others) == 1:
-            return (others[0], *_where(parts[0][others[0]], parts[1][others[0]]))
-    return ()
 
 
 def says_the_same(original: Proved, changed: Proved) -> bool:

@@ -11,6 +11,8 @@ from random import Random
 from typing import TypeVar
 
 from symcheck.ledger import Record
+from symcheck.reading import Tree
+from symcheck.reading.tree import children
 
 T = TypeVar("T")
 
@@ -53,6 +55,7 @@ class FaultClass:
     share   how many of 10,000 faults are planted in it (of a class of right things: how many of these)
     places  where: texts from which a worker process finds the place again
     trials  at one place about so many, drawn with the seeded generator; fewer if the place has no more
+    documents  whether they are planted in what documents of one's own print, and not in papers
     """
 
     name: str
@@ -61,6 +64,7 @@ class FaultClass:
     share: int
     places: Callable[[Sequence[Record]], Sequence[str]]
     trials: Callable[[str, int, Random], Iterable[Trial]]
+    documents: bool = False
 
 
 @dataclass
@@ -102,6 +106,16 @@ class Count:
             "false_rejections_of_right": limits(self.statuses[Status.FALSELY_REJECTED], self.right),
             "errors": self.errors,
         }
+
+
+def where(before: Tree, after: Tree) -> tuple[int, ...]:
+    """The path to the lowest place at which all that is different lies."""
+    parts = (children(before), children(after))
+    if type(before) is type(after) and len(parts[0]) == len(parts[1]):
+        others = [k for k, (one, other) in enumerate(zip(*parts, strict=True)) if one != other]
+        if len(others) == 1:
+            return (others[0], *where(parts[0][others[0]], parts[1][others[0]]))
+    return ()
 
 
 def limits(count: int, of: int) -> list[float] | None:
