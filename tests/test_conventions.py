@@ -488,3 +488,16 @@ def test_a_derivative_with_a_slash_is_one_with_a_fraction() -> None:
     assert decide("dx/dt = y", where=[r"\frac{dx}{dt} = y"]).verdict == "proved"
     assert decide("dy/dx = 2x", where=["y = x^2"]).verdict == "proved"
     assert decide("dy/dx = x", where=["y = x^2"]).verdict == "refuted"
+
+
+@pytest.mark.parametrize(("w", "x", "y", "z"), ["wxyz", "0123"])
+def test_a_bold_letter_beside_four_components_may_be_a_quaternion(w: str, x: str, y: str, z: str) -> None:
+    squares = f"q_{w}^2 + q_{x}^2 + q_{y}^2 + q_{z}^2"
+    said = rf"\mathbf{{q}} = (q_{w}, q_{x}, q_{y}, q_{z})"
+    assert decide(rf"\|\mathbf{{q}}\|^2 = {squares}").verdict == "ambiguous"
+    assert decide(rf"\|\mathbf{{q}}\|^2 = {squares}", where=[said]).verdict == "proved"
+    unit = [said, r"\|\mathbf{q}\| = 1"]
+    assert decide(f"1 - 2 (q_{y}^2 + q_{z}^2) = q_{w}^2 + q_{x}^2 - q_{y}^2 - q_{z}^2", where=unit).verdict == "proved"
+    wrong = decide(f"1 - 2 (q_{y}^2 + q_{z}^2) = q_{w}^2 + q_{x}^2 - q_{y}^2 + q_{z}^2", where=unit)
+    assert wrong.verdict == "refuted"
+    assert [value.strip("-") for value in wrong.counterexample.values()] == ["1/5", "2/5", "2/5", "4/5"]

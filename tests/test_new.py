@@ -86,6 +86,19 @@ def test_a_fresh_audit_decides_without_an_edit(tmp_path: Path) -> None:
     assert run("check", audit, "--jobs", 0).exit_code == 0
 
 
+def test_what_is_right_instead_is_proved_for_matrices_of_all_sizes(tmp_path: Path) -> None:
+    audit = begun(tmp_path, r"$$(\mathbf{A} \mathbf{B})^T = \mathbf{A}^T \mathbf{B}^T$$ for all matrices.")
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    right = r"(\mathbf{A} \mathbf{B})^T = \mathbf{B}^T \mathbf{A}^T"
+    erratum = f'Erratum(r"{right}", "order", Origin.PAPER, "the factors change places")'
+    code = re.sub(r"claim\(([^)]*)\)", lambda found: f'claim({found[1]}, given=[], errata={{"": {erratum}}})', code)
+    head = "from symcheck.core.claims import Erratum\nfrom symcheck.core.verdicts import Origin\n"
+    (audit / "audit.py").write_text(head + code, encoding="utf-8")
+    assert "then          proved for matrices and vectors of all sizes" in run("errata", audit, "--jobs", 0).stdout
+    assert run("generate", audit, "--jobs", 0).exit_code == 0
+    assert check_certificates([str(audit / "generated")]) == 0
+
+
 def test_faults_are_planted_in_what_a_document_prints_and_all_are_noticed(tmp_path: Path) -> None:
     audit = begun(tmp_path, SHORT)
     done = run("selftest", audit, "--jobs", 0, "--json")

@@ -145,22 +145,18 @@ class Inquiry:
     def _general(self, row: Record, asked: Asked) -> Record | None:
         """The record of a relation that is proved for matrices of all sizes; None if it is not."""
         started = time.perf_counter()
-        for each in dict.fromkeys((_fewer(asked), asked)):
-            if found := proved_for_all_sizes(plainly(each)):
-                names = _unlike(found.told)
-                proofs = tuple(_with_names(proof, row.id, names) for proof in found.certificates)
-                rows = tuple(self._hypotheses(Verdict.PROVED, proofs))
-                taken = f"for matrices and vectors of all sizes; assumed: {', '.join(found.used) or 'nothing'}"
-                return record_with(
-                    row,
-                    verdict=Verdict.PROVED,
-                    method=METHOD,
-                    certificates=proofs,
-                    hypotheses=rows,
-                    reason=self._said_of(taken),
-                    seconds=round(time.perf_counter() - started, 4),
-                )
-        return None
+        if (found := _for_all_sizes(row.id, asked)) is None:
+            return None
+        proofs, taken = found
+        return record_with(
+            row,
+            verdict=Verdict.PROVED,
+            method=METHOD,
+            certificates=proofs,
+            hypotheses=tuple(self._hypotheses(Verdict.PROVED, proofs)),
+            reason=self._said_of(taken),
+            seconds=round(time.perf_counter() - started, 4),
+        )
 
     def _doubt(self, asked: Asked, answer: Answer) -> str:
         """Why what fails may hold all the same, under a condition that is printed elsewhere; "" if nothing says so."""
@@ -191,12 +187,13 @@ class Inquiry:
         """The same with what is right instead, which is asked as well."""
         needs = tuple(each.states for each in erratum.needs)
         asked = self._asked(erratum.corrected or link, needs)
-        answer = _answer(asked, claimed=True)
+        general = _for_all_sizes(row.id, asked)
+        answer = Answer(Status.PROVED, reason=general[1]) if general else _answer(asked, claimed=True)
         forms = tuple(Repair(**each) for each in printed.repairs)
         correction = Correction(
             verdict=VERDICTS.get(answer.verdict, Verdict.UNDECIDED),
             reason=answer.reason,
-            certificates=self._certificates(row.id, asked, answer),
+            certificates=general[0] if general else self._certificates(row.id, asked, answer),
             edit=differences(link, erratum.corrected) if erratum.corrected else (),
             added=tuple(each.words for each in erratum.needs),
             repairs=forms,
@@ -238,7 +235,7 @@ class Inquiry:
     def verdict(self, link: str) -> Status:
         """What is said of one relation, or of another one in its place, with what it follows from."""
         asked = self._asked(link)
-        if any(proved_for_all_sizes(plainly(each)) for each in dict.fromkeys((_fewer(asked), asked))):
+        if _for_all_sizes("", asked):
             return Status.PROVED
         return (_proof(_fewer(asked)) or _answer(asked, wanted=False)).verdict
 
@@ -302,6 +299,16 @@ class Inquiry:
                 if line(problem.claim) == line(certificate["claim"]) and stated.covers(certificate):
                     return stated
         return None
+
+
+def _for_all_sizes(id: str, asked: Asked) -> tuple[tuple[Certificate, ...], str] | None:
+    """The proofs for matrices of all sizes, and what is assumed in words; None if there are none."""
+    for each in dict.fromkeys((_fewer(asked), asked)):
+        if found := proved_for_all_sizes(plainly(each)):
+            names = _unlike(found.told)
+            proofs = tuple(_with_names(proof, id, names) for proof in found.certificates)
+            return proofs, f"for matrices and vectors of all sizes; assumed: {', '.join(found.used) or 'nothing'}"
+    return None
 
 
 def is_settled(inquiry: Inquiry, imposed: str) -> bool:

@@ -95,7 +95,7 @@ def inferred(
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or each.derived)}
     bold = {key for key in evidence if key in defined and not defined[key] and STYLED.match(key)}
-    related = relatives(evidence.keys(), free, open_.keys() | bold, bold)
+    related = relatives(evidence.keys(), free, open_.keys() | bold, bold, formulas)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
     loose = [each for plain in _inferred(formulas, evidence, defined) for each in _complexed(plain, formulas)]
@@ -103,7 +103,12 @@ def inferred(
     if not related:
         return [each for size in sizes for each in _sized(loose, size, first=size == sizes[0])]
     found = [
-        *(_related(each, related, defined) for each in _moved(loose, related)),
+        *(
+            replace(reading, choices=(*reading.choices, *by.told(related.others)))
+            for by in related.readings
+            for each in _moved(loose, by)
+            for reading in (_related(each, by, defined),)
+        ),
         *(replace(each, remote=True) for each in loose),
     ]
     return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]

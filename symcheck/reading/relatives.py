@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 # a bold letter, and its subscript
 _BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{(\\?[A-Za-z]+)\}(?:_(.+))?")
 # a bold lower-case letter with a hat: a unit vector
 _UNIT = re.compile(r"\\(?:hat|widehat)\{\\(?:mathbf|boldsymbol|bm|pmb|vec)\{\\?[a-z]")
 _NAMES = (("x", "y", "z"), ("1", "2", "3", "4", "5", "6"))  # of components
+_OF_QUATERNIONS = (("w", "x", "y", "z"), ("0", "1", "2", "3"))  # with the scalar part
+_LISTED = re.compile(r"(?:\\left)?[(\[]|\\begin\{[bBp]?matrix\}")  # how a list of components begins
 _ENTRY = re.compile(r"(.+)_\{(\d)(\d)\}")  # an entry of a matrix: "a_{12}"
 
 
@@ -31,15 +33,29 @@ class Relatives:
         By plain letters, the vectors whose lengths they are.
     units
         The vectors with a hat, whose length is 1.
+    others
+        The LaTeX of components that are as likely, for vectors that may be quaternions.
     """
 
     components: dict[str, str]
     entries: dict[str, str]
     lengths: dict[str, str]
     units: list[str]
+    others: dict[str, str]
 
     def __bool__(self) -> bool:
         return bool(self.components or self.lengths or self.units)
+
+    @property
+    def readings(self) -> Iterator[Relatives]:
+        """This one, and the one with the other components."""
+        yield self
+        if self.others:
+            yield replace(self, components={**self.components, **self.others}, others={})
+
+    def told(self, bold: Iterable[str]) -> Iterator[str]:
+        """The components of some vectors, in words."""
+        return (f"{each} is {self.components.get(each, 'without printed components')}" for each in bold)
 
     @property
     def facts(self) -> tuple[str, ...]:
@@ -49,7 +65,11 @@ class Relatives:
 
 
 def relatives(
-    letters: Collection[str], free: Collection[str], varying: Collection[str], solved: Collection[str]
+    letters: Collection[str],
+    free: Collection[str],
+    varying: Collection[str],
+    solved: Collection[str],
+    formulas: Sequence[str] = (),
 ) -> Relatives:
     r"""The relatives of the bold letters.
 
@@ -63,8 +83,10 @@ def relatives(
         These, and those that are differentiated, which may be lengths.
     solved
         Bold letters that an equation defines.
+    formulas
+        All formulas: a vector of which one prints all components has no others.
     """
-    found = Relatives({}, {}, {}, [])
+    found = Relatives({}, {}, {}, [], {})
     for bold in letters:
         if _UNIT.match(bold) and bold in free:
             found.units.append(bold)
@@ -74,11 +96,17 @@ def relatives(
         base, script = match[1], (match[2] or "").strip("{}")
         if (plain := f"{base}_{match[2]}" if match[2] else base) in varying:
             found.lengths[plain] = bold
-        if bold not in free and bold not in solved:
+        written_out = bold in solved and any(_is_written_out(each, bold) for each in formulas)
+        if (bold not in free and bold not in solved) or written_out:
             continue
         for parts in _components(base, script, letters, least=1 if bold in solved else 2):
             found.components[bold] = _matrix([part] for part in parts)
             if f"{base} 1" not in letters:
+                found.entries.update(dict.fromkeys(parts, bold))
+        for names in _OF_QUATERNIONS if not script else ():
+            parts = [f"{base}_{name}" for name in names]
+            if parts[0] in letters and sum(part in letters for part in parts) > 2:
+                found.others[bold] = _matrix([part] for part in parts)
                 found.entries.update(dict.fromkeys(parts, bold))
         if base.isupper() and not script and (size := _size(base, letters)):
             name, n = size
@@ -86,6 +114,12 @@ def relatives(
             found.components[bold] = _matrix(rows)
             found.entries.update(dict.fromkeys((each for row in rows for each in row), bold))
     return found
+
+
+def _is_written_out(formula: str, bold: str) -> bool:
+    r"""Does a formula say what the components of a vector are, as in `\mathbf{q} = (q_w, q_x, q_y, q_z)`?"""
+    left, sign, right = formula.replace(" ", "").partition("=")
+    return bool(sign) and left == bold.replace(" ", "") and _LISTED.match(right) is not None
 
 
 def _matrix(rows: Iterable[Sequence[str]]) -> str:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from itertools import islice, permutations, product
+from itertools import cycle, islice, permutations, product
 from math import isqrt, prod
 
 from symcheck.core.calculus import domain, letters
@@ -203,6 +203,9 @@ class Search:
         groups += [self._angle(x, k) for k, x in enumerate(angles)]
         groups += [self._frame()] if self.framed else []
         taken = {name for group in groups for name in group.names}
+        spheres = [*self._spheres([name for name in letters if name not in taken])]
+        groups += spheres
+        taken |= {name for group in spheres for name in group.names}
         scalars = [name for name in self.free if name not in taken]
         if hinted:
             point = {x: self._value(hinted.get(_key(x), 1)) for x in self.free}
@@ -250,6 +253,39 @@ class Search:
         matrices = [rows for rows in _matrix_values() if not flat or [*rows[2]] == [0, 0, 1]]
         points = [{n: self._value(rows[places[n][0]][places[n][1]]) for n in names} for rows in matrices]
         return _Group(names, tuple(points))
+
+    def _spheres(self, names: Sequence[str]) -> Iterator[_Group]:
+        """Letters the sum of whose squares is said to be the square of a number, as of a unit quaternion."""
+        left = {*names}
+        for formula in self.formulas:
+            found, radius = self._sphere(formula)
+            if radius and found <= left:
+                left -= found
+                own = tuple(name for name in names if name in found)
+                points = (islice(cycle(point), k, k + len(own)) for point in _on_sphere(len(own)) for k in (0, 1))
+                yield _Group(
+                    own, tuple({x: self._value(radius * c) for x, c in zip(own, p, strict=True)} for p in points)
+                )
+
+    def _sphere(self, formula: Formula) -> tuple[set[str], Fraction]:
+        """The letters and the radius of a sphere about zero; radius 0 where an equation says something else."""
+        match formula.outside:
+            case (Value(tag="sqrt", terms=(inside,)), int(root)) if formula.tag == "=":
+                formula = node("=", inside, root * root)
+        if formula.tag != "=" or self._functions_in(formula):
+            return set(), Fraction(0)
+        number, squares = Fraction(0), dict[str, Fraction]()
+        for powers, coefficient in self._gap(formula).num.terms():
+            names = [name for name, power in zip(self.ring.names, powers, strict=True) if power]
+            if sum(powers) != 2 * len(names) or len(names) > 1:
+                return set(), Fraction(0)
+            number = number if names else -fraction(coefficient)
+            squares |= dict.fromkeys(names, fraction(coefficient))
+        if len(squares) < 2 or len({*squares.values()}) > 1:
+            return set(), Fraction(0)
+        square = number / next(iter(squares.values()))
+        radius = Fraction(isqrt(max(0, square.numerator)), isqrt(square.denominator))
+        return ({*squares}, radius) if radius * radius == square else (set(), Fraction(0))
 
     def _entries(self, rows: Rows, names: tuple[str, ...]) -> Assignment:
         return {n: self._value(rows[int(n[-2]) - 1][int(n[-1]) - 1]) for n in names}
@@ -623,6 +659,22 @@ def _cayley(seed: int) -> list[list[Fraction]]:
     ]
 
 
+def _on_sphere(count: int) -> Iterator[list[Fraction]]:
+    """Rational points of the unit sphere in so many dimensions, those first whose coordinates are none of them 0."""
+    whole = sorted(_WHOLE, key=lambda point: len(point) != count)
+    for point in whole:
+        if len(point) <= count:
+            length = isqrt(sum(x * x for x in point))
+            yield [Fraction(x, length) for x in (*point, *[0] * (count - len(point)))]
+
+
+# whole numbers the sum of whose squares is a square
+_WHOLE = (
+    *((1, 2, 2, 4), (1, 1, 1, 1), (2, 4, -5, 6), (4, -1, 2, 2), (-1, 3, 3, 9), (2, 5, 4, 2)),
+    *((2, 3, 6), (1, 2, 2), (6, 2, -3), (-2, 1, 2), (4, 4, 7)),
+    *((3, 4), (5, 12), (-4, 3), (8, 15)),
+    *((1,), (-1,)),
+)
 # which matrices satisfy the formulas about them alone; a memory of pure results
 _ALLOWED: dict[tuple[tuple[str, ...], Formula], list[int]] = {}
 
