@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 
 from symcheck.document.checks import AGAIN, NEAR, SMALLEST, Checks, Definition
+from symcheck.document.letters import shown
 from symcheck.document.survey import Link
 
 # words before an equation that make it a law, which says what a letter is all the same
@@ -16,6 +17,9 @@ LAWS = re.compile(
 
 # words before a relation within the text that make it a definition
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
+# a list of components, and what stands between two of them
+COMPONENTS = re.compile(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}(?:\^T)?|[(\[](.*)[)\]](?:\^T)?", re.DOTALL)
+SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")
 # words before a relation within the text that make it a place or a case
 AT = re.compile(r"\b(?:at|for|if|when|near|until|unless|on|from|to|as|in)\W*$", re.I)
 BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it
@@ -59,6 +63,11 @@ class Roles:
         chained = any(link.chained for link in seen.links)
         if heads and not chained:
             return Guess("definition")
+        for x, link in {} if chained else seen.heads.items():
+            if x in known and (parts := self._open_components(known[x].link)) and not parts & link.names[1]:
+                for part in parts:  # it says what the components are
+                    self.defined.setdefault(part, []).append(Definition(k, link))
+                return Guess("premise")
         for x in (others := [x for x, link in seen.heads.items() if self._is_another(k, x, link, known)]):
             self.otherwise.setdefault(x, []).append(k)
         if not heads and (others or not self._is_claim(k)):
@@ -66,6 +75,14 @@ class Roles:
         imposed = "".join(chr(ord("a") + link.place) for x, link in heads.items())
         needed = tuple(sorted(self._needed(k, known)))
         return Guess("claim", needed, imposed, far=frozenset(m for m in needed if not self._same_part(m, k)))
+
+    def _open_components(self, link: Link) -> frozenset[str]:
+        """The components that a definition gives to a vector or matrix, if it is not said what they are."""
+        found = COMPONENTS.fullmatch(link.right.strip())
+        parts = [shown(each) for each in SEPARATORS.split(found[1] or found[2])] if found else []
+        names = {shown(name) for name in link.names[1]}
+        single = len(parts) > 1 and len(parts) == len(names) and {*parts} == names
+        return link.names[1] if single and not link.names[1] & self.defined.keys() else frozenset()
 
     def _known(self, k: int) -> dict[str, Definition]:
         """What the letters are in a relation: as is said before it in its part of the document, else once elsewhere."""

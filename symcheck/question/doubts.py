@@ -51,6 +51,11 @@ _LABEL = re.compile(r"\^\s*\{?\s*\(\s*\d+\s*\)")
 _OPERATOR = re.compile(r"(\\(?:Delta|delta))\s*(?:\\left|\\big[lg]?|\\Big[lg]?)?\s*[(\[]")
 # a letter with an accent that may stand for an operation
 _ACCENTED = re.compile(r"\\(?:tilde|hat|widetilde|widehat|breve|check)\{(.+)\}")
+# what may be the vectors of a basis: bold i, j, k, or a bold e with an index
+_BASIS = re.compile(
+    r"(?:\\(?:hat|widehat)\{)?\\(?:mathbf|boldsymbol|bm|pmb|vec)\{(?:\\?[ijk](?:math)?|e(?=\}+_))\}+(?:_\{?\w\}?)?"
+)
+_SKEW = re.compile(r"\[\\(?:tilde|widetilde)|\\lfloor")  # a matrix that is often made of a vector
 # an expectation or transform before a bracket: "\mathbb{E}[x]", "E(x)"
 _APPLIED = re.compile(
     r"(\\mathbb\s*\{?[A-Z]\}?|\\mathcal\s*\{?[A-Z]\}?|\\operatorname\{\w+\}|(?<![A-Za-z\\{])[EP])\s*(?:\\left|\\[bB]igl?)?\s*(?:\[|\\\{)"
@@ -296,9 +301,14 @@ def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
     vectors = {letter.latex for letter in letters_ if letter.kind == "vector"}
     known = reading.source[2]
     repeated = any(len(letter.partial) > 2 for letter in letters_)
+    basis = [letter.latex for letter in letters_ if letter.kind == "vector" and _BASIS.fullmatch(letter.latex)]
+    if len(basis) > 1 and not {*basis} & known.keys():
+        return f"are {', '.join(basis)} perpendicular and of length 1? say what they are"
     for letter in letters_:
         if len(letter.partial) == 2 and not repeated and "(" not in known[letter.partial[0]][0]:
             return f"is {letter.latex} a derivative of {letter.partial[0]}, or a component? say what it is"
+        if letter.kind == "matrix" and letter.latex not in known and _SKEW.match(letter.latex.replace(" ", "")):
+            return f"is {''.join(letter.latex.split())} a skew matrix, of which vector? say what it is"
         accented = _ACCENTED.fullmatch(letter.latex)
         if accented and accented[1] in vectors and letter.kind == "scalar":
             return f"is {letter.latex} a number, or the skew matrix of {accented[1]}? say what it is"

@@ -19,7 +19,7 @@ from symcheck.core.terms import Binder, Call, Connective, Formula, Malformed, No
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.question import jets
 from symcheck.question.conventions import names
-from symcheck.question.prepare import Reading
+from symcheck.question.prepare import DEFINED, Reading
 from symcheck.reading import Notation, Tree
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.tree import Chain, Limiting, Mul, Name, Neg, Pow, Transpose, walk
@@ -34,11 +34,11 @@ OPERATORS = frozenset({"integral", "sum", "product", "diff", "mean"})  # what is
 
 def may_be_solved(problem: Problem, reading: Reading) -> bool:
     """Whether it may be an equation or a condition, as nothing else is said and it is so of some values alone."""
-    asked, notation = reading.source[0], reading.inference.notation
+    notation = reading.inference.notation
     inexact = terms_of_order(reading.tree, notation=notation) or any(
         isinstance(part, Limiting) for _, part in walk(reading.tree)
     )
-    if asked.where or asked.given or inexact:
+    if _rests_on_more(problem, reading) or inexact:
         return False  # what is claimed of limits is about coefficients
     worked_out = any(part.tag in OPERATORS for part in nodes(problem.claim))
     with suppress(Unknown, Unsupported):
@@ -53,9 +53,16 @@ def may_be_solved(problem: Problem, reading: Reading) -> bool:
 
 def is_condition(problem: Problem, reading: Reading) -> bool:
     """Whether it is an order that is strictly so at some places and not at others, and nothing else is said."""
-    asked, claim = reading.source[0], _concluded(unfold(problem.claim, dict(problem.definitions)))
+    claim = _concluded(unfold(problem.claim, dict(problem.definitions)))
     order = isinstance(claim, Relation) and claim.tag in ("<", "<=", ">", ">=")
-    return order and not (asked.where or asked.given) and _changes_sign(claim)
+    return order and not _rests_on_more(problem, reading) and _changes_sign(claim)
+
+
+def _rests_on_more(problem: Problem, reading: Reading) -> bool:
+    """Is anything else said of its letters? What only says what another letter is, is not about them."""
+    asked = reading.source[0]
+    said = problem.definitions or any(name != DEFINED for name, _ in problem.hypotheses)
+    return bool(said and (asked.where or asked.given))
 
 
 def _concluded(claim: Formula) -> Formula:
