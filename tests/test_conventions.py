@@ -490,6 +490,18 @@ def test_a_derivative_with_a_slash_is_one_with_a_fraction() -> None:
     assert decide("dy/dx = x", where=["y = x^2"]).verdict == "refuted"
 
 
+def test_what_only_says_what_another_letter_is_does_not_make_an_equation_false() -> None:
+    lagrangian = r"L = \frac{1}{2} m l^2 \dot\theta^2 + m g l \cos\theta"
+    assert decide(r"\ddot\theta + \frac{g}{l} \sin\theta = 0", where=[lagrangian]).verdict == "undecided"
+    assert decide("(x + 1)^2 = x^2 + 2 x + 2", where=["L = x^2"]).verdict == "refuted"
+
+
+def test_bases_and_skew_matrices_are_not_taken_for_free_ones() -> None:
+    place = r"\mathbf{r} = x \mathbf{i} + y \mathbf{j} + z \mathbf{k}"
+    assert decide(r"r = \sqrt{x^2 + y^2 + z^2}", where=[place]).verdict == "ambiguous"
+    assert decide(r"[\tilde a]^T = -[\tilde a]").verdict == "ambiguous"
+
+
 @pytest.mark.parametrize(("w", "x", "y", "z"), ["wxyz", "0123"])
 def test_a_bold_letter_beside_four_components_may_be_a_quaternion(w: str, x: str, y: str, z: str) -> None:
     squares = f"q_{w}^2 + q_{x}^2 + q_{y}^2 + q_{z}^2"

@@ -59,10 +59,10 @@ def is_condition(problem: Problem, reading: Reading) -> bool:
 
 
 def _rests_on_more(problem: Problem, reading: Reading) -> bool:
-    """Is anything else said of its letters? What only says what another letter is, is not about them."""
+    """Is anything else said of its letters? An equation that only says what another letter is, is not about them."""
     asked = reading.source[0]
     said = problem.definitions or any(name != DEFINED for name, _ in problem.hypotheses)
-    return bool(said and (asked.where or asked.given))
+    return bool(asked.given or (asked.where and said))
 
 
 def _concluded(claim: Formula) -> Formula:
