@@ -507,6 +507,13 @@ class Lexer(tex.Reader):
                 return False
         return False
 
+    def lists_values(self) -> bool:
+        """Is the environment that begins here the whole formula, and its first cell a value?"""
+        ahead = [text for text in self.texts[self.i :] if text not in SPACES]
+        first = ahead.index("&") if "&" in ahead else len(ahead) - 1
+        apart = any(text in RELATIONS for text in ahead[: first + 2])
+        return ahead[-8:-7] == [r"\end"] and r"\end" not in ahead[:-8] and first < len(ahead) - 8 and not apart
+
     def condition(self) -> bool:
         """A word before a condition in a list of values, which is layout, or the one that stands for the rest."""
         if not self.environments or self.environments[-1][0] != VALUES or self.peek() not in ROMAN:
@@ -548,7 +555,8 @@ class Lexer(tex.Reader):
         if name not in ENVIRONMENTS | MATRICES:
             self.fail(f"unknown environment {name}", at)
         if begin:
-            if name == "cases" and self.last() in _OPERATORS | _ENDS - {"DOTS", "MARK"}:
+            behind = self.last() in _OPERATORS | _ENDS - {"DOTS", "MARK"}
+            if name == "cases" and (behind or (not self.last() and self.lists_values())):
                 self.environments.append((VALUES, at))
                 self.emit("CBEGIN", name, at)
                 return

@@ -61,7 +61,8 @@ _SPELLINGS: Sequence[
     (
         r"\text { ",
         re.compile(
-            rf"\\text \{{ (?:~ )*(o n|i n) (?:~ )*\}} {_GAPS}(\\?[A-Za-z]+(?: _ (?:\w|\{{ [^{{}}]* \}}))?)"
+            rf"\\text \{{ (?:~ )*(o n|i n) (?:~ )*\}} {_GAPS}"
+            r"((?:\\partial )?\\?[A-Za-z]+(?: _ (?:\w|\{ [^{}]* \}))?)"
             r"(?=(?: [.,;])?(?: $| \\\\| \\q?quad| \\end|$))"
         ),
         r"\\text { \1 ~ \2 }",

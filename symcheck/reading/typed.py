@@ -80,15 +80,17 @@ def _with_words(source: str) -> list[tex.Tok]:
 
 
 def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
-    """The sign and digits of the power of ten at an e, as in `2.5e-07`; one digit may be added to a multiple of e."""
+    """The sign and digits of the power of ten at an e, as in `2.5e-07` and `2.0471e+14`; `2e+10` may be a sum."""
     run = [toks[k]]
     while k + len(run) < len(toks) and toks[k + len(run)].at == run[-1].at + len(run[-1].text):
         run.append(toks[k + len(run)])
     number = k > 0 and toks[k - 1].text.isdigit() and toks[k - 1].at + 1 == toks[k].at
     found = _POWER_OF_TEN.match("".join(tok.text for tok in run)) if number else None
-    return found[1] if found else ""
+    decimals = "".join(tok.text for tok in toks[max(0, k - DECIMALS) : k])
+    return found[1] if found and (found[1][1] == "0" or (len(decimals) == DECIMALS and decimals.isdigit())) else ""
 
 
+DECIMALS = 3  # digits before an e behind which nobody adds a whole number
 _POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")
 
 
