@@ -2745,8 +2745,8 @@ def largest_rates_of_six_wheels(a, J_x, J_y, J_z):
         degenerate='If the squares of the moments satisfy the triangle inequalities, no angles give a greater rate w_any.',
         claims={
             'ignatov2005:B.16': 'd7a5333dadbc',
-            'ignatov2005:B.17': '0705625cabf5',
-            'ignatov2005:B.18': '69a8052e39dc',
+            'ignatov2005:B.17': '4955b8956930',
+            'ignatov2005:B.18': '0d3daf682064',
             'ignatov2005:B.19': 'b13534e6844f',
         },
     ),
@@ -2791,8 +2791,8 @@ def equal_rates_of_four_wheels(J_x, J_y, J_z):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on ignatov2005:B.16 (sha256 d7a5333dadbc), ignatov2005:B.17 (sha256 0705625cabf5), ignatov2005:B.18
-    (sha256 69a8052e39dc), ignatov2005:B.19 (sha256 b13534e6844f).
+    Rests on ignatov2005:B.16 (sha256 d7a5333dadbc), ignatov2005:B.17 (sha256 4955b8956930), ignatov2005:B.18
+    (sha256 0d3daf682064), ignatov2005:B.19 (sha256 b13534e6844f).
 
     Examples
     --------
@@ -2898,7 +2898,7 @@ def equal_rates_of_six_wheels(J_x, J_y, J_z):
         ),
         ulp=4,
         claims={
-            'ignatov2005:B.20': 'b8bd7747ff31',
+            'ignatov2005:B.20': 'ea69c53a240d',
             'ignatov2005:B.21': '4c0bc2be9001',
         },
     ),
@@ -2939,7 +2939,7 @@ def best_angles_of_four_wheels(J_x, J_y, J_z):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on ignatov2005:B.20 (sha256 b8bd7747ff31), ignatov2005:B.21 (sha256 4c0bc2be9001).
+    Rests on ignatov2005:B.20 (sha256 ea69c53a240d), ignatov2005:B.21 (sha256 4c0bc2be9001).
 
     Examples
     --------

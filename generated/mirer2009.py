@@ -1544,7 +1544,7 @@ def gain_of_rates(xi, s_1, s_2, s_3):
         degenerate='For I_1 = I_3 and for the pitch 0 the stability degree is k, the greatest there is.',
         claims={
             'mirer2009:1.5': '3b17564964dd',
-            'mirer2009:B.2': '283b9a75437b',
+            'mirer2009:B.2': 'f17408ae5d05',
             'mirer2009:B.3': '11825ee30064',
             'mirer2009:B.4': '269f1a96d135',
         },
@@ -1584,7 +1584,7 @@ def stability_degree_in_pitch(k, I_1, I_3, alpha):
     Arguments broadcast. Floats give floats; arrays give float64, or float32 if all of them are. NaN inputs give
     NaN outputs. A ValueError names what does not broadcast, and an `out` that does not fit.
 
-    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:B.2 (sha256 283b9a75437b), mirer2009:B.3 (sha256
+    Rests on mirer2009:1.5 (sha256 3b17564964dd), mirer2009:B.2 (sha256 f17408ae5d05), mirer2009:B.3 (sha256
     11825ee30064), mirer2009:B.4 (sha256 269f1a96d135). The forms computed are proved equal to those shown (sha256
     4c82a6f9dadb).
 

@@ -63,6 +63,7 @@ def refute(problem: Problem, prove: Prover = lambda _: None) -> Point | None:
         partial(_point, prove=prove),
         partial(_point, prove=prove, framed=True),
         refute_at_some,
+        partial(_point, prove=prove, spheres=True),
         partial(refute_about_angles, prove=prove),
         partial(refute_with_hints, prove=prove),
     )
@@ -118,7 +119,7 @@ def failing(problem: Problem) -> Callable[[Mapping[str, int]], bool] | None:
     return fails
 
 
-def _point(problem: Problem, prove: Prover, *, framed: bool = False) -> Point | None:
+def _point(problem: Problem, prove: Prover, *, framed: bool = False, spheres: bool = False) -> Point | None:
     claim = problem.claim
     if framed and not _framed(problem):
         return None
@@ -126,9 +127,9 @@ def _point(problem: Problem, prove: Prover, *, framed: bool = False) -> Point | 
         return None
     if claim[0] == "<=>":
         directions = [node("=>", claim[1], claim[2]), node("=>", claim[2], claim[1])]
-        points = (Search(problem, direction, prove, framed).run() for direction in directions)
+        points = (Search(problem, direction, prove, framed, spheres).run() for direction in directions)
         return next((point for point in points if point), None)
-    return Search(problem, claim, prove, framed).run()
+    return Search(problem, claim, prove, framed, spheres).run()
 
 
 def _framed(problem: Problem, size: int = 3) -> tuple[str, ...]:
@@ -157,8 +158,11 @@ class Search:
 
     primes: tuple[int, ...] = (2, 3)  # their roots may occur in coordinates
 
-    def __init__(self, problem: Problem, direction: Formula, prove: Prover, framed: bool = False) -> None:
+    def __init__(
+        self, problem: Problem, direction: Formula, prove: Prover, framed: bool = False, spheres: bool = False
+    ) -> None:
         base = ring_of(problem)
+        self.spheres = spheres
         self.framed = _framed(problem) if framed else ()
         self.problem = problem
         names = {*with_arguments(base.names), *map(table().root, self.primes)}
@@ -203,7 +207,9 @@ class Search:
         groups += [self._angle(x, k) for k, x in enumerate(angles)]
         groups += [self._frame()] if self.framed else []
         taken = {name for group in groups for name in group.names}
-        spheres = [*self._spheres([name for name in letters if name not in taken])]
+        spheres = [*self._spheres([name for name in letters if name not in taken])] if self.spheres else []
+        if self.spheres and not spheres:
+            return
         groups += spheres
         taken |= {name for group in spheres for name in group.names}
         scalars = [name for name in self.free if name not in taken]
