@@ -8,16 +8,22 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "CalebBell/thermo": "MIT",
     "PlasmaPy/PlasmaPy": "BSD-3-Clause",
     "PyAbel/PyAbel": "MIT",
+    "SasView/sasmodels": "BSD-3-Clause",
     "Unidata/MetPy": "BSD-3-Clause",
     "bdaiinstitute/spatialmath-python": "MIT",
     "bumps/bumps": "public domain",
+    "ceres-solver/ceres-solver": "BSD-3-Clause",
     "cornellius-gp/gpytorch": "MIT",
     "csu-hmc/opty": "BSD-2-Clause",
     "cvxpy/cvxpy": "Apache-2.0",
+    "esys-escript/esys-escript.github.io": "Apache-2.0",
     "geomstats/geomstats": "MIT",
+    "gromacs/gromacs": "LGPL-2.1-or-later",
     "jobovy/galpy": "BSD-3-Clause",
+    "lammps/lammps": "GPL-2.0",
     "lmfit/lmfit-py": "BSD-3-Clause",
     "mpmath/mpmath": "BSD-3-Clause",
+    "openmm/openmm": "MIT",
     "pyRiemann/pyRiemann": "BSD-3-Clause",
     "pydy/pydy": "BSD-3-Clause",
     "pygae/clifford": "BSD-3-Clause",
@@ -27,6 +33,301 @@ LICENCES = {  # of the repositories from whose packages displays were taken
 }
 
 JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, repository and path
+    (
+        "iL_{\\epsilon,2} = G_{\\epsilon} \\frac{\\partial}{\\partial p_\\epsilon}",
+        "Chain(Mul(i, L_{\\epsilon,2}), Mul(G_\\epsilon, Derivative(Blank(); p_\\epsilon, 1; True)); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
+    (
+        "\\rho c_p T_{,t} - (\\kappa T_{,i})_{,i} = q_H",
+        "Chain(Add(Mul(\\rho, c_p, T_{,t}), Neg(Marked(Mul(\\kappa, T_{,i}); _{ , i }))), q_H; =)",
+        "esys-escript/esys-escript.github.io/doc/user/diffusion.tex",
+    ),
+    (
+        "\\nabla ^2 p - \\frac{1}{c^2h^2} \\left[p_{(t+1)} - 2p_{(t)} + p_{(t-1)} \\right] = 0",
+        "Chain(Add(Call(laplacian; p), Neg(Mul(Div(1; Mul(Pow(c; 2), Pow(h; 2))), Add(p_{(t+1)}, Neg(Mul(2, p_{(t)})), p_{(t-1)})))), 0; =)",
+        "esys-escript/esys-escript.github.io/doc/cookbook/example07.tex",
+    ),
+    (
+        "V = M \\frac{1}{2} k \\sum_{i=1}^N w_i \\langle \\delta_i^c (t) -\\delta_i^{exp} \\rangle^2",
+        "Chain(V, Mul(M, Div(1; 2), k, BigSum(i; 1; N; Mul(w_i, Pow(Call(average; Add(Call(\\delta _ { i } ^ { c }; t), Neg(\\delta _ { i } ^ { \\text { e x p } }))); 2)))); =)",
+        "gromacs/gromacs/docs/reference-manual/functions/restraints.rst",
+    ),
+    (
+        "\\min_{\\Delta x} \\frac{1}{2} \\|J(x)\\Delta x + F(x)\\|^2",
+        "Limiting(min; _{ \\Delta x }; Mul(Div(1; 2), Pow(Norm(Add(Mul(Call(J; x), \\Delta x), Call(F; x))); 2)))",
+        "ceres-solver/ceres-solver/docs/source/nnls_solving.rst",
+    ),
+    (
+        "{{\\mathbf D}}^a_i(t) = \\frac{\\displaystyle \\int_{u=t_0}^t {{\\mathbf D}}^c_i(u) \\exp\\left(-\\frac{t-u}{\\tau}\\right)\\mbox{d} u }{\\displaystyle \\int_{u=t_0}^t \\exp\\left(-\\frac{t-u}{\\tau}\\right)\\mbox{d} u }",
+        "Chain(Call(\\mathbf { D } _ { i } ^ { a }; t), Div(Integral(Mul(Call(\\mathbf { D } _ { i } ^ { c }; u), Call(exp; Neg(Div(Add(t, Neg(u)); \\tau)))); u; t_0; t); Integral(Call(exp; Neg(Div(Add(t, Neg(u)); \\tau))); u; t_0; t)); =)",
+        "gromacs/gromacs/docs/reference-manual/functions/restraints.rst",
+    ),
+    (
+        "\\text{new_step_size} \\geq \\text{max_line_search_step_contraction} * \\text{step_size}",
+        "Chain(\\text{new\\_step\\_size}, Operated(*; \\text{max\\_line\\_search\\_step\\_contraction}; \\text{step\\_size}); \\ge)",
+        "ceres-solver/ceres-solver/docs/source/gradient_solver.rst",
+    ),
+    (
+        "\\sigma_{1,n+m}^{AB} ~=~ \\sum_{i=1}^{n+m} \\left[x_i^{AB} - \\frac{X_{1,n+m}^{AB}}{n+m}\\right]^2",
+        "Chain(\\sigma _ { 1 , n + m } ^ { A B }, BigSum(i; 1; Add(n, m); Pow(Add(x _ { i } ^ { A B }, Neg(Div(X _ { 1 , n + m } ^ { A B }; Add(n, m)))); 2)); =)",
+        "gromacs/gromacs/docs/reference-manual/averages.rst",
+    ),
+    (
+        "\\mathbf{\\nabla} \\times \\mathbf{B} = \\mu_0 (\\mathbf{J} + \\mathbf{J_m})",
+        "Chain(Call(curl; \\mathbf{B}), Mul(\\mu_0, Add(\\mathbf{J}, \\mathbf{J}_m)); =)",
+        "esys-escript/esys-escript.github.io/doc/inversion/electromagnetics.tex",
+    ),
+    (
+        "MSD(t) = \\left(\\sum_{i=1}^N w_i\\right)^{-1} \\sum_{i=1}^N w_i (\\delta_i^c (t) -\\delta_i^{exp})^2",
+        "Chain(Call(\\text{MSD}; t), Mul(Pow(BigSum(i; 1; N; w_i); Neg(1)), BigSum(i; 1; N; Mul(w_i, Pow(Add(Call(\\delta _ { i } ^ { c }; t), Neg(\\delta _ { i } ^ { \\text { e x p } })); 2)))); =)",
+        "gromacs/gromacs/docs/reference-manual/functions/restraints.rst",
+    ),
+    (
+        "d_g(\\mathbf{r}_i;\\mathbf{R}_i) = \\sqrt{ (x_i-X_i)^2 + (y_i - Y_i)^2 }",
+        "Chain(Call(d_g; Given(\\mathbf{r}_i; \\mathbf{R}_i; ;)), Sqrt(Add(Pow(Add(x_i, Neg(X_i)); 2), Pow(Add(y_i, Neg(Y_i)); 2))); =)",
+        "gromacs/gromacs/docs/reference-manual/functions/restraints.rst",
+    ),
+    (
+        "\\frac{ \\partial \\eta_{12} }{ \\partial \\mathbf{q}_i } = \\mathbf{A}_i \\cdot \\sum_m \\mathbf{a}_{mi} \\times \\frac{ \\partial \\eta_{12} }{ \\partial \\mathbf{a}_{mi} } = \\mathbf{A}_i \\cdot \\sum_m \\mathbf{a}_{mi} \\times \\mathbf{d}_{mi}",
+        "Chain(Derivative(Call(\\eta_{12}); \\mathbf{q}_i, 1; True), Mul(\\mathbf{A}_i, BigSum(m; Cross(\\mathbf{a}_{mi}; Derivative(Call(\\eta_{12}); \\mathbf{a}_{mi}, 1; True)))), Mul(\\mathbf{A}_i, BigSum(m; Cross(\\mathbf{a}_{mi}; \\mathbf{d}_{mi}))); =, =)",
+        "lammps/lammps/doc/src/PDF/pair_gayberne_extra.tex",
+    ),
+    (
+        "\\sum_{i=1}^{n+m} \\left[x_i^{AB} - \\frac{X_{1,n+m}^{AB}}{n+m}\\right]^2 ~=~ \\sum_{i=1}^{n} \\left[x_i^{A} - \\frac{X_{1,n}^{A}}{n}\\right]^2 + \\sum_{i=1}^{m} \\left[x_i^{B} - \\frac{X_{1,m}^{B}}{m}\\right]^2 +\\Delta\\sigma",
+        "Chain(BigSum(i; 1; Add(n, m); Pow(Add(x _ { i } ^ { A B }, Neg(Div(X _ { 1 , n + m } ^ { A B }; Add(n, m)))); 2)), Add(BigSum(i; 1; n; Pow(Add(x _ { i } ^ { A }, Neg(Div(X _ { 1 , n } ^ { A }; n))); 2)), BigSum(i; 1; m; Pow(Add(x _ { i } ^ { B }, Neg(Div(X _ { 1 , m } ^ { B }; m))); 2)), \\Delta \\sigma); =)",
+        "gromacs/gromacs/docs/reference-manual/averages.rst",
+    ),
+    (
+        "d_g(\\mathbf{r}_i;\\mathbf{R}_i) = |x_i-X_i|, \\;\\;\\;\\mbox{or}\\;\\;\\; d_g(\\mathbf{r}_i;\\mathbf{R}_i) = |y_i-Y_i|, \\;\\;\\;\\mbox{or}\\;\\;\\; d_g(\\mathbf{r}_i;\\mathbf{R}_i) = |z_i-Z_i|",
+        "System(Chain(Call(d_g; Given(\\mathbf{r}_i; \\mathbf{R}_i; ;)), Bars(Add(x_i, Neg(X_i))); =), Words(\\text{~or~}), Chain(Call(d_g; Given(\\mathbf{r}_i; \\mathbf{R}_i; ;)), Bars(Add(y_i, Neg(Y_i))); =), Words(\\text{~or~}), Chain(Call(d_g; Given(\\mathbf{r}_i; \\mathbf{R}_i; ;)), Bars(Add(z_i, Neg(Z_i))); =))",
+        "gromacs/gromacs/docs/reference-manual/functions/restraints.rst",
+    ),
+    (
+        "\\nabla ^2 p - \\frac{1}{c^2} \\frac{\\partial ^2 p}{\\partial t^2} = 0",
+        "Chain(Add(Call(laplacian; Call(p)), Neg(Mul(Div(1; Pow(c; 2)), Derivative(Call(p); t, 2; True)))), 0; =)",
+        "esys-escript/esys-escript.github.io/doc/cookbook/example07.tex",
+    ),
+    (
+        "-\\left(\\eta(v_{i,j}+ v_{j,i})\\right)_{,j}+p_{,i}=f_{i}-\\sigma_{ij,j}",
+        "Chain(Add(Neg(Marked(Mul(\\eta, Add(v_{i,j}, v_{j,i})); _{ , j })), p_{,i}), Add(f_i, Neg(\\sigma_{ij,j})); =)",
+        "esys-escript/esys-escript.github.io/doc/user/stokessolver.tex",
+    ),
+    (
+        "{\\bf E}_{\\mathrm{kin}} = {\\frac{1}{2}}\\sum_i^N m_i {\\mathbf{v}_i}\\otimes {\\mathbf{v}_i}",
+        "Chain(\\mathbf{E}_{kin}, Mul(Div(1; 2), Limiting(sum; _{ i }^{ N }; Operated(\\otimes; Mul(m_i, \\mathbf{v}_i); \\mathbf{v}_i))); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
+    (
+        "\\mathbf{r}' = \\mathbf{r}'' - \\mathbf{b}*\\mathrm{round}(r''_y/b_y)",
+        "Chain(\\mathbf{r}', Add(\\mathbf{r}'', Neg(Operated(*; \\mathbf{b}; Call(\\text{round}; Div(r_y''; b_y))))); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
+    (
+        "\\vec{w} = sign(\\phi)\\frac{\\nabla \\psi}{|\\nabla \\psi|}",
+        "Chain(\\vec{w}, Mul(Call(sign; \\phi), Div(\\nabla \\psi; Bars(\\nabla \\psi))); =)",
+        "esys-escript/esys-escript.github.io/doc/user/levelset.tex",
+    ),
+    (
+        "E_{\\mathit{dir}}=\\frac{1}{2}\\sum _{i,j}\\sum_\\mathbf{n}{q}_{i}{q}_{j}\\frac{\\text{erfc}\\left({\\mathit{\\alpha r}}_{ij,\\mathbf{n}}\\right)}{r_{ij,\\mathbf{n}}}",
+        "Chain(E_{dir}, Mul(Div(1; 2), BigSum(i, j; BigSum(\\mathbf{n}; Mul(q_i, q_j, Div(Call(erfc; Mul(\\alpha, r_{ij,\\mathbf n})); r_{ij,\\mathbf n}))))); =)",
+        "openmm/openmm/docs-source/usersguide/theory/02_standard_forces.rst",
+    ),
+    (
+        "\\mathbf{\\nabla} \\times \\mathbf{H} = \\mathbf{J}",
+        "Chain(Call(curl; \\mathbf{H}), \\mathbf{J}; =)",
+        "esys-escript/esys-escript.github.io/doc/inversion/electromagnetics.tex",
+    ),
+    (
+        "\\mathbf{\\nabla} \\cdot \\mathbf{J} = 0",
+        "Chain(Call(div; \\mathbf{J}), 0; =)",
+        "esys-escript/esys-escript.github.io/doc/inversion/electromagnetics.tex",
+    ),
+    (
+        "\\int_{-\\infty}^{\\infty} dv\\, W_v(v) \\int_{-\\infty}^{\\infty} du\\, W_u(u)",
+        "Integral(Mul(Call(W_v; v), Integral(Call(W_u; u); u; Neg(Infinity()); Infinity())); v; Neg(Infinity()); Infinity())",
+        "SasView/sasmodels/doc/guide/resolution.rst",
+    ),
+    (
+        "\\|Bv_{1}\\|_{0} \\le \\theta \\cdot \\|v_{1}-v_{0}\\|",
+        "Chain(Marked(Norm(Mul(B, v_1)); _{ 0 }), Mul(\\theta, Norm(Add(v_1, Neg(v_0)))); \\le)",
+        "esys-escript/esys-escript.github.io/doc/user/stokessolver.tex",
+    ),
+    (
+        "\\Xi~=~-\\frac{1}{2}\\sum_i^{N_c}~\\mathbf{r}_i\\otimes\\mathbf{F}_i",
+        "Chain(\\Xi, Neg(Mul(Div(1; 2), Limiting(sum; _{ i }^{ N _ { c } }; Operated(\\otimes; \\mathbf{r}_i; \\mathbf{F}_i)))); =)",
+        "gromacs/gromacs/docs/reference-manual/details.rst",
+    ),
+    (
+        "P_{lr}~=~-\\frac{4}{3} \\pi {\\left< C_6 \\right>}\\rho^2 r_c^{-3}",
+        "Chain(P_{lr}, Neg(Mul(Div(4; 3), \\pi, Call(average; C_6), Pow(\\rho; 2), Pow(r_c; Neg(3)))); =)",
+        "gromacs/gromacs/docs/reference-manual/functions/long-range-vdw.rst",
+    ),
+    (
+        "\\left<x\\right> ~=~ \\frac{1}{N_x} \\sum_{i=1}^{N_x} x_i",
+        "Chain(Call(average; x), Mul(Div(1; N_x), BigSum(i; 1; N_x; x_i)); =)",
+        "gromacs/gromacs/docs/reference-manual/averages.rst",
+    ),
+    (
+        "iL_1 = \\sum_{i=1}^N \\left[\\frac{{{\\mathbf{p}}}_i}{m_i}\\right]\\cdot \\frac{\\partial}{\\partial {{\\mathbf{r}}}_i}",
+        "Chain(Mul(i, L_1), BigSum(i; 1; N; Mul(Div(\\mathbf{p}_i; m_i), Derivative(Blank(); \\mathbf{r}_i, 1; True); 1)); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
+    (
+        "f(\\text{step_size}) \\le f(0) + \\text{sufficient_decrease} * [f'(0) * \\text{step_size}]",
+        "Chain(Call(f; \\text{step\\_size}), Add(Call(f; 0), Operated(*; \\text{sufficient\\_decrease}; Operated(*; Call(f'; 0); \\text{step\\_size}))); \\le)",
+        "ceres-solver/ceres-solver/docs/source/nnls_solving.rst",
+    ),
+    (
+        "\\mathbf{H} = -\\mathbf{\\nabla}W",
+        "Chain(\\mathbf{H}, Neg(\\nabla W); =)",
+        "esys-escript/esys-escript.github.io/doc/inversion/electromagnetics.tex",
+    ),
+    (
+        "\\frac{\\rho c_p}{h} T^{(n)} - (\\kappa T^{(n)}_{,i})_{,i} = q_H + \\frac{\\rho c_p}{h} T^{(n-1)}",
+        "Chain(Add(Mul(Div(Mul(\\rho, c_p); h), T ^ { ( n ) }), Neg(Marked(Mul(\\kappa, T _ { , i } ^ { ( n ) }); _{ , i }))), Add(q_H, Mul(Div(Mul(\\rho, c_p); h), T ^ { ( n - 1 ) })); =)",
+        "esys-escript/esys-escript.github.io/doc/user/diffusion.tex",
+    ),
+    (
+        "q = \\left [\\begin{matrix}q_0,& q_1,& q_2,& q_3\\end{matrix}\\right], \\quad \\|q\\| = 1",
+        "System(Chain(q, MatrixOf(q_0, q_1, q_2, q_3); =), Chain(Norm(q), 1; =))",
+        "ceres-solver/ceres-solver/docs/source/nnls_modeling.rst",
+    ),
+    (
+        "\\mathbf{F}_{\\!j}^\\mathrm{pm-pf} = k \\, w_j \\, \\mathbf{s}_j^\\perp",
+        "Chain(\\mathbf { F } _ { j } ^ { \\mathrm { p m - p f } }, Mul(k, w_j, \\mathbf { s } _ { j } ^ { \\perp }); =)",
+        "gromacs/gromacs/docs/reference-manual/special/enforced-rotation.rst",
+    ),
+    (
+        "\\left( \\mathbf{W}^{-1} \\right)_{ij} = \\frac{4 \\pi^2 \\beta_{ij}}{3 \\tau_p^2 L}",
+        "Chain(Marked(Pow(\\mathbf{W}; Neg(1)); _{ i j }), Div(Mul(4, Pow(\\pi; 2), \\beta_{ij}); Mul(3, Pow(\\tau_p; 2), L)); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
+    (
+        "iL_2 = \\sum_{i=1}^N {{\\mathbf{F}}}_i\\cdot \\frac{\\partial}{\\partial {{\\mathbf{p}}}_i}",
+        "Chain(Mul(i, L_2), BigSum(i; 1; N; Mul(\\mathbf{F}_i, Derivative(Blank(); \\mathbf{p}_i, 1; True))); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
+    (
+        "\\left<(\\Delta x)^2\\right>^{{\\frac{1}{2}}} ~=~ \\left<[x-\\left<x\\right>]^2\\right>^{{\\frac{1}{2}}}",
+        "Chain(Pow(Call(average; Pow(\\Delta x; 2)); Div(1; 2)), Pow(Call(average; Pow(Add(x, Neg(Call(average; x))); 2)); Div(1; 2)); =)",
+        "gromacs/gromacs/docs/reference-manual/averages.rst",
+    ),
+    (
+        "out = \\begin{bmatrix}\\rho(s), & \\rho'(s), & \\rho''(s)\\end{bmatrix}",
+        "Chain(\\text{out}, MatrixOf(Call(\\rho; s), Call(\\rho'; s), Call(\\rho''; s)); =)",
+        "ceres-solver/ceres-solver/docs/source/nnls_modeling.rst",
+    ),
+    (
+        "q_H(x,t)=\\left\\{ \\begin{array}{l l} q^c & \\quad\\text{if $\\|x-x^c\\| \\le r$}\\\\ 0 & \\quad\\text{else}\\\\ \\end{array} \\right.",
+        "Chain(Call(q_H; x, t), Piecewise(q ^ { c }, Chain(Norm(Add(x, Neg(x ^ { c }))), r; \\le), 0, None); =)",
+        "esys-escript/esys-escript.github.io/doc/user/diffusion.tex",
+    ),
+    (
+        "T^{(n)}\\approx T^{(n-1)}+T_{,t}^{(n)}(t^{(n)}-t^{(n-1)}) =T^{(n-1)} + h \\cdot T_{,t}^{(n)}",
+        "Chain(T ^ { ( n ) }, Add(T ^ { ( n - 1 ) }, Mul(T _ { , t } ^ { ( n ) }, Add(t ^ { ( n ) }, Neg(t ^ { ( n - 1 ) })))), Add(T ^ { ( n - 1 ) }, Mul(h, T _ { , t } ^ { ( n ) })); \\approx, =)",
+        "esys-escript/esys-escript.github.io/doc/user/diffusion.tex",
+    ),
+    (
+        "\\nabla p = \\left[ \\frac{\\partial p}{\\partial x _{0}}, \\frac{\\partial p}{\\partial x _{1}} \\right]",
+        "Chain(\\nabla p, Tuple(Derivative(Call(p); x_0, 1; True), Derivative(Call(p); x_1, 1; True); []); =)",
+        "esys-escript/esys-escript.github.io/doc/cookbook/example07.tex",
+    ),
+    (
+        "E=f\\left(\\text{.}\\text{.}\\text{.}\\right)",
+        "Chain(E, Call(f; Dots()); =)",
+        "openmm/openmm/docs-source/usersguide/theory/03_custom_forces.rst",
+    ),
+    (
+        "{f}_{\\text{GB}}\\left({d}_{ij},{R}_{i},{R}_{j}\\right)={\\left[{d}_{ij}^2+{R}_{i}{R}_{j}\\text{exp}\\left(\\frac{-{d}_{ij}^2}{{4R}_{i}{R}_{j}}\\right)\\right]}^{1/2}",
+        "Chain(Call(f_{GB}; d_{ij}, R_i, R_j), Pow(Add(Pow(d_{ij}; 2), Mul(R_i, R_j, Call(exp; Div(Neg(Pow(d_{ij}; 2)); Mul(4, R_i, R_j))))); Div(1; 2)); =)",
+        "openmm/openmm/docs-source/usersguide/theory/02_standard_forces.rst",
+    ),
+    (
+        "\\|\\Delta x_k\\|_\\infty < \\text{min_line_search_step_size}",
+        "Chain(Marked(Norm(\\Delta x _ { k }); _{ \\infty }), \\text{min\\_line\\_search\\_step\\_size}; <)",
+        "ceres-solver/ceres-solver/docs/source/nnls_solving.rst",
+    ),
+    (
+        "E=\\sum _{i,j}f\\left(r,\\text{.}\\text{.}\\text{.}\\right)",
+        "Chain(E, BigSum(i, j; Call(f; r, Dots())); =)",
+        "openmm/openmm/docs-source/usersguide/theory/03_custom_forces.rst",
+    ),
+    (
+        "\\frac{1}{2}\\sum_{i} \\left\\|f_i\\left(x_{i_1}, ... ,x_{i_k}\\right)\\right\\|^2",
+        "Mul(Div(1; 2), BigSum(i; Pow(Norm(Call(f_i; x_{i_1}, Dots(), x_{i_k})); 2)))",
+        "ceres-solver/ceres-solver/docs/source/nnls_modeling.rst",
+    ),
+    (
+        "S_V(r; r_1, r_c) = 1 - 10\\left(\\frac{r-r_1}{r_c-r_1}\\right)^3 + 15\\left(\\frac{r-r_1}{r_c-r_1}\\right)^4 - 6\\left(\\frac{r-r_1}{r_c-r_1}\\right)^5",
+        "Chain(Call(S_V; Given(r; r_1, r_c; ;)), Add(1, Neg(Mul(10, Pow(Div(Add(r, Neg(r_1)); Add(r_c, Neg(r_1))); 3))), Mul(15, Pow(Div(Add(r, Neg(r_1)); Add(r_c, Neg(r_1))); 4)), Neg(Mul(6, Pow(Div(Add(r, Neg(r_1)); Add(r_c, Neg(r_1))); 5)))); =)",
+        "gromacs/gromacs/docs/reference-manual/functions/nonbonded-interactions.rst",
+    ),
+    (
+        "\\int_S (\\mathbf{\\nabla} \\times \\mathbf{B}) \\cdot d\\mathbf{s} = \\oint_C \\mathbf{B} \\cdot d\\mathbf{l} = \\mu_0 \\int_S (\\mathbf{J} + \\mathbf{J_m}) \\cdot d\\mathbf{s} = \\mu_0 (I + I_m)",
+        "Chain(Over(\\int; _ { S }; Call(curl; \\mathbf{B}); \\mathbf{s}), Over(\\oint; _ { C }; \\mathbf{B}; \\mathbf{l}), Mul(\\mu_0, Over(\\int; _ { S }; Add(\\mathbf{J}, \\mathbf{J}_m); \\mathbf{s})), Mul(\\mu_0, Add(I, I_m)); =, =, =)",
+        "esys-escript/esys-escript.github.io/doc/inversion/electromagnetics.tex",
+    ),
+    (
+        "u^{(n-\\frac{1}{2})} = u^{(n-1)} + \\frac{dt}{2} (v_i u^{(n-1)})_i",
+        "Chain(u ^ { ( n - \\frac { 1 } { 2 } ) }, Add(u ^ { ( n - 1 ) }, Mul(Div(Total(t); 2), Marked(Mul(v_i, u ^ { ( n - 1 ) }); _{ i }))); =)",
+        "esys-escript/esys-escript.github.io/doc/user/linearPDE.tex",
+    ),
+    (
+        "\\text{such that} \\|D(x)\\Delta x\\|^2 \\le \\mu",
+        "System(Words(\\text{subject~to}), Chain(Pow(Norm(Mul(Call(D; x), \\Delta x)); 2), \\mu; \\le))",
+        "ceres-solver/ceres-solver/docs/source/nnls_solving.rst",
+    ),
+    (
+        "\\text{RMSD} = \\sqrt{\\frac{\\sum_{i} \\| \\mathbf{x}_i - \\mathbf{x}_i^\\text{ref} \\|^2}{N}}",
+        "Chain(\\text{RMSD}, Sqrt(Div(BigSum(i; Pow(Norm(Add(\\mathbf{x}_i, Neg(\\mathbf { x } _ { i } ^ { \\text { r e f } }))); 2)); N)); =)",
+        "openmm/openmm/docs-source/usersguide/theory/02_standard_forces.rst",
+    ),
+    (
+        "\\text{new_step_size} <= \\text{max_step_expansion} * \\text{step_size}",
+        "Chain(\\text{new\\_step\\_size}, Operated(*; \\text{max\\_step\\_expansion}; \\text{step\\_size}); \\le)",
+        "ceres-solver/ceres-solver/docs/source/nnls_solving.rst",
+    ),
+    (
+        "\\mathbf{r}_{i}(t+\\Delta t/2) = \\mathbf{r}_{i}(t) + \\mathbf{v}_{i}(t+\\Delta t/2)\\Delta t/2",
+        "Chain(Call(\\mathbf{r}_i; Add(t, Div(\\Delta t; 2))), Add(Call(\\mathbf{r}_i; t), Div(Mul(Call(\\mathbf{v}_i; Add(t, Div(\\Delta t; 2))), \\Delta t); 2)); =)",
+        "openmm/openmm/docs-source/usersguide/theory/04_integrators.rst",
+    ),
+    (
+        "\\mathbf{f} = - \\eta_{12} ( U_r \\cdot { \\frac{\\partial \\chi_{12} }{\\partial r} } + \\chi_{12} \\cdot { \\frac{\\partial U_r }{\\partial r} } )",
+        "Chain(\\mathbf{f}, Neg(Mul(\\eta_{12}, Add(Mul(Call(U_r), Derivative(Call(\\chi_{12}); r, 1; True)), Mul(Call(\\chi_{12}), Derivative(Call(U_r); r, 1; True))))); =)",
+        "lammps/lammps/doc/src/PDF/pair_gayberne_extra.tex",
+    ),
+    (
+        "\\mathbf{\\nabla} \\times \\mathbf{B} = \\mu_0 \\mathbf{J}",
+        "Chain(Call(curl; \\mathbf{B}), Mul(\\mu_0, \\mathbf{J}); =)",
+        "esys-escript/esys-escript.github.io/doc/inversion/electromagnetics.tex",
+    ),
+    (
+        "\\epsilon = \\max(\\|v_{2}-v_{0}\\|_{1}, \\|B v_{1}\\|_{0})",
+        "Chain(\\epsilon, Call(max; Marked(Norm(Add(v_2, Neg(v_0))); _{ 1 }), Marked(Norm(Mul(B, v_1)); _{ 0 })); =)",
+        "esys-escript/esys-escript.github.io/doc/user/stokessolver.tex",
+    ),
+    (
+        "\\|x - \\Pi \\boxplus(x, -g(x))\\|_\\infty \\leq \\text{gradient_tolerance}",
+        "Chain(Marked(Norm(Add(x, Neg(Operated(\\boxplus; \\Pi; Pair(x; Neg(Call(g; x))))))); _{ \\infty }), \\text{gradient\\_tolerance}; \\le)",
+        "ceres-solver/ceres-solver/docs/source/gradient_solver.rst",
+    ),
+    (
+        "\\log(q) = \\frac{\\operatorname{atan2}\\left(\\sqrt{1-q_0^2},q_0\\right)}{\\sqrt{1-q_0^2}} \\left [\\begin{matrix}q_1,& q_2,& q_3\\end{matrix}\\right]",
+        "Chain(Call(log; q), Mul(Div(Call(\\text{atan2}; Sqrt(Add(1, Neg(Pow(q_0; 2)))), q_0); Sqrt(Add(1, Neg(Pow(q_0; 2))))), MatrixOf(q_1, q_2, q_3)); =)",
+        "ceres-solver/ceres-solver/docs/source/nnls_modeling.rst",
+    ),
+    (
+        "\\mathbf{v}_{i}(t+\\Delta t/2)=\\mathbf{v}_{i}(t-\\Delta t/2)\\alpha+\\mathbf{f}_{i}(t)(1-\\alpha)/(\\gamma{m}_{i}) + \\sqrt{{k}_{B}T(1-\\alpha^2)/{m}_{i}}R",
+        "Chain(Call(\\mathbf{v}_i; Add(t, Div(\\Delta t; 2))), Add(Mul(Call(\\mathbf{v}_i; Add(t, Neg(Div(\\Delta t; 2)))), \\alpha), Div(Mul(Call(\\mathbf{f}_i; t), Add(1, Neg(\\alpha))); Mul(\\gamma, m_i)), Mul(Sqrt(Div(Mul(k_B, T, Add(1, Neg(Pow(\\alpha; 2)))); m_i)), R)); =)",
+        "openmm/openmm/docs-source/usersguide/theory/04_integrators.rst",
+    ),
+    (
+        "\\mathbf{v}(t+{\\frac{\\Delta t}{2}})~=~\\mathbf{f}_g * \\lambda * \\left[ \\mathbf{v}(t-{\\frac{\\Delta t}{2}}) +\\frac{\\mathbf{F}(t)}{m}\\Delta t + \\mathbf{a}_h \\Delta t \\right]",
+        "Chain(Call(\\mathbf{v}; Add(t, Div(\\Delta t; 2))), Operated(*; Operated(*; \\mathbf{f}_g; \\lambda); Add(Call(\\mathbf{v}; Add(t, Neg(Div(\\Delta t; 2)))), Mul(Div(Call(\\mathbf{F}; t); m), \\Delta t), Mul(\\mathbf{a}_h, \\Delta t))); =)",
+        "gromacs/gromacs/docs/reference-manual/algorithms/molecular-dynamics.rst",
+    ),
     (
         "C_D = \\left[\\frac{1}{(\\phi_1 + \\phi_2)^{-1} + (\\phi_3)^{-1}} + \\phi_4\\right]^{0.1}",
         "Chain(C_D, Pow(Add(Div(1; Add(Pow(Add(\\phi_1, \\phi_2); Neg(1)), Pow(\\phi_3; Neg(1)))), \\phi_4); 0.1); =)",

@@ -133,7 +133,6 @@ TWO_WAYS = (
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
     r"\mathbf{y} = P_n(z)^m",
-    r"VAR(X) = \mathbf{x}",
     r"\mathbf{u} = \int (x - r)",
     r"\mathbf{u} = \operatorname{some\,gain} f(x)",
     r"\delta \frac{\partial x}{\partial t} = \frac{\partial (\delta x)}{\partial t}",

@@ -139,7 +139,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         return
     variables = defined.get(latex)
     simple = _common_arguments(of)
-    applied = bool(arguments) and not bare and (bool(simple) or not _may_be_factor(of))
+    applied = bool(arguments) and not bare and (bool(simple) or not _may_be_factor(of) or _is_stepped(of))
     if not variables and applied and face(latex):
         yield from _of_vectors(of, simple)
     elif variables:
@@ -255,10 +255,18 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     doubtful = _holds_factors(of) and (typical or (len(of.spelling) == 1 and of.spelling.isupper()))
-    if doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
+    if _is_stepped(of):
+        yield function
+    elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
         yield in_doubt(function, FACTOR)
     else:
         yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
+
+
+def _is_stepped(of: Evidence) -> bool:
+    """Does it stand before several times, of which some lie ahead, as in `v(t + h) = v(t - h) + ...`?"""
+    times = {args[0] for args in of.arguments if is_shift_of_time(args)}
+    return len(times) > 1 and len(times) == len({*of.arguments}) and any("+" in each.split() for each in times)
 
 
 _AFFINE = re.compile(r"[A-Z](?: _ \S+| _ \{[^{}]*\})* [a-z].*\+")  # W x + b, of which a layer is a function
@@ -527,6 +535,9 @@ def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
 
 def _styled(of: Evidence) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
+    if of.arguments and not of.bare and all(map(is_shift_of_time, of.arguments)):
+        yield in_doubt(Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow"), FACTOR)
+        return
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
     if not of.capital:

@@ -214,6 +214,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return ""
     if inside[:1] == ["-"] and of.applied and below and tuple(inside[1:]) in told.labels:
         return ""  # as in P_n^{-m}(x)
+    if of.applied and len(inside) > 1 and len(letters) == len(inside) and "_" not in of.word:
+        return POWER_OR_LABEL.format(letters[0])  # a word above a function
     if of.applied and below and not letters and any(map(str.isalpha, inside)):
         return POWER_OR_LABEL.format(next(filter(str.isalpha, inside)))
     if not letters or of.plain or of.word in told.powers:

@@ -181,7 +181,9 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     opening = [tok.text for tok in toks[end : end + 1]]
     applied = word in _OF_VARIABLES and opening in (["("], ["["], [r"\left"])
     applied = applied or (word == "Li" and opening in (["_"], ["("]))  # the logarithmic integral, and polylogarithms
-    named = (named and not _WITH_FUNCTION.search(word)) or applied
+    cost = word == "cost" and first and behind == "("
+    initials = first and behind == "(" and word.isupper() and len(word) > 2  # as in MSD(t) =
+    named = (named and not _WITH_FUNCTION.search(word)) or applied or cost or initials
     return word.isascii() and named and not inside
 
 
