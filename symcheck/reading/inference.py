@@ -6,6 +6,7 @@ Where two readings are possible there are several inferences, each a whole notat
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -21,6 +22,7 @@ from symcheck.reading.occurrences import Occurrence, occurrences
 from symcheck.reading.relatives import Relatives, relatives
 
 SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
+_MEMBER = re.compile(r"(\\?[A-Za-z]+)_\{?\w\}?")  # a plain letter with one index
 MAX_READINGS = 8  # of one question: three letters with two readings each; more are refused
 
 
@@ -289,9 +291,11 @@ def _inferred(
         for name, (pattern, values) in HABITS.items()
         if any(map(pattern.search, formulas))
     ]
-    count = 1
-    for size in (*map(len, every), *map(len, habits)):
-        count *= size
+    families = dict[object, list[int]]()  # letters that are alike in all readings, as F_1, F_2 and F_3 are
+    for k, each in enumerate(every):
+        families.setdefault(_family(each) or k, []).append(k)
+    members = [*families.values()]
+    count = math.prod([*(len(every[ks[0]]) for ks in members), *map(len, habits)])
     if count > MAX_READINGS:
         several = ", ".join([o[0].letter.latex for o in every if len(o) > 1] + [h[0][0] for h in habits])
         kinds = not habits and all(
@@ -302,12 +306,20 @@ def _inferred(
         chosen = tuple(in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in every)
         return [Inference(chosen, tuple(h[0] for h in habits), (doubt,))]
     found = []
-    for chosen in itertools.product(*every):
+    for places in itertools.product(*(range(len(every[ks[0]])) for ks in members)):
+        place = {k: n for ks, n in zip(members, places, strict=True) for k in ks}
+        chosen = tuple(each[place[k]] for k, each in enumerate(every))
         choices = tuple(f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, every, strict=True) if len(each) > 1)
         for meaning in itertools.product(*habits):
             told = (*choices, *(f"{name}={value}" for name, value in meaning))
             found.append(Inference(chosen, meaning, told, remote=any(guess.remote for guess in chosen)))
     return found
+
+
+def _family(each: Sequence[Guess]) -> object:
+    """What the letters of a family have in common that differ in an index alone; nothing where nothing is open."""
+    found = _MEMBER.fullmatch(each[0].letter.latex) if len(each) > 1 else None
+    return (found[1], *((g.taken, g.why, g.remote) for g in each)) if found else None
 
 
 def notation_of(guesses: Iterable[Guess], **habits: str) -> Notation:
