@@ -11,7 +11,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Understood, definitions, plainly, readings
 from symcheck.reading import System, Tree, relations, to_latex
-from symcheck.reading.guesses import Guess
+from symcheck.reading.guesses import ECCENTRICITY, Guess
 from symcheck.reading.inference import Inference, inferred
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
@@ -191,7 +191,9 @@ def is_sayable(phrase: str) -> bool:
     return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
 
 
-_SAYABLE = frozenset({"vector", "matrix", "function", "depends"})  # first words of phrases that `decide` takes
+_SAYABLE = frozenset(
+    {"vector", "matrix", "function", "depends", "scalar"}
+)  # first words of phrases that `decide` takes
 
 
 def _names(tree: Tree) -> Iterator[str]:
@@ -229,4 +231,6 @@ def _phrase(guess: Guess) -> str:
         return letter.kind
     if letter.depends:
         return f"{'function of' if letter.kind == 'function' else 'depends on'} {letter.depends}"
+    if guess.why == ECCENTRICITY:
+        return "scalar"  # and not Euler's number, which it may be elsewhere
     return letter.number or ("" if letter.kind == "scalar" else letter.kind)

@@ -19,6 +19,7 @@ from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.occurrences import INTEGRALS, Occurrence
 
 _MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
+ECCENTRICITY = "it stands as an eccentricity does"
 _TYPICAL = frozenset("fghFGH") | {r"\zeta", r"\phi", r"\psi", r"\varphi", r"\Phi", r"\Psi", r"\Theta", r"\Gamma"}
 
 
@@ -421,7 +422,7 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         if latex == "e" and powers and series:  # in the powers of a letter
             return [replace(letter, why="a series runs over its powers"), euler]
         if of.orbital and not any(variable):
-            return [replace(letter, why="it stands as an eccentricity does"), replace(euler, remote=True)]
+            return [replace(letter, why=ECCENTRICITY), replace(euler, remote=True)]
         if latex != "e" or all(variable):
             return [euler]
         if any(variable) or of.endless:
