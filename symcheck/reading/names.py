@@ -193,6 +193,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(inside[0])  # one of the reciprocal vectors
     if of.word == r"\delta" and of.word != of.bare and len(inside) == 1 and _letters(inside):
         return ""  # Kronecker's
+    if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
+        return POWER_OR_LABEL.format(inside[0])
     if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():

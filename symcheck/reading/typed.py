@@ -159,6 +159,7 @@ def _is_function(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
         start -= 1
     behind = [tok.text for tok in toks[end : end + 2]]
     brackets = behind[:1] == ["("] or behind == [r"\left", "("]
+    brackets = brackets or (word in ("max", "min") and start == k and behind[:1] == ["_"])  # over an index
     angle = next((tok.text for tok in toks[end : end + 4] if tok.text not in _BEFORE_ANGLE), "") in LETTER_COMMANDS
     whole = start == k and len(word) > 2 and word not in ("max", "min")  # neither a product of letters nor a label
     of_angle = angle and word in ("sin", "cos", "tan")
