@@ -19,7 +19,7 @@ LAWS = re.compile(
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
 # a list of components, and what stands between two of them
 COMPONENTS = re.compile(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}(?:\^T)?|[(\[](.*)[)\]](?:\^T)?", re.DOTALL)
-SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")
+SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")  # no comma of a subscript
 # words before a relation within the text that make it a place or a case
 AT = re.compile(r"\b(?:at|for|if|when|near|until|unless|on|from|to|as|in)\W*$", re.I)
 BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it

@@ -60,9 +60,9 @@ def is_condition(problem: Problem, reading: Reading) -> bool:
 
 def _rests_on_more(problem: Problem, reading: Reading) -> bool:
     """Is anything else said of its letters? An equation that only says what another letter is, is not about them."""
-    asked = reading.source[0]
+    asked, _, defined, *_ = reading.source
     said = problem.definitions or any(name != DEFINED for name, _ in problem.hypotheses)
-    return bool(asked.given or (asked.where and said))
+    return bool(asked.given or (asked.where and (said or names(reading.tree) & defined.keys())))
 
 
 def _concluded(claim: Formula) -> Formula:

@@ -91,7 +91,7 @@ def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
 
 
 DECIMALS = 3  # digits before an e behind which nobody adds a whole number
-_POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")
+_POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")  # with two digits, as computers print it
 
 
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
