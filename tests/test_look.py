@@ -224,6 +224,16 @@ def test_letters_are_inferred_from_the_whole_document_and_contradictions_told(tm
     assert letters[r"\mathbf{R}"].phrase == "matrix"
 
 
+def test_what_is_read_and_has_no_value_is_told_with_the_reason_once(tmp_path: Path) -> None:
+    paper = tmp_path / "paper.md"
+    paper.write_text(
+        "$$\\nabla \\cdot \\mathbf{v} = 0$$\n\n$$\\langle x \\rangle = y$$\n\n$$z = 2 y$$\n", encoding="utf-8"
+    )
+    found = look(paper)
+    assert found.read == (True, True, True)
+    assert [(each.reason, each.places) for each in found.valueless] == [("has no algebraic form", ("line 1", "line 3"))]
+
+
 def test_one_cause_is_told_once_with_its_places(tmp_path: Path) -> None:
     file = tmp_path / "paper.md"
     file.write_text("$$a = \\unknown b$$\n\n$$c = d$$\n\n$$e = 1 + \\unknown$$\n", encoding="utf-8")

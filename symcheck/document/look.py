@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from os import PathLike
@@ -28,6 +28,11 @@ HARD = 3  # times a limit after which a worker that does not heed it is killed
 # what distinguishes two refusals of one kind: the place, and what is printed there
 _PLACE = re.compile(r",? at character \d+: .*$", re.DOTALL)
 _BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the decision tells the value of a difference
+# reasons of which each names another printed term
+VALUELESS = (
+    "has no algebraic form", "states no relation", "do not compare", "is no product", "a scalar is expected here",
+    "stands without its arguments", "an index of a name is not summed over",
+)  # fmt: skip
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
@@ -91,6 +96,8 @@ class Look:
         Each letter with what it is taken for.
     refusals
         Why formulas are not read, each reason once.
+    valueless
+        Why formulas that are read have no value, so that nothing is decided of them, each reason once.
     holds
         The places of relations that hold for all values of their letters.
     follows
@@ -108,6 +115,7 @@ class Look:
     read: tuple[bool, ...]
     letters: tuple[Letter, ...]
     refusals: tuple[Refusal, ...]
+    valueless: tuple[Refusal, ...]
     holds: tuple[str, ...]
     follows: tuple[str, ...]
     findings: tuple[Finding, ...]
@@ -195,7 +203,8 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
         formulas,
         tuple(each.read for each in seen),
         tuple(every),
-        tuple(_refusals(formulas, seen)),
+        tuple(_refusals((each.reason, f) for f, each in zip(formulas, seen, strict=True) if not each.read)),
+        tuple(_refusals((_kind(each.reason), f) for f, each in zip(formulas, seen, strict=True) if each.partly)),
         tuple(dict.fromkeys(holds)),
         tuple(dict.fromkeys(follows)),
         tuple(finding for _, finding in sorted(found, key=lambda each: each[0])),
@@ -279,10 +288,14 @@ def _marked(formulas: Sequence[Printed], mark: Mark) -> Finding:
     return Finding(formula.place, formula.latex, mark.message)
 
 
-def _refusals(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Refusal]:
+def _kind(reason: str) -> str:
+    """What has no value, without what is printed there, where many formulas have the same reason."""
+    return next((words for words in VALUELESS if words in reason), reason)
+
+
+def _refusals(told: Iterable[tuple[str, Printed]]) -> list[Refusal]:
     """Each reason once, the most frequent first."""
-    unread = [(_PLACE.sub("", each.reason), f) for f, each in zip(formulas, seen, strict=True) if not each.read]
-    unread.sort(key=lambda each: each[0])
+    unread = sorted(((_PLACE.sub("", reason), formula) for reason, formula in told), key=lambda each: each[0])
     found = []
     for reason, group in groupby(unread, key=lambda each: each[0]):
         those = [formula for _, formula in group]

@@ -38,6 +38,11 @@ def _lines(look: Look) -> Iterator[str]:
     for refusal in look.refusals:
         yield from _wrapped(f"{len(refusal.places):4}  {refusal.reason}", "", " " * 6)
         yield from _wrapped(_places(refusal.places, MOST_PLACES), " " * 6, " " * 6)
+    if look.valueless:
+        yield from ("", f"Read, but something in it has no value ({sum(len(each.places) for each in look.valueless)})")
+    for refusal in look.valueless:
+        yield from _wrapped(f"{len(refusal.places):4}  {refusal.reason}", "", " " * 6)
+        yield from _wrapped(_places(refusal.places, MOST_PLACES), " " * 6, " " * 6)
     for title, places in (
         ("Hold for all values of their letters", look.holds),
         ("Follow from definitions before them", look.follows),
