@@ -347,6 +347,8 @@ def _derivative(tree: Derivative) -> str:
     below = " ".join(f"{d}{_print(v, FACTOR)}{f'^{n}' if n > 1 else ''}" for v, n in tree.variables)
     if _is_short(tree.body):
         return rf"\frac{{{d.strip()}{power} {_print(tree.body, PRODUCT)}}}{{{below}}}"
+    if isinstance(tree.body, Blank):  # an operator that stands alone
+        return rf"\frac{{{d.strip()}{power}}}{{{below}}}"
     return rf"\frac{{{d.strip()}{power}}}{{{below}}} \left({_print(tree.body, SUM)}\right)"
 
 
