@@ -509,7 +509,7 @@ def test_a_bold_letter_beside_four_components_may_be_a_quaternion(w: str, x: str
     said = rf"\mathbf{{q}} = (q_{w}, q_{x}, q_{y}, q_{z})"
     assert decide(rf"\|\mathbf{{q}}\|^2 = {squares}").verdict == "ambiguous"
     assert decide(rf"\|\mathbf{{q}}\|^2 = {squares}", where=[said]).verdict == "proved"
-    unit = [said, r"\|\mathbf{q}\| = 1"]
+    unit = [f"{squares} = 1"]
     assert decide(f"1 - 2 (q_{y}^2 + q_{z}^2) = q_{w}^2 + q_{x}^2 - q_{y}^2 - q_{z}^2", where=unit).verdict == "proved"
     wrong = answered(f"1 - 2 (q_{y}^2 + q_{z}^2) = q_{w}^2 + q_{x}^2 - q_{y}^2 + q_{z}^2", unit, wanted=False)
     assert wrong.verdict == "refuted"
