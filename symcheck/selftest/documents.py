@@ -14,18 +14,15 @@ from symcheck.audit import obligation_of
 from symcheck.core.claims import Assertion
 from symcheck.core.ids import Id
 from symcheck.core.terms import Formula
-from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.core.verdicts import Role, Verdict
 from symcheck.document.asked import Inquiry
 from symcheck.ledger import Record
 from symcheck.question import Status as Answered
 from symcheck.question.prepare import Reading
-from symcheck.reading import Edit, edits, to_latex
-from symcheck.reading.tree import Add, Number, replaced, walk
+from symcheck.reading import Edit, Tree, to_latex
 from symcheck.selftest.oracle import fails
-from symcheck.selftest.slips import ARGUMENT, CONNECTIVE, EQUATED, arguments, connectives, ends, slips_of
-from symcheck.selftest.trial import FaultClass, Status, Trial, drawn, where
-
-RARE = ("strictness", "bound", "interval end", CONNECTIVE, EQUATED, ARGUMENT)
+from symcheck.selftest.slips import KINDS, every_slip, is_dropped, trials_of
+from symcheck.selftest.trial import FaultClass, Status, Trial
 
 
 class Proved(NamedTuple):
@@ -63,16 +60,8 @@ def proved(id: str) -> list[Proved]:
 
 
 def slips(original: Proved) -> Iterator[Edit]:
-    """Every single edit of a relation, of its ends, arguments and connectives; none twice."""
-    tree = original.reading.tree
-    seen = {tree}
-    for edit in (
-        *edits(tree, original.reading.inference.notation),
-        *(edit for kind in (ends, arguments, connectives) for edit in slips_of(kind, tree)),
-    ):
-        if edit.tree not in seen:
-            seen.add(edit.tree)
-            yield edit
+    """Every single edit of a relation."""
+    return every_slip(original.reading.tree, original.reading.inference.notation)
 
 
 def status_of(original: Proved, edit: Edit) -> Status:
@@ -81,10 +70,16 @@ def status_of(original: Proved, edit: Edit) -> Status:
     verdict = original.inquiry.verdict(latex)
     if verdict in (Answered.UNREADABLE, Answered.REFUTED):
         return Status.REJECTED
+    if verdict is Answered.PROVED and (claims := _claims([original.reading])):  # none of matrices of all sizes
+
+        def stated(tree: Tree) -> list[Formula]:
+            same = tree == original.reading.tree
+            return claims if same else _claims(original.inquiry.readings(to_latex(tree))[:1])
+
+        if claims == stated(edit.tree):
+            dropped = is_dropped(original.reading.tree, edit.tree, stated)
+            return Status.ACCEPTED if dropped else Status.EQUIVALENT
     readings = original.inquiry.readings(latex)
-    claims = _claims([original.reading])  # none of matrices of all sizes
-    if verdict is Answered.PROVED and claims and claims == _claims(readings[:1]):
-        return Status.ACCEPTED if _is_dropped(original, edit) else Status.EQUIVALENT
     false = any(fails(problem) for reading in readings for problem in reading.problems)
     if verdict is Answered.PROVED:
         return Status.ACCEPTED if false else Status.OPEN  # true, but how much it says is not decided
@@ -95,31 +90,15 @@ def _claims(readings: Sequence[Reading]) -> list[Formula]:
     return [problem.claim for reading in readings for problem in reading.problems]
 
 
-def _is_dropped(original: Proved, edit: Edit) -> bool:
-    """Whether any other change at the place of a slip would be forgotten, too."""
-    tree = original.reading.tree
-    path = where(tree, edit.tree)
-    try:
-        other = replaced(tree, path, Add((dict(walk(tree))[path], Number("7"))))
-        return _claims(original.inquiry.readings(to_latex(other))[:1]) == _claims([original.reading])
-    except SymcheckError:
-        return False  # what stands there matters
-
-
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many slips of the relations of one declaration."""
-    planted = ((edit.kind, (original, edit)) for original in proved(place) for edit in slips(original))
-    for _, (original, edit) in drawn(planted, count, rng, RARE):
-        yield Trial(edit.kind, f"{original.id} {edit.description}", status_of(original, edit))
+    return trials_of(proved(place), slips, status_of, count, rng)
 
 
 CLASS = FaultClass(
     "documents",
     "relations of documents with one slip, before `decide`",
-    (
-        *("sign", "factor", "number", "index", "exponent", "term", "letter", "relation"),
-        *("strictness", "bound", "interval end", ARGUMENT, CONNECTIVE, EQUATED),
-    ),
+    KINDS,
     share=200,
     places=places,
     trials=trials,

@@ -1,15 +1,35 @@
-"""Slips beyond those of `symcheck.reading.edits`: of order and its ends, of arguments, of connectives.
+"""All slips of a relation: those of `symcheck.reading.edits`, and of order and its ends, arguments, connectives.
 
 One function for each class of slips: what may stand in the place of a node, with the kind of slip and its words.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from random import Random
+from typing import Protocol, TypeVar
 
-from symcheck.reading import Edit, Iff, Tree, to_latex
-from symcheck.reading.tree import Add, And, Call, Chain, Div, Implies, Interval, Mul, Neg, Number, Or, replaced, walk
+from symcheck.core.terms import Formula
+from symcheck.core.verdicts import SymcheckError
+from symcheck.reading import Edit, Iff, Notation, Tree, edits, to_latex
+from symcheck.reading.tree import (
+    Add,
+    And,
+    Call,
+    Chain,
+    Div,
+    Implies,
+    Interval,
+    Mul,
+    Neg,
+    Number,
+    Or,
+    children,
+    replaced,
+    walk,
+)
+from symcheck.selftest.trial import Status, Trial, drawn
 
 ARGUMENT, CONNECTIVE, EQUATED = "argument", "connective", "order and equality"
 LOOSENED = {"<": r"\le", ">": r"\ge", r"\le": "<", r"\ge": ">"}
@@ -17,6 +37,65 @@ EQUATIONS = {"=": (r"\le", r"\ge"), r"\le": ("=",), r"\ge": ("=",)}
 ENDS = ("[]", "[)", "(]")
 Slip = tuple[str, str, Tree]
 ONE = Number("1")
+RARE = ("strictness", "bound", "interval end", ARGUMENT, CONNECTIVE, EQUATED)
+KINDS = ("sign", "factor", "number", "index", "exponent", "term", "letter", "relation", *RARE)
+
+
+class Original(Protocol):
+    """A proved relation in which slips are planted."""
+
+    @property
+    def id(self) -> str: ...
+
+
+T = TypeVar("T", bound=Original)
+
+
+def every_slip(tree: Tree, notation: Notation) -> Iterator[Edit]:
+    """Every single edit of a relation, of its ends, arguments and connectives; none twice."""
+    seen = {tree}
+    for edit in (
+        *edits(tree, notation),
+        *(edit for kind in (ends, arguments, connectives) for edit in slips_of(kind, tree)),
+    ):
+        if edit.tree not in seen:
+            seen.add(edit.tree)
+            yield edit
+
+
+def is_dropped(before: Tree, after: Tree, stated: Callable[[Tree], Sequence[Formula]]) -> bool:
+    """Is a slip forgotten on the way to formulas? They are the same, and so with any other change at its place."""
+    if stated(after) != (formulas := stated(before)):
+        return False
+    path = _where(before, after)
+    try:
+        return stated(replaced(before, path, Add((dict(walk(before))[path], Number("7"))))) == formulas
+    except SymcheckError:
+        return False  # what stands there matters
+
+
+def _where(before: Tree, after: Tree) -> tuple[int, ...]:
+    """The path to the lowest place at which all that is different lies."""
+    parts = (children(before), children(after))
+    if type(before) is type(after) and len(parts[0]) == len(parts[1]):
+        others = [k for k, (one, other) in enumerate(zip(*parts, strict=True)) if one != other]
+        if len(others) == 1:
+            return (others[0], *_where(parts[0][others[0]], parts[1][others[0]]))
+    return ()
+
+
+def trials_of(
+    originals: Sequence[T],
+    slips: Callable[[T], Iterator[Edit]],
+    status_of: Callable[[T, Edit], Status],
+    count: int,
+    rng: Random,
+    rare: Sequence[str] = RARE,
+) -> Iterator[Trial]:
+    """So many slips of some relations, and what becomes of each."""
+    planted = ((edit.kind, (original, edit)) for original in originals for edit in slips(original))
+    for _, (original, edit) in drawn(planted, count, rng, rare):
+        yield Trial(edit.kind, f"{original.id} {edit.description}", status_of(original, edit))
 
 
 def slips_of(kind: Callable[[Tree], Iterator[Slip]], tree: Tree) -> Iterator[Edit]:

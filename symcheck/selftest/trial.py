@@ -11,8 +11,6 @@ from random import Random
 from typing import TypeVar
 
 from symcheck.ledger import Record
-from symcheck.reading import Tree
-from symcheck.reading.tree import children
 
 T = TypeVar("T")
 
@@ -106,16 +104,6 @@ class Count:
             "false_rejections_of_right": limits(self.statuses[Status.FALSELY_REJECTED], self.right),
             "errors": self.errors,
         }
-
-
-def where(before: Tree, after: Tree) -> tuple[int, ...]:
-    """The path to the lowest place at which all that is different lies."""
-    parts = (children(before), children(after))
-    if type(before) is type(after) and len(parts[0]) == len(parts[1]):
-        others = [k for k, (one, other) in enumerate(zip(*parts, strict=True)) if one != other]
-        if len(others) == 1:
-            return (others[0], *where(parts[0][others[0]], parts[1][others[0]]))
-    return ()
 
 
 def limits(count: int, of: int) -> list[float] | None:
