@@ -191,9 +191,8 @@ def is_sayable(phrase: str) -> bool:
     return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
 
 
-_SAYABLE = frozenset(
-    {"vector", "matrix", "function", "depends", "scalar"}
-)  # first words of phrases that `decide` takes
+# first words of phrases that `decide` takes
+_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar"})
 
 
 def _names(tree: Tree) -> Iterator[str]:

@@ -79,6 +79,10 @@ def _with_words(source: str) -> list[tex.Tok]:
     return found
 
 
+DECIMALS = 3  # digits before an e behind which nobody adds a whole number
+_POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")  # with two digits, as computers print it
+
+
 def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
     """The sign and digits of the power of ten at an e, as in `2.5e-07` and `2.0471e+14`; `2e+10` may be a sum."""
     run = [toks[k]]
@@ -88,10 +92,6 @@ def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
     found = _POWER_OF_TEN.match("".join(tok.text for tok in run)) if number else None
     decimals = "".join(tok.text for tok in toks[max(0, k - DECIMALS) : k])
     return found[1] if found and (found[1][1] == "0" or (len(decimals) == DECIMALS and decimals.isdigit())) else ""
-
-
-DECIMALS = 3  # digits before an e behind which nobody adds a whole number
-_POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")  # with two digits, as computers print it
 
 
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
@@ -192,20 +192,8 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
 _COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mathbf"})
 # operators of statistics, before brackets
 _OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
-_OF_VARIABLES |= {
-    "sign",
-    "trace",
-    "sinc",
-    "Sinc",
-    "rect",
-    "Rect",
-    "Sin",
-    "Cos",
-    "Tan",
-    "Exp",
-    "Log",
-    "Ln",
-}  # and functions
+# and functions that have other names in print
+_OF_VARIABLES |= {"sign", "trace", "sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
