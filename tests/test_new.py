@@ -276,7 +276,7 @@ def test_an_update_keeps_what_the_user_wrote(tmp_path: Path) -> None:
     kept = [each for each in after if not each.startswith(("line_3", "line_11"))]
     named = [line.sub(lambda x: f"line {moved[x[1]]}", e) if "source." in e else e for e in before]
     assert [each.replace("line 11 #2", "line 11") for each in kept] == [e.replace('r"line', '"line') for e in named]
-    assert run("new", "--update", audit, "--jobs", 0).stdout == f"{audit}/audit.lock: nothing has changed\n"
+    assert run("new", "--update", audit, "--jobs", 0).stdout.endswith(f"{audit}/audit.lock: nothing has changed\n")
     assert verdicts(audit) == {"0.3": "refuted", "0.5": "refuted", "0.6": "refuted", "0.7": "proved"}
 
 
@@ -510,7 +510,7 @@ def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     """Cases, equations to be solved and conditions printed elsewhere: what fails may still be meant."""
     audit = begun(tmp_path, SOUND)
     found = verdicts(audit)
-    assert {number for number, verdict in found.items() if verdict == "proved"} == {"2", "7", "9"}
+    assert {number for number, verdict in found.items() if verdict == "proved"} == {"2", "7", "9", "17b"}
     assert "refuted" not in found.values()
     told = run("show", f"{audit}:16b", "--jobs", 0).stdout
     open_ = "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere"

@@ -50,7 +50,7 @@ UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
     type=click.FloatRange(0, min_open=True),
     default=20.0,
     show_default=True,
-    help="Seconds for each formula.",
+    help="Seconds of processor time for each formula.",
 )
 def decide(
     relation: str | None,

@@ -22,6 +22,7 @@ from symcheck.core.terms import JSON, Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
+from symcheck.document.points import slips
 from symcheck.document.survey import Link, Said, apart, is_open, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
@@ -171,7 +172,9 @@ class Inquiry:
                 if with_it.verdict not in (Status.REFUTED, Status.UNREADABLE):
                     return f"it fails, but perhaps not where {text} ({place}); {SAY}"
         identity = not asked.where and all(role.kind in NUMBERS for role in surveyed_once(asked.relation).roles)
-        if answer.repairs or identity or any(_is_explained(each) for each in dict.fromkeys((_fewer(asked), asked))):
+        if answer.repairs or identity or any(slips(asked.relation, asked.where, asked.letters)):
+            return ""
+        if any(_is_explained(each) for each in dict.fromkeys((_fewer(asked), asked))):
             return ""
         return f"it fails, and no slip of the pen would explain it; {SAY}"
 
@@ -313,12 +316,22 @@ def _for_all_sizes(id: str, asked: Asked) -> tuple[tuple[Certificate, ...], str]
 
 def is_settled(inquiry: Inquiry, imposed: str) -> bool:
     """Whether each relation of a claim is proved, or a slip of the pen would explain that it fails."""
+    return all(answer.verdict is Status.PROVED or answer.repairs for answer in _answers(inquiry, imposed))
+
+
+def is_proved(inquiry: Inquiry, imposed: str) -> bool:
+    """Whether each relation of a claim is proved."""
+    return all(answer.verdict is Status.PROVED for answer in _answers(inquiry, imposed))
+
+
+def _answers(inquiry: Inquiry, imposed: str) -> Iterator[Answer]:
+    """The answer to each relation of a claim, with repairs when they are asked for."""
     try:
-        links = _links(inquiry.text, inquiry.said(inquiry.text)).lettered
-        answers = [_answer(inquiry._asked(link)) for letter, link in links if not letter or letter not in imposed]
-    except SymcheckError:
-        return False
-    return all(answer.verdict is Status.PROVED or answer.repairs for answer in answers)
+        for letter, link in _links(inquiry.text, inquiry.said(inquiry.text)).lettered:
+            if not letter or letter not in imposed:
+                yield _answer(inquiry._asked(link))
+    except SymcheckError as error:
+        yield Answer(Status.UNREADABLE, reason=str(error))
 
 
 @dataclass(frozen=True)

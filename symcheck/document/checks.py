@@ -134,9 +134,9 @@ class Checks:
         """Whether formulas that define nothing hold for all values."""
         for k, seen in enumerate(self.seen):
             if seen.links and not seen.reason and len(seen.heads) < len(seen.links):
-                yield Question(k, self.formulas[k].latex, "alone", letters=self._said(seen))
+                yield Question(k, self.formulas[k].latex, "alone", letters=self.said(seen))
 
-    def _said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
+    def said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
         found: dict[str, str] = {}
         for each in seen:
             found |= said(each, self.letters) | dict(each.said)
@@ -154,6 +154,9 @@ class Checks:
         return self.seen[k].plain and self.seen[k].is_known and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
+        """The last words before a formula; of displays below each other those before the first."""
+        while k and self.formulas[k].display and self.formulas[k - 1].display and not self.formulas[k].before:
+            k -= 1
         return ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)[-SENTENCES:])
 
     def suspicious(self) -> Iterator[Question]:
@@ -202,7 +205,7 @@ class Checks:
         if seen.reason or not sources or not link.names[0] | link.names[1] <= known:
             return None
         where = tuple(x.links[0].latex for x in others)
-        said = self._said(seen, *others)
+        said = self.said(seen, *others)
         return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
 
     def _step(self, m: int, k: int) -> Question | None:
@@ -219,7 +222,7 @@ class Checks:
         names = one.names[0] | one.names[1]
         if not names or not two.names[0] | two.names[1] <= names:
             return None
-        return Question(k, two.latex, "step", (one.latex,), (m,), letters=self._said(*seen), sure=True, worded=worded)
+        return Question(k, two.latex, "step", (one.latex,), (m,), letters=self.said(*seen), sure=True, worded=worded)
 
     def _chained(self, k: int, link: Link) -> Question | None:
         """A link behind another one, with the same letters on both sides."""
@@ -234,7 +237,7 @@ class Checks:
             link.latex,
             kind,
             given=conditions,
-            letters=self._said(self.seen[k]),
+            letters=self.said(self.seen[k]),
             sure=not (link.chained and self._of_numbers(k)),
         )
 
@@ -267,7 +270,7 @@ class Checks:
             tuple(each.link.latex for each in sources),
             numbers,
             self._conditions(k, names | free, numbers),
-            self._said(self.seen[k], *(self.seen[m] for m in numbers)),
+            self.said(self.seen[k], *(self.seen[m] for m in numbers)),
             sure=True,
         )
 

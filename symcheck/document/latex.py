@@ -29,9 +29,12 @@ _SIGNS = (
     "le leq leqslant ge geq geqslant ne neq equiv approx sim simeq cong propto coloneqq triangleq doteq ll gg lesssim "
     "gtrsim"
 )
-_ARROWS = "implies iff to mapsto in subset Rightarrow Leftrightarrow rightarrow"
+_ARROWS = "implies iff to mapsto in subset Rightarrow Longrightarrow Leftrightarrow Longleftrightarrow rightarrow"
 RELATIONS = frozenset({"=", "<", ">", *(f"\\{name}" for name in _SIGNS.split())})
 ARROWS = frozenset(f"\\{name}" for name in _ARROWS.split())
+STEPPING = frozenset({r"\Longrightarrow", r"\Rightarrow", r"\implies"})  # between the equations of a derivation
+WIDE = frozenset({r"\quad", r"\qquad"})
+PARTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\forall", r"\exists", r"\land", r"\lor", r"\wedge", r"\vee"})
 BINARY = frozenset({"+", "-", r"\cdot", r"\times", r"\pm", r"\mp", "/", "*"})
 CLOSING = {r"\[": r"\]", r"\(": r"\)", "$$": "$$", "$": "$"}
 # `\thesection.\arabic{equation}`: the number of formulas within something
@@ -93,6 +96,7 @@ class Scanner:
     counters: Counters = field(default_factory=Counters)
     cell: int = 0
     section: int = 0
+    part: int = 0  # headings so far
     mentions: list[tuple[str, int]] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
     local: list[int] = field(default_factory=list)
@@ -185,6 +189,7 @@ class Scanner:
         """A part of the document begins: definitions may be others in it."""
         if numbered:
             self.counters.heading(level)
+        self.part += 1
         if level in ("part", "chapter", "section"):
             self.section += 1
         self.prose.clear()
@@ -212,7 +217,7 @@ class Scanner:
                 else:
                     parts.append((Row(inner), [row.label], [number]))
         for row, labels, shown in parts:
-            for formula in _columns(row.toks):
+            for formula in chain.from_iterable(map(_steps, _columns(row.toks))):
                 labelled = ", ".join(dict.fromkeys(x for x in (*labels, label) if x))
                 self._keep(formula, labelled, ", ".join(dict.fromkeys(filter(None, shown))), display=True)
         self.prose.clear()
@@ -292,7 +297,9 @@ class Scanner:
         before = " ".join("".join(self.prose).split()[-MAX_PROSE:])
         scope = (self.section, self.local[-1] if self.local else 0)
         self.found.append(
-            Printed(latex, first.file, first.line, self.cell, label, number or tag or "", display, before, scope)
+            Printed(
+                latex, first.file, first.line, self.cell, label, number or tag or "", display, before, scope, self.part
+            )
         )
 
 
@@ -451,6 +458,44 @@ def _columns(toks: Sequence[Tok]) -> list[list[Tok]]:
         if not any(text in RELATIONS for text in starts):
             return pairs
     return [[*chain.from_iterable(cells)]]
+
+
+def _steps(toks: Sequence[Tok]) -> list[list[Tok]]:
+    r"""The equations of a derivation on one line, `A \quad\Longrightarrow\quad B`, of which each is said to hold.
+
+    An arrow without space around it, behind a value or an equation to be solved, belongs to one statement.
+    """
+    steps: list[list[Tok]] = [[]]
+    for tok, depth in _depths(toks):
+        if depth == 0 and tok.text in STEPPING and steps[-1] and _ends_wide(steps[-1]):
+            steps.append([])
+        else:
+            steps[-1].append(tok)
+    wide = all(_ends_wide([*reversed(step)]) for step in steps[1:])
+    if len(steps) == 1 or not (wide and all(map(_is_equation, steps)) and all(map(_is_general, steps[:-1]))):
+        return [[*toks]]
+    return [_without_width(step) for step in steps]
+
+
+def _without_width(toks: Sequence[Tok]) -> list[Tok]:
+    kept = [k for k, tok in enumerate(toks) if not (tok.is_space or tok.text in WIDE)]
+    return [*toks[kept[0] : kept[-1] + 1]]
+
+
+def _ends_wide(toks: Sequence[Tok]) -> bool:
+    return next((tok.text in WIDE for tok in reversed(toks) if not tok.is_space), False)
+
+
+def _is_equation(toks: Sequence[Tok]) -> bool:
+    signs = {tok.text for tok in _outermost(toks)}
+    return "=" in signs and not signs & (RELATIONS | ARROWS) - {"="} and not signs & PARTS
+
+
+def _is_general(toks: Sequence[Tok]) -> bool:
+    """Is it an equation of more than one letter and its value, or of a function and zero?"""
+    texts = [tok.text for tok in toks if not tok.is_space and tok.text not in WIDE]
+    sides = " ".join(texts).split(" = ")
+    return min(len(side.split()) for side in sides) > 1
 
 
 def _trimmed(toks: Sequence[Tok]) -> list[Tok]:

@@ -16,6 +16,7 @@ from mdit_py_plugins.texmath import texmath_plugin
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.latex import Scanner
+from symcheck.document.macros import tokens
 
 MAX_NESTING = 50  # lists and quotations in one another; deeper ones are left out
 _FENCED = re.compile(r"\{math\}|math")  # the language of a fence that is a formula
@@ -23,7 +24,11 @@ _OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top
 _LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
 _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
 # `\_` before a subscript; in words, which come first, it is the sign itself
+_DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMathOperator)(?![A-Za-z])")
 _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
+
+_HIDDEN = re.compile(r"\s*<(?:!|\?|script|style|pre)", re.I)  # HTML of which a reader sees no formula
+_TAG = re.compile(r"</?[A-Za-z][^<>$]*>")
 
 # an environment of displays between double dollars, as MathJax wants it: the dollars say nothing more
 _ENVIRONMENT = re.compile(
@@ -45,9 +50,17 @@ def markdown(text: str, scanner: Scanner) -> None:
         elif token.type in ("math_block", "math_block_label", "amsmath"):
             label = token.info if token.type == "math_block_label" else ""
             scanner.put(_unescaped(token.content), _line(lines, at, token.content), label=label)
+        elif token.type == "html_block" and not _HIDDEN.match(token.content):
+            _within_html(token.content, at, scanner)
         elif token.type == "fence" and _FENCED.fullmatch(token.info.strip()):
             body, label = _options(token.content)
             scanner.put(body, _line(lines, at, body), label=label)
+
+
+def _within_html(content: str, at: int, scanner: Scanner) -> None:
+    """The formulas between the tags of HTML, where MathJax finds them as it does elsewhere."""
+    lines = _TAG.sub(" ", content).split("\n")
+    markdown("\n" * at + "\n".join(line.strip() for line in lines), scanner)
 
 
 def _parser() -> MarkdownIt:
@@ -93,7 +106,7 @@ def _options(content: str) -> tuple[str, str]:
 
 
 def notebook(text: str, scanner: Scanner) -> None:
-    """The formulas in the Markdown cells of a notebook."""
+    """The formulas in the Markdown cells of a notebook, with the macros that its code prints."""
     try:
         data = json.loads(text)
     except (ValueError, RecursionError) as error:
@@ -102,7 +115,19 @@ def notebook(text: str, scanner: Scanner) -> None:
     if not isinstance(cells, list):
         raise SymcheckError("it is no notebook of version 4; open it in Jupyter and save it anew")
     for number, cell in enumerate(cells, 1):
-        if isinstance(cell, dict) and cell.get("cell_type") == "markdown":
-            source = cell.get("source", "")
+        if not isinstance(cell, dict):
+            continue
+        if cell.get("cell_type") == "markdown":
             scanner.cell = number
-            markdown("".join(map(str, source)) if isinstance(source, list) else str(source), scanner)
+            markdown(_joined(cell.get("source", "")), scanner)
+        for output in cell.get("outputs") or []:
+            data = output.get("data") if isinstance(output, dict) else None
+            for kind in ("text/markdown", "text/latex"):
+                printed = _joined(data.get(kind, "")) if isinstance(data, dict) else ""
+                if _DEFINES.search(printed):
+                    for _token in scanner.expander.run(tokens(printed)):
+                        pass  # what a code cell prints is no formula of the document, but its macros hold there
+
+
+def _joined(source: object) -> str:
+    return "".join(map(str, source)) if isinstance(source, list) else str(source)

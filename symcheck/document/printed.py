@@ -27,6 +27,8 @@ class Printed:
         The words before it, since the last display.
     scope
         The section and the example, exercise or theorem in which it stands, as numbers; 0 outside of any.
+    part
+        The number of the last heading before it, of whatever level.
     """
 
     latex: str
@@ -38,6 +40,7 @@ class Printed:
     display: bool
     before: str
     scope: tuple[int, int]
+    part: int = 0
 
     @property
     def position(self) -> str:

@@ -54,7 +54,7 @@ class Roles:
         return [self._guess(k) for k in range(len(self.formulas))]
 
     def _guess(self, k: int) -> Guess:
-        seen, known = self.seen[k], self._known(k)
+        seen, known = self.seen[k], self.known(k)
         if not (seen.read or seen.apart):
             return Guess("exclusion", reason=" ".join(seen.reason.split()))
         heads = {x: link for x, link in seen.heads.items() if self._is_new(k, x, link, known)}
@@ -74,7 +74,7 @@ class Roles:
             return Guess("premise")
         imposed = "".join(chr(ord("a") + link.place) for x, link in heads.items())
         needed = tuple(sorted(self._needed(k, known)))
-        return Guess("claim", needed, imposed, far=frozenset(m for m in needed if not self._same_part(m, k)))
+        return Guess("claim", needed, imposed, far=frozenset(m for m in needed if not self.is_same_part(m, k)))
 
     def _open_components(self, link: Link) -> frozenset[str]:
         """The components that a definition gives to a vector or matrix, if it is not said what they are."""
@@ -84,25 +84,25 @@ class Roles:
         single = len(parts) > 1 and len(parts) == len(names) and {*parts} == names
         return link.names[1] if single and not link.names[1] & self.defined.keys() else frozenset()
 
-    def _known(self, k: int) -> dict[str, Definition]:
+    def known(self, k: int) -> dict[str, Definition]:
         """What the letters are in a relation: as is said before it in its part of the document, else once elsewhere."""
         found = {}
         for letter, every in self.defined.items():
-            own = [each for each in every if self._same_part(each.number, k)]
-            others = [m for m in self.otherwise.get(letter, ()) if self._same_part(m, k)]
+            own = [each for each in every if self.is_same_part(each.number, k)]
+            others = [m for m in self.otherwise.get(letter, ()) if self.is_same_part(m, k)]
             if len(own) == 1 and not others:
                 found[letter] = own[0]
             elif not own and not others and len(every) == 1 and not self.formulas[every[0].number].scope[1]:
                 found[letter] = every[0]
         return found
 
-    def _same_part(self, m: int, k: int) -> bool:
+    def is_same_part(self, m: int, k: int) -> bool:
         (section, local), theirs = self.formulas[k].scope, self.formulas[m].scope
         return theirs[0] == section and theirs[1] in (0, local)
 
     def _is_new(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
         """Does a relation say what a letter is of which nothing was said before?"""
-        here = {x: each for x, each in known.items() if self._same_part(each.number, k)}
+        here = {x: each for x, each in known.items() if self.is_same_part(each.number, k)}
         if not link.names[1] or letter in here:
             return False
         if not self.formulas[k].display and not self._is_introduced(k, letter):
@@ -114,7 +114,7 @@ class Roles:
         before = self.formulas[k].before
         if max(self.seen[k].heads[letter].sizes) == 1:
             return False  # one letter is another one there: a case
-        new = not any(letter in self.seen[m].names for m in range(k) if self._same_part(m, k))
+        new = not any(letter in self.seen[m].names for m in range(k) if self.is_same_part(m, k))
         return bool(INTRODUCED.search(before)) or (new and not AT.search(before))
 
     def _is_another(self, k: int, letter: str, link: Link, known: Mapping[str, Definition]) -> bool:
@@ -129,14 +129,17 @@ class Roles:
 
     def _is_claim(self, k: int) -> bool:
         """Does a relation that defines nothing say something of its letters?"""
-        seen, known = self.seen[k], self._known(k)
+        seen, known = self.seen[k], self.known(k)
         determined = seen.names & known.keys() and seen.names <= self._reached(seen.names & known.keys(), known)
         if not self.checks.is_said(k, OF_KNOWN if determined else None):
             return False
         if not self.formulas[k].display:
             same = [x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST for x in seen.links]
             return bool(same) and all(same)
-        return not seen.links or any(not link.head or link.names[1] for link in seen.links)
+        return not seen.links or any(
+            link.names[1] if link.head else link.chained or link.names[0] == link.names[1] or seen.names & known.keys()
+            for link in seen.links
+        )
 
     def _needed(self, k: int, known: Mapping[str, Definition]) -> set[int]:
         """The definitions that the letters of a claim need, transitively, and the conditions on all of these letters.
@@ -158,7 +161,7 @@ class Roles:
         close = [m for m in behind if goes_on and not any(self.formulas[n].display for n in range(k + 1, m + 1))]
         for m in (*range(k), *close):
             seen, inline = self.seen[m], not self.formulas[m].display
-            if inline and not seen.links and seen.names <= names and self._same_part(m, k) and self.checks.is_said(m):
+            if inline and not seen.links and seen.names <= names and self.is_same_part(m, k) and self.checks.is_said(m):
                 yield m
 
     def _reached(self, names: Iterable[str], known: Mapping[str, Definition]) -> set[str]:

@@ -11,23 +11,21 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.asked import Inquiry, Relied, is_settled
-from symcheck.document.checks import SEARCH, SECONDS, Checks, confirmed, decided
+from symcheck.document.checks import Checks
+from symcheck.document.guesses import guessed
 from symcheck.document.letters import Letter, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
-from symcheck.document.look import Work, known, proved_of, undecided
+from symcheck.document.look import Work, known
 from symcheck.document.printed import Printed
-from symcheck.document.roles import Guess, Roles
+from symcheck.document.roles import Guess
 from symcheck.document.sources import source
-from symcheck.document.survey import Said, is_sayable
+from symcheck.document.survey import is_sayable
 from symcheck.papers import FILES, key_of
-from symcheck.question import Status
-from symcheck.question.ask import TOTAL
 from symcheck.question.doubts import functions_in_letters
 
 ROLES = ("definition", "claim", "premise", "exclusion")
@@ -67,69 +65,9 @@ def drafted(file: Path, work: Work) -> Draft:
     seen, every = known(formulas, work)
     said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
     said += [f"{file}: left out: {note}" for note in printed.notes]
-    checks = Checks(formulas, seen, every)
-    guesses = [*_with_what_is_near(Roles(checks).guesses(), formulas, every, work)]
-    return Draft(file, formulas, every, _with_steps(guesses, checks, every, work), said)
-
-
-def _with_what_is_near(
-    guesses: Sequence[Guess], formulas: Sequence[Printed], letters: Sequence[Letter], work: Work
-) -> Iterator[Guess]:
-    """The same, but a claim that is settled by what stands in its own part of the document needs nothing else."""
-    said = _said(letters)
-    asked: dict[int, tuple[Inquiry, str]] = {}
-    for k, guess in enumerate(guesses):
-        if guess.far:
-            near = [m for m in guess.follows if m not in guess.far]
-            asked[k] = _inquired(guesses, k, near, formulas, said)
-    settled = work.all(_is_settled, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
-    for k, guess in enumerate(guesses):
-        near_ = tuple(m for m in guess.follows if m not in guess.far)
-        yield replace(guess, follows=near_) if k in asked and settled[asked[k]] else guess
-
-
-def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Letter], work: Work) -> list[Guess]:
-    """The same, but what follows from the line before it is a claim, and so is a line that does not where others do.
-
-    That is one between two of which the second follows from the first, or one behind two such: then it is the one that
-    is wrong, if a slip of the pen explains it.
-    """
-    lines = checks.derivations()
-    answers = work.all(decided, lines.questions, SECONDS, undecided)
-    answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
-    proved = proved_of(answers)
-    unlike = [step for step in lines.unlike(proved) if lines.is_certain(step, proved)]
-    wrong = [step for step in unlike if answers[step].verdict is Status.REFUTED]
-    sure = work.all(confirmed, wrong, SEARCH, undecided)
-    claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in lines.steps.items() if step in proved}
-    claimed |= {step.number: step.sources for step in wrong if sure[step].verdict is Status.REFUTED}
-    claimed |= {k: step.sources for k, step in lines.referred.items() if step in proved}
-    claimed |= {k + 1: (k - 1,) for k, step in lines.beyond.items() if step in proved and k + 1 not in claimed}
-    said = _said(letters)
-    asked = {k: _inquired(guesses, k, guesses[k].follows, checks.formulas, said) for k in claimed}
-    open_ = [asked[k] for k in claimed if guesses[k].role == "claim"]
-    settled = work.all(_is_settled, [*dict.fromkeys(open_)], TOTAL, lambda reason: False)
-    return [
-        replace(guess, role="claim", follows=claimed[k], far=frozenset())
-        if k in claimed and guess.role in ("premise", "claim") and not (guess.role == "claim" and settled[asked[k]])
-        else guess
-        for k, guess in enumerate(guesses)
-    ]
-
-
-def _inquired(
-    guesses: Sequence[Guess], k: int, follows: Iterable[int], formulas: Sequence[Printed], said: Said
-) -> tuple[Inquiry, str]:
-    relied = tuple(Relied(formulas[m].latex, guesses[m].imposed) for m in follows)
-    return Inquiry(formulas[k].latex, relied, letters=said), guesses[k].imposed
-
-
-def _said(letters: Sequence[Letter]) -> Said:
-    return tuple((shown(each.letter), each.phrase) for each in letters if is_sayable(each.phrase))
-
-
-def _is_settled(task: tuple[Inquiry, str]) -> bool:
-    return is_settled(*task)
+    guesses, unlike = guessed(Checks(formulas, seen, every), every, work)
+    said += [f"{file}: {' and '.join(formulas[k].place for k in both)} do not agree" for both in unlike]
+    return Draft(file, formulas, every, guesses, said)
 
 
 def new(file: Path, folder: Path, work: Work) -> list[str]:

@@ -145,7 +145,7 @@ def _links(tree: Tree) -> Iterator[Link]:
     before: Tree | None = None
     for place, relation in enumerate(relations(tree)):
         left, right = relation.left, relation.right
-        if left is not None and right is not None and relation.sign == "=":
+        if left is not None and right is not None and relation.sign in ("=", r"\equiv"):
             names = frozenset(_names(left)), frozenset(_names(right))
             sides = to_latex(left), to_latex(right)
             chained = before is left

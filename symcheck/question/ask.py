@@ -407,6 +407,7 @@ def _perhaps_for_all(problem: Problem) -> str:
     others = [problem.claim, *(t for _, t in problem.definitions)]
     for equation in equations:
         rest = set().union(*map(letters, (f for f in (*equations, *others) if f != equation)))
+        rest |= {name for name, _ in problem.definitions}
         for letter in sorted(letters(equation) - rest):
             more = tuple(substituted(equation, {letter: n}) for n in ENOUGH)
             stricter = replace(problem, hypotheses=(*problem.hypotheses, ("for all", more)))

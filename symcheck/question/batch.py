@@ -18,6 +18,7 @@ from symcheck.question.limit import OutOfTime, limited
 
 AT_ONCE = 400  # records that are given to workers, which are replaced after that: it bounds their memory
 KEPT, SHORTEST = 0.9, 0.01  # of the limit for repairs too, that a verdict is not lost with them; and seconds at least
+HARD = 3  # times the limit after which a worker is killed that does not heed it, or that others keep from working
 KEYS = frozenset({"id", "relation", "where", "given", "letters"})
 
 
@@ -79,7 +80,7 @@ def answers(
     while part := [*islice(todo, AT_ONCE)]:
         found: dict[int, dict[str, JSON]] = {}
         start = 0
-        for task, answer in executor.map(partial(answered, seconds=timeout), part, timeout):
+        for task, answer in executor.map(partial(answered, seconds=timeout), part, HARD * timeout):
             if isinstance(answer, Done):
                 found[task.line] = answer.value
             else:
@@ -97,9 +98,14 @@ def answered(record: Asked, seconds: float) -> dict[str, JSON]:
     """The answer to one record, with the repairs that are found in what is left of the seconds."""
     if record.fault:
         return {"id": record.id, **Answer(Status.UNREADABLE, reason=record.fault).as_json()}
-    started = time.perf_counter()
-    answer = decide(**record.question)  # type: ignore[arg-type]
-    left = KEPT * seconds - (time.perf_counter() - started)
+    started = time.process_time()
+    try:
+        with limited(seconds):
+            answer = decide(**record.question)  # type: ignore[arg-type]
+    except OutOfTime:
+        reason = f"the limit of {seconds:g} s was reached"
+        return {"id": record.id, **Answer(Status.UNDECIDED, reason=reason).as_json()}
+    left = KEPT * seconds - (time.process_time() - started)
     try:
         with limited(max(left, SHORTEST)):
             return {"id": record.id, **answer.as_json()}

@@ -1,4 +1,7 @@
-"""A limit of time for what runs in this process: on the main thread of systems with alarms; elsewhere there is none."""
+"""A limit of processor time for what runs in this process, on the main thread of systems with timers.
+
+Elsewhere there is none. What other processes do at the same time changes no verdict.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ class OutOfTime(BaseException):
 
 @contextmanager
 def limited(seconds: float) -> Iterator[None]:
-    """Raise OutOfTime in what is inside once so many seconds are over; an outer limit stays in force."""
+    """Raise OutOfTime in what is inside once it has used so many seconds; an outer limit stays in force."""
     if not seconds or not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -26,14 +29,14 @@ def limited(seconds: float) -> Iterator[None]:
     def stop(number: int, frame: FrameType | None) -> None:
         raise OutOfTime
 
-    before, started = signal.signal(signal.SIGALRM, stop), time.monotonic()
-    left, _ = signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
+    before, started = signal.signal(signal.SIGPROF, stop), time.process_time()
+    left, _ = signal.setitimer(signal.ITIMER_PROF, seconds, AGAIN)
     if left and left < seconds:
-        signal.setitimer(signal.ITIMER_REAL, left, AGAIN)
+        signal.setitimer(signal.ITIMER_PROF, left, AGAIN)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
-        rest = left - (time.monotonic() - started)
-        signal.setitimer(signal.ITIMER_REAL, *((max(rest, 0.001), AGAIN) if left else (0, 0)))
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+        rest = left - (time.process_time() - started)
+        signal.setitimer(signal.ITIMER_PROF, *((max(rest, 0.001), AGAIN) if left else (0, 0)))

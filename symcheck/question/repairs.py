@@ -67,7 +67,7 @@ def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], .
     found: list[dict[str, str]] = []
     try:
         with limited(SECONDS):
-            for slip in _by_likelihood(reading):
+            for slip in likely(reading):
                 if _is_proved(reading, slip.tree, point):
                     shown = {"relation": with_brackets(slip.tree), "kind": slip.kind, "edit": slip.description}
                     found.append(shown)
@@ -87,7 +87,8 @@ class Slip(NamedTuple):
     unlikely: float = 0.0
 
 
-def _by_likelihood(reading: Reading) -> list[Slip]:
+def likely(reading: Reading) -> list[Slip]:
+    """The relations that are one slip of the pen away, the likeliest first; nothing is known of them."""
     tree, notation = reading.tree, reading.inference.notation
     counts = Counter(node for _, node in walk(tree) if isinstance(node, Name))
     first = {node for _, node in walk(tree.members[0])} if isinstance(tree, Chain) else set()

@@ -39,8 +39,9 @@ RELATIONS = {
     )},
 }  # fmt: skip
 LOGIC = {
-    r"\land": "AND", r"\wedge": "AND", r"\lor": "OR", r"\vee": "OR", r"\Rightarrow": "IMPLIES", r"\implies": "IMPLIES",
-    r"\Leftrightarrow": "IFF", r"\iff": "IFF", r"\exists": "EXISTS",
+    r"\land": "AND", r"\wedge": "AND", r"\lor": "OR", r"\vee": "OR", r"\exists": "EXISTS",
+    **dict.fromkeys((r"\implies", r"\Rightarrow", r"\Longrightarrow"), "IMPLIES"),
+    **dict.fromkeys((r"\iff", r"\Leftrightarrow", r"\Longleftrightarrow"), "IFF"),
 }  # fmt: skip
 TAKING = {r"\sqrt": ("SQRT", 1), **dict.fromkeys((r"\frac", r"\dfrac", r"\tfrac"), ("FRAC", 2))}  # TeX arguments
 TAKING |= dict.fromkeys((r"\binom", r"\dbinom", r"\tbinom"), ("BINOMIAL", 2))

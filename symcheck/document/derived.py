@@ -1,0 +1,180 @@
+"""Which relations of a document follow from earlier ones: from sets of equations in which no letter stands alone."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence, Set
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+from symcheck.document.checks import REFERRING, SMALLEST, Checks, Definition, Question
+from symcheck.document.points import Found, compared, slips
+from symcheck.document.roles import OF_KNOWN, Roles
+from symcheck.question import Status
+from symcheck.question.ask import answered
+from symcheck.question.limit import OutOfTime, limited
+
+MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
+MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
+MOST_STEPS = 2000  # of the search for sets
+COMPARED = 12  # of these sets, those that bind the letters of the equation
+ASKED = 8  # of these, those that are asked, where it holds
+EXPLAINED = 4  # of these, those for which slips of the pen are looked for, where it fails
+# words before a relation that do not make it a condition, if it may follow from others
+DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|find)\b", re.IGNORECASE)
+ATTEMPT = 0.8  # seconds for one set; nearly all proofs take a tenth
+FOLLOWING = 4.0  # for all sets of a relation
+SLIPS = 4.0  # seconds for the slips in one relation
+EXPLAINING = 12.0  # for all slips that may explain why a relation fails
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Which set proves a relation, and with which it holds, or fails, at points: those that bind its letters."""
+
+    proof: Question | None = None
+    holding: tuple[Question, ...] = ()
+    failing: tuple[Question, ...] = ()
+
+
+def outcome(questions: tuple[Question, ...]) -> Outcome:
+    """What becomes of these questions, about one relation and different sources, the smallest sets first."""
+    compared_ = [*_compared(questions)]
+    holding = tuple(question for question, points in compared_ if points and points.holds)
+    failing = tuple(question for question, points in compared_ if points and not points.holds)
+    asked = [question for question, points in compared_ if points is None or points.holds][:ASKED]
+    return Outcome(_proved(asked), holding, failing)
+
+
+def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found | None]]:
+    """The questions whose sources bind the letters of the relation, or may; of sets that hold none that is larger."""
+    holding, count = list[frozenset[str]](), 0
+    for question in questions:
+        where = frozenset(question.where)
+        if any(each <= where for each in holding):
+            continue
+        points = compared(question.relation, question.where, question.letters)
+        if points is None or points.bound:
+            yield question, points
+            count += 1
+        if points is not None and points.holds and points.bound:
+            holding.append(where)
+        if count == COMPARED:
+            return
+
+
+def _proved(questions: Sequence[Question]) -> Question | None:
+    """The first of these that is proved."""
+    with suppress(OutOfTime), limited(FOLLOWING):
+        return next((question for question in questions if _is_proved(question)), None)
+    return None
+
+
+def explained(questions: tuple[Question, ...]) -> Question | None:
+    """The first of these that holds after a slip of the pen, at points where its sources hold."""
+    with suppress(OutOfTime), limited(EXPLAINING):
+        return next(filter(_is_slip, questions[:EXPLAINED]), None)
+    return None
+
+
+def exchanged(question: Question, number: int) -> Question:
+    """The same, about the relation of one of its sources, which its own takes the place of."""
+    if number == question.number:
+        return question
+    m = question.sources.index(number)
+    where = (*question.where[:m], *question.where[m + 1 :], question.relation)
+    sources = (*question.sources[:m], *question.sources[m + 1 :], question.number)
+    return replace(question, number=number, relation=question.where[m], where=where, sources=sources)
+
+
+def _is_slip(question: Question) -> bool:
+    with suppress(OutOfTime), limited(SLIPS):
+        return any(slips(question.relation, question.where, question.letters))
+    return False
+
+
+def _is_proved(question: Question) -> bool:
+    with suppress(OutOfTime), limited(ATTEMPT):
+        said = dict(question.letters)
+        answer = answered(question.relation, question.where, (), said, wanted=False, all_sizes=False)
+        return answer.verdict is Status.PROVED
+    return False
+
+
+class Derived:
+    """The sets of earlier equations from which each equation of a document may follow."""
+
+    def __init__(self, checks: Checks, roles: Roles) -> None:
+        self.checks, self.roles = checks, roles
+        self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
+
+    def _usable(self, k: int) -> Iterator[Definition]:
+        """The equations of a formula that says something for good: more than the value of a letter in one case."""
+        seen, formula = self.checks.seen[k], self.checks.formulas[k]
+        for link in seen.links if seen.plain and not seen.reason else ():
+            if formula.display or max(link.sizes) >= SMALLEST:
+                yield Definition(k, link)
+
+    def questions(self, k: int) -> list[tuple[Question, ...]]:
+        """For each equation of a formula those that ask whether it follows, from one set after the other."""
+        pool = [each for m in range(k - 1, -1, -1) if self.is_said(m) for each in self.usable[m]]
+        found = []
+        for each in self.usable[k]:
+            sets = sorted(_closed(each, pool), key=lambda every: (len(every), sum(k - one.number for one in every)))
+            found.append(tuple(self._question(each, sources) for sources in sets))
+        return found
+
+    def _question(self, each: Definition, sources: Sequence[Definition]) -> Question:
+        said = self.checks.said(self.checks.seen[each.number], *(self.checks.seen[x.number] for x in sources))
+        where, numbers = tuple(x.link.latex for x in sources), tuple(x.number for x in sources)
+        return Question(each.number, each.link.latex, "derived", where, numbers, letters=said)
+
+    def is_said(self, k: int) -> bool:
+        """Is a formula printed as something that holds, or follows?"""
+        return self.checks.is_said(k, DERIVED)
+
+    def heads(self, k: int) -> Set[str]:
+        """The letters that a formula may define."""
+        return self.checks.seen[k].heads.keys()
+
+    def may_differ(self, question: Question) -> bool:
+        """May letters mean something else in a source, or does it say of a letter what a source says in another case?
+
+        That is so where a source stands in another section, and is not the only one that says what a letter is, or
+        says what the same letter is, alone or behind another heading.
+        """
+        k, formulas = question.number, self.checks.formulas
+        known = {each.number for each in self.roles.known(k).values()}
+        heads = {x for x, link in self.checks.seen[k].heads.items() if link.latex == question.relation}
+        return any(
+            (m not in known and not self.roles.is_same_part(m, k))
+            or ((formulas[m].part != formulas[k].part or len(question.sources) == 1) and heads & self.heads(m))
+            for m in question.sources
+        )
+
+
+def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Definition, ...]]:
+    """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated."""
+    found: list[tuple[Definition, ...]] = []
+    done = set[frozenset[Definition]]()
+
+    def grow(chosen: tuple[Definition, ...]) -> None:
+        if len(found) == MOST_SETS or len(done) > MOST_STEPS:
+            return
+        count = Counter(name for each in (relation, *chosen) for name in each.names)
+        alone = sorted(name for name, times in count.items() if times == 1)
+        if not alone:
+            found.extend([chosen] if chosen else [])
+            return
+        if len(chosen) == MOST_SOURCES:
+            return
+        choices = [[each for each in pool if name in each.names and each not in chosen] for name in alone]
+        for each in min(choices, key=len):
+            more = frozenset((*chosen, each))
+            if more not in done:
+                done.add(more)
+                grow((*chosen, each))
+
+    grow(())
+    return found

@@ -1,0 +1,195 @@
+"""What each relation of a document is taken for in an audit: its role, corrected by what follows from what."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence, Set
+from dataclasses import replace
+
+from symcheck.document.asked import Inquiry, Relied, is_proved, is_settled
+from symcheck.document.checks import SEARCH, SECONDS, Checks, Definition, Question, confirmed, decided
+from symcheck.document.derived import EXPLAINING, FOLLOWING, Derived, Outcome, exchanged, explained, outcome
+from symcheck.document.letters import Letter, shown
+from symcheck.document.look import Work, proved_of, undecided
+from symcheck.document.printed import Printed
+from symcheck.document.roles import Guess, Roles
+from symcheck.document.survey import Said, is_sayable
+from symcheck.question import Status
+from symcheck.question.ask import TOTAL
+
+NOTHING = Outcome()
+
+
+def guessed(checks: Checks, letters: Sequence[Letter], work: Work) -> tuple[list[Guess], list[tuple[int, ...]]]:
+    """The guess for each relation, and the relations that do not agree, of which nobody knows which is wrong."""
+    roles = Roles(checks)
+    guesses = [*_with_what_is_near(roles.guesses(), checks.formulas, letters, work)]
+    guesses = _with_steps(guesses, checks, letters, work)
+    return _with_derivations(guesses, Derived(checks, roles), letters, work)
+
+
+def _with_what_is_near(
+    guesses: Sequence[Guess], formulas: Sequence[Printed], letters: Sequence[Letter], work: Work
+) -> Iterator[Guess]:
+    """The same, but a claim that is settled by what stands in its own part of the document needs nothing else."""
+    said = _said(letters)
+    asked: dict[int, tuple[Inquiry, str]] = {}
+    for k, guess in enumerate(guesses):
+        if guess.far:
+            near = [m for m in guess.follows if m not in guess.far]
+            asked[k] = _inquired(guesses, k, near, formulas, said)
+    settled = work.all(_is_settled, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
+    for k, guess in enumerate(guesses):
+        near_ = tuple(m for m in guess.follows if m not in guess.far)
+        yield replace(guess, follows=near_) if k in asked and settled[asked[k]] else guess
+
+
+def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Letter], work: Work) -> list[Guess]:
+    """The same, but what follows from the line before it is a claim, and so is a line that does not where others do.
+
+    That is one between two of which the second follows from the first, or one behind two such: then it is the one that
+    is wrong, if a slip of the pen explains it.
+    """
+    lines = checks.derivations()
+    answers = work.all(decided, lines.questions, SECONDS, undecided)
+    answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
+    proved = proved_of(answers)
+    unlike = [step for step in lines.unlike(proved) if lines.is_certain(step, proved)]
+    wrong = [step for step in unlike if answers[step].verdict is Status.REFUTED]
+    sure = work.all(confirmed, wrong, SEARCH, undecided)
+    claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in lines.steps.items() if step in proved}
+    claimed |= {step.number: step.sources for step in wrong if sure[step].verdict is Status.REFUTED}
+    claimed |= {k: step.sources for k, step in lines.referred.items() if step in proved}
+    claimed |= {k + 1: (k - 1,) for k, step in lines.beyond.items() if step in proved and k + 1 not in claimed}
+    said = _said(letters)
+    asked = {k: _inquired(guesses, k, guesses[k].follows, checks.formulas, said) for k in claimed}
+    open_ = [asked[k] for k in claimed if guesses[k].role == "claim"]
+    settled = work.all(_is_settled, [*dict.fromkeys(open_)], TOTAL, lambda reason: False)
+    return [
+        replace(guess, role="claim", follows=claimed[k], far=frozenset())
+        if k in claimed and guess.role in ("premise", "claim") and not (guess.role == "claim" and settled[asked[k]])
+        else guess
+        for k, guess in enumerate(guesses)
+    ]
+
+
+def _with_derivations(
+    guesses: Sequence[Guess], sets: Derived, letters: Sequence[Letter], work: Work
+) -> tuple[list[Guess], list[tuple[int, ...]]]:
+    """The same, but what follows from earlier relations is a claim, and so is what a slip keeps from following.
+
+    Where a slip in either of several relations would explain it, these are told instead.
+    """
+    formulas, said = sets.checks.formulas, _said(letters)
+    asked = {
+        k: _inquired(guesses, k, each.follows, formulas, said) for k, each in enumerate(guesses) if not each.reason
+    }
+    claims = [task for k, task in asked.items() if _claims(guesses[k])]
+    holds = work.all(_is_proved, [*dict.fromkeys(claims)], TOTAL, lambda reason: False)
+    questions = {k: sets.questions(k) for k, task in asked.items() if not (_claims(guesses[k]) and holds[task])}
+    tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
+    outcomes = work.all(outcome, tasks, FOLLOWING, lambda reason: NOTHING)
+    own = {k: [outcomes.get(each, NOTHING) for each in every] for k, every in questions.items()}
+    found = [_derived(sets.usable[k], own[k]) or guess if k in own else guess for k, guess in enumerate(guesses)]
+    proofs = [each.proof for every in own.values() for each in every if each.proof]
+    for m in _assumed(sets, proofs, found):
+        if m in questions and found[m] is guesses[m]:
+            found[m] = Guess("premise")
+    new = [k for k in questions if _claims(found[k]) and found[k] is not guesses[k]]
+    asked = {k: _inquired(found, k, found[k].follows, formulas, said) for k in new}
+    holds = work.all(_is_proved, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
+    found = [guesses[k] if k in asked and not holds[asked[k]] else guess for k, guess in enumerate(found)]
+    every = [each for k in own for each in own[k]]
+    failing = [question for each in every for question in each.failing if not sets.may_differ(question)]
+    failing = [each for each in failing if formulas[each.number].display and sets.is_said(each.number)]
+    sure = {m for k, each in enumerate(found) if _claims(each) and k not in questions for m in (k, *each.follows)}
+    return _blamed(found, failing, [question for each in every for question in each.holding], sure, work)
+
+
+def _assumed(sets: Derived, proofs: Sequence[Question], guesses: Sequence[Guess]) -> Iterator[int]:
+    """The claims with relations from which others follow: these are assumed where they are not proved themselves.
+
+    A relation of the same letters on both sides says nothing new of them, and stays a claim.
+    """
+    derived = {proof.relation for proof in proofs}
+    for proof in proofs:
+        for m, text in zip(proof.sources, proof.where, strict=True):
+            link = next(each.link for each in sets.usable[m] if each.link.latex == text)
+            says = link.names[0] != link.names[1] and chr(ord("a") + link.place) not in guesses[m].imposed
+            if _claims(guesses[m]) and says and text not in derived:
+                yield m
+
+
+def _claims(guess: Guess) -> bool:
+    return guess.role == "claim"
+
+
+def _derived(usable: Sequence[Definition], outcomes: Sequence[Outcome]) -> Guess | None:
+    """A claim of what is proved, if all else of the formula says what letters are."""
+    proofs = [each.proof for each in outcomes if each.proof]
+    rest = [each.link for each, its in zip(usable, outcomes, strict=True) if not its.proof]
+    if not proofs or not all(link.head for link in rest):
+        return None
+    follows = tuple(sorted({m for proof in proofs for m in proof.sources}))
+    imposed = "".join(chr(ord("a") + link.place) for link in rest)
+    return Guess("claim", follows, imposed)
+
+
+def _blamed(
+    guesses: Sequence[Guess], failing: Sequence[Question], holding: Sequence[Question], sure: Set[int], work: Work
+) -> tuple[list[Guess], list[tuple[int, ...]]]:
+    """The guesses with claims of what one slip explains, and the relations of which one is wrong, nobody knows which.
+
+    Where relations fail together, the wrong one stands in most of them, and in none of those that hold together.
+    Relations that say the same are right together.
+    """
+    found, unlike = [*guesses], list[tuple[int, ...]]()
+    same = {k: k for k in range(len(guesses))}
+    for question in holding:
+        if len(question.sources) == 1:
+            first, second = sorted((same[question.number], same[question.sources[0]]))
+            same = {k: first if each == second else each for k, each in same.items()}
+    sure = {same[m] for m in sure}
+    sure |= {same[m] for q in holding if len(q.sources) > 1 for m in (q.number, *q.sources)}
+    left = {question: {question.number, *question.sources} for question in failing}
+    left = {question: {m for m in places if same[m] not in sure} for question, places in left.items()}
+    while left := {question: places for question, places in left.items() if places}:
+        votes = Counter(x for places in left.values() for x in {same[m] for m in places})
+        most = {x for x, count in votes.items() if count == max(votes.values())}
+        tasks = {
+            m: tuple(exchanged(question, m) for question, places in left.items() if m in places)
+            for m in dict.fromkeys(m for places in left.values() for m in places if same[m] in most)
+        }
+        slips = work.all(explained, [*tasks.values()], EXPLAINING, lambda reason: None)
+        wrong = {m: slip for m in tasks if (slip := slips[tasks[m]]) is not None}
+        if len({same[m] for m in wrong}) == 1:
+            for m, slip in wrong.items():
+                found[m] = Guess("claim", tuple(sorted({*slip.sources} - {m})))
+        elif wrong:
+            unlike.append(tuple(sorted(wrong)))
+        done = {same[m] for m in wrong}
+        left = {
+            question: {m for m in places if same[m] not in most}
+            for question, places in left.items()
+            if not done & {same[m] for m in places}
+        }
+    return found, unlike
+
+
+def _inquired(
+    guesses: Sequence[Guess], k: int, follows: Iterable[int], formulas: Sequence[Printed], said: Said
+) -> tuple[Inquiry, str]:
+    relied = tuple(Relied(formulas[m].latex, guesses[m].imposed) for m in follows)
+    return Inquiry(formulas[k].latex, relied, letters=said), guesses[k].imposed
+
+
+def _said(letters: Sequence[Letter]) -> Said:
+    return tuple((shown(each.letter), each.phrase) for each in letters if is_sayable(each.phrase))
+
+
+def _is_settled(task: tuple[Inquiry, str]) -> bool:
+    return is_settled(*task)
+
+
+def _is_proved(task: tuple[Inquiry, str]) -> bool:
+    return is_proved(*task)

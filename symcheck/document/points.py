@@ -1,0 +1,185 @@
+"""Points at which equations hold, found by Newton's method: what follows from them must hold there, too.
+
+Nothing is proved or refuted by these points: they tell which questions are worth asking.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from symcheck.core.verdicts import SymcheckError
+from symcheck.document.survey import Said
+from symcheck.question.antiderivatives import FAULTS
+from symcheck.question.prepare import Asked, plainly, readings
+from symcheck.question.repairs import likely
+from symcheck.reading import to_latex, to_sympy
+
+if TYPE_CHECKING:
+    from sympy import Symbol
+
+TRIED = 6  # points from which Newton's method begins, for letters of the same signs
+POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
+ENOUGH = 2  # of these, those at which something does not hold by accident
+STEPS = 40
+LONGEST = 0.5  # change of a logarithm in one step
+FAR = 8.0  # logarithm beyond which letters have run away to zero or infinity
+SMALL = 1e-9  # what is left of an equation that holds
+EQUAL = 1e-6  # relative difference of sides that are equal at such a point
+DIFFERENCE = 1e-6  # for derivatives
+RANK = 1e-5  # relative size of what is no more than noise
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class Equation(NamedTuple):
+    """The difference of both sides, its size, and the letters on which it depends, in their order."""
+
+    symbols: tuple[Symbol, ...]
+    value: Callable[..., Any]
+    size: Callable[..., Any]
+
+
+class Found(NamedTuple):
+    """Whether a relation holds where its sources do, and whether these bind its letters to each other."""
+
+    holds: bool
+    bound: bool
+
+
+def compared(relation: str, sources: tuple[str, ...], letters: Said) -> Found | None:
+    """How a relation compares with the equations from which it may follow; None where no points are found."""
+    try:
+        asked, given, points = _equations(relation, letters), _all(sources, letters), _points(sources, letters)
+    except (SymcheckError, *FAULTS):
+        return None
+    own = {symbol for equation in asked for symbol in equation.symbols}
+    if not points or not own <= points[0].keys():
+        return None
+    symbols = [*points[0]]
+    with np.errstate(all="ignore"):
+        jacobian = _jacobian(given, symbols, np.array([*points[0].values()]))
+        rest = [k for k, symbol in enumerate(symbols) if symbol not in own]
+        return Found(_hold(asked, points), _rank(jacobian) > _rank(jacobian[:, rest]))
+
+
+def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[str]:
+    """The relations one slip of the pen away that hold where the sources do, the likeliest first."""
+    try:
+        points = _points(sources, letters)
+        reading = readings(plainly(Asked(relation, sources, (), letters)))[0]
+    except (SymcheckError, *FAULTS):
+        return
+    for slip in likely(reading) if points else ():
+        with suppress(SymcheckError, *FAULTS), np.errstate(all="ignore"):
+            text = to_latex(slip.tree)
+            equations = _equations(text, letters)
+            own = {symbol for equation in equations for symbol in equation.symbols}
+            if own and own <= points[0].keys() and _hold(equations, points):
+                yield text
+
+
+def _all(sources: tuple[str, ...], letters: Said) -> list[Equation]:
+    return [equation for source in sources for equation in _equations(source, letters)]
+
+
+@lru_cache(1024)
+def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float], ...]:
+    """Points at which all equations hold, with letters of the same signs; none if the first is not found."""
+    equations = _all(sources, letters)
+    symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
+    numbers = np.random.default_rng(1)
+    found: list[dict[Symbol, float]] = []
+    with np.errstate(all="ignore"):
+        for signs in _signs(len(symbols)):
+            for _ in range(TRIED):
+                point = _solved(equations, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
+                if point is not None:
+                    found.append(dict(zip(symbols, map(float, point), strict=True)))
+                if len(found) == POINTS:
+                    return tuple(found)
+            if found:
+                break
+    return tuple(found)
+
+
+def _hold(equations: Sequence[Equation], points: Sequence[dict[Symbol, float]]) -> bool:
+    """Whether equations hold at several points."""
+    count = 0
+    for point in points:
+        symbols, values = [*point], np.array([*point.values()])
+        count += all(_is_zero(equation, symbols, values) for equation in equations)
+    return count >= min(ENOUGH, len(points))
+
+
+@lru_cache(4096)
+def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
+    from sympy import lambdify
+    from sympy.core.function import AppliedUndef
+
+    own = tuple((letter, phrase) for letter, phrase in letters if letter in text)
+    found = []
+    for problem in readings(plainly(Asked(text, letters=own)))[0].problems:
+        left, right = (to_sympy(side) for side in problem.claim.terms)
+        if problem.definitions or any(side.has(AppliedUndef) for side in (left, right)):
+            raise SymcheckError("an equation with functions is not solved by numbers")
+        symbols = tuple(sorted(left.free_symbols | right.free_symbols, key=str))
+        value, size = (lambdify(symbols, each, "numpy") for each in (left - right, abs(left) + abs(right)))
+        found.append(Equation(symbols, value, size))
+    return tuple(found)
+
+
+def _signs(count: int) -> Iterator[Array]:
+    yield np.ones(count)
+    yield from 1.0 - 2.0 * np.eye(count)
+
+
+def _at(function: Callable[..., Any], equation: Equation, symbols: Sequence[Symbol], point: Array) -> float:
+    value = complex(function(*(point[symbols.index(symbol)] for symbol in equation.symbols)))
+    return value.real if not value.imag else float("nan")
+
+
+def _values(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array) -> Array:
+    return np.array([_at(equation.value, equation, symbols, point) for equation in equations])
+
+
+def _jacobian(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array) -> Array:
+    """Derivatives by the logarithms of the letters, which keep their signs so."""
+    columns = []
+    for k in range(len(symbols)):
+        factor = np.ones(len(symbols))
+        factor[k] += DIFFERENCE
+        ahead, back = (_values(equations, symbols, each) for each in (point * factor, point / factor))
+        columns.append((ahead - back) / (2 * DIFFERENCE))
+    return np.array(columns).T.reshape(len(equations), len(symbols))
+
+
+def _solved(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array) -> Array | None:
+    """A point near another one, with letters of the same signs, at which all equations hold."""
+    for _ in range(STEPS):
+        values = _values(equations, symbols, point)
+        if not np.all(np.isfinite(values)) or np.max(np.abs(np.log(np.abs(point))), initial=0.0) > FAR:
+            return None
+        if np.max(np.abs(values), initial=0.0) < SMALL:
+            return point
+        jacobian = _jacobian(equations, symbols, point)
+        if not np.all(np.isfinite(jacobian)):
+            return None
+        step = np.linalg.lstsq(jacobian, -values, rcond=RANK)[0]
+        point = point * np.exp(step * min(1.0, LONGEST / max(float(np.max(np.abs(step))), LONGEST)))
+    return None
+
+
+def _is_zero(equation: Equation, symbols: Sequence[Symbol], point: Array) -> bool:
+    value, size = (_at(each, equation, symbols, point) for each in (equation.value, equation.size))
+    return abs(value) <= EQUAL * max(size, EQUAL)
+
+
+def _rank(jacobian: Array) -> int:
+    if not jacobian.size or not np.all(np.isfinite(jacobian)):
+        return 0
+    sizes = np.linalg.svd(jacobian, compute_uv=False)
+    return int(np.sum(sizes > RANK * max(float(sizes[0]), RANK)))
