@@ -39,7 +39,7 @@ def new(file: Path, out: Path, update: bool, jobs: int) -> None:
     """
     from symcheck.audit.library import executor
     from symcheck.document import scaffold
-    from symcheck.document.look import Work
+    from symcheck.document.work import Work
 
     with progress("reading") as move:
         work = Work(executor(jobs, ["symcheck.document.checks"]), move)

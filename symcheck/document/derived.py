@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from symcheck.document.checks import REFERRING, SMALLEST, Checks, Definition, Question
 from symcheck.document.points import Found, compared, slips
 from symcheck.document.roles import OF_KNOWN, Roles
+from symcheck.document.work import Work
 from symcheck.question import Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
@@ -36,6 +37,9 @@ class Outcome:
     proof: Question | None = None
     holding: tuple[Question, ...] = ()
     failing: tuple[Question, ...] = ()
+
+
+NOTHING = Outcome()
 
 
 def outcome(questions: tuple[Question, ...]) -> Outcome:
@@ -134,6 +138,14 @@ class Derived:
         """Is a formula printed as something that holds, or follows?"""
         return self.checks.is_said(k, DERIVED)
 
+    def is_telling(self, question: Question) -> bool:
+        """Is it something wrong if a relation fails?"""
+        return (
+            self.checks.formulas[question.number].display
+            and self.is_said(question.number)
+            and not self.may_differ(question)
+        )
+
     def heads(self, k: int) -> Set[str]:
         """The letters that a formula may define."""
         return self.checks.seen[k].heads.keys()
@@ -178,3 +190,51 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
 
     grow(())
     return found
+
+
+def blamed(
+    sets: Derived, outcomes: Sequence[Outcome], sure: Set[int], work: Work
+) -> tuple[dict[int, Question], list[tuple[int, ...]]]:
+    """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
+
+    Where relations fail together, the wrong one stands in most of them, and in none of those that hold together; a slip
+    of the pen explains it. Relations that say the same are right together.
+    """
+    wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
+    holding = [question for each in outcomes for question in each.holding]
+    same = _same(holding, len(sets.usable))
+    right = {same[m] for m in sure}
+    right |= {same[m] for each in holding if len(each.sources) > 1 for m in (each.number, *each.sources)}
+    failing = [question for each in outcomes for question in each.failing if sets.is_telling(question)]
+    left = {question: {question.number, *question.sources} for question in failing}
+    left = {question: {m for m in places if same[m] not in right} for question, places in left.items()}
+    while left := {question: places for question, places in left.items() if places}:
+        votes = Counter(x for places in left.values() for x in {same[m] for m in places})
+        most = {x for x, count in votes.items() if count == max(votes.values())}
+        tasks = {
+            m: tuple(exchanged(question, m) for question, places in left.items() if m in places)
+            for m in dict.fromkeys(m for places in left.values() for m in places if same[m] in most)
+        }
+        slips = work.all(explained, [*tasks.values()], EXPLAINING, lambda reason: None)
+        found = {m: slip for m, task in tasks.items() if (slip := slips[task]) is not None}
+        done = {same[m] for m in found}
+        if len(done) == 1:
+            wrong |= found
+        elif done:
+            unlike.append(tuple(sorted(found)))
+        left = {
+            question: {m for m in places if same[m] not in most}
+            for question, places in left.items()
+            if not done & {same[m] for m in places}
+        }
+    return wrong, unlike
+
+
+def _same(holding: Iterable[Question], count: int) -> dict[int, int]:
+    """For each formula the first one that says the same: of two, one holds where the other does."""
+    same = {k: k for k in range(count)}
+    for question in holding:
+        if len(question.sources) == 1:
+            first, second = sorted((same[question.number], same[question.sources[0]]))
+            same = {k: first if each == second else each for k, each in same.items()}
+    return same

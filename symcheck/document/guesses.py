@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from symcheck.document.asked import Inquiry, Relied, is_proved, is_settled
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Definition, Question, confirmed, decided
-from symcheck.document.derived import EXPLAINING, FOLLOWING, Derived, Outcome, exchanged, explained, outcome
+from symcheck.document.derived import FOLLOWING, NOTHING, Derived, Outcome, blamed, outcome
 from symcheck.document.letters import Letter, shown
-from symcheck.document.look import Work, proved_of, undecided
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess, Roles
 from symcheck.document.survey import Said, is_sayable
+from symcheck.document.work import Work, proved_of, undecided
 from symcheck.question import Status
 from symcheck.question.ask import TOTAL
-
-NOTHING = Outcome()
 
 
 def guessed(checks: Checks, letters: Sequence[Letter], work: Work) -> tuple[list[Guess], list[tuple[int, ...]]]:
@@ -99,11 +96,11 @@ def _with_derivations(
     asked = {k: _inquired(found, k, found[k].follows, formulas, said) for k in new}
     holds = work.all(_is_proved, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
     found = [guesses[k] if k in asked and not holds[asked[k]] else guess for k, guess in enumerate(found)]
-    every = [each for k in own for each in own[k]]
-    failing = [question for each in every for question in each.failing if not sets.may_differ(question)]
-    failing = [each for each in failing if formulas[each.number].display and sets.is_said(each.number)]
     sure = {m for k, each in enumerate(found) if _claims(each) and k not in questions for m in (k, *each.follows)}
-    return _blamed(found, failing, [question for each in every for question in each.holding], sure, work)
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], sure, work)
+    for m, question in wrong.items():
+        found[m] = Guess("claim", tuple(sorted({*question.sources} - {m})))
+    return found, unlike
 
 
 def _assumed(sets: Derived, proofs: Sequence[Question], guesses: Sequence[Guess]) -> Iterator[int]:
@@ -133,47 +130,6 @@ def _derived(usable: Sequence[Definition], outcomes: Sequence[Outcome]) -> Guess
     follows = tuple(sorted({m for proof in proofs for m in proof.sources}))
     imposed = "".join(chr(ord("a") + link.place) for link in rest)
     return Guess("claim", follows, imposed)
-
-
-def _blamed(
-    guesses: Sequence[Guess], failing: Sequence[Question], holding: Sequence[Question], sure: Set[int], work: Work
-) -> tuple[list[Guess], list[tuple[int, ...]]]:
-    """The guesses with claims of what one slip explains, and the relations of which one is wrong, nobody knows which.
-
-    Where relations fail together, the wrong one stands in most of them, and in none of those that hold together.
-    Relations that say the same are right together.
-    """
-    found, unlike = [*guesses], list[tuple[int, ...]]()
-    same = {k: k for k in range(len(guesses))}
-    for question in holding:
-        if len(question.sources) == 1:
-            first, second = sorted((same[question.number], same[question.sources[0]]))
-            same = {k: first if each == second else each for k, each in same.items()}
-    sure = {same[m] for m in sure}
-    sure |= {same[m] for q in holding if len(q.sources) > 1 for m in (q.number, *q.sources)}
-    left = {question: {question.number, *question.sources} for question in failing}
-    left = {question: {m for m in places if same[m] not in sure} for question, places in left.items()}
-    while left := {question: places for question, places in left.items() if places}:
-        votes = Counter(x for places in left.values() for x in {same[m] for m in places})
-        most = {x for x, count in votes.items() if count == max(votes.values())}
-        tasks = {
-            m: tuple(exchanged(question, m) for question, places in left.items() if m in places)
-            for m in dict.fromkeys(m for places in left.values() for m in places if same[m] in most)
-        }
-        slips = work.all(explained, [*tasks.values()], EXPLAINING, lambda reason: None)
-        wrong = {m: slip for m in tasks if (slip := slips[tasks[m]]) is not None}
-        if len({same[m] for m in wrong}) == 1:
-            for m, slip in wrong.items():
-                found[m] = Guess("claim", tuple(sorted({*slip.sources} - {m})))
-        elif wrong:
-            unlike.append(tuple(sorted(wrong)))
-        done = {same[m] for m in wrong}
-        left = {
-            question: {m for m in places if same[m] not in most}
-            for question, places in left.items()
-            if not done & {same[m] for m in places}
-        }
-    return found, unlike
 
 
 def _inquired(

@@ -4,27 +4,25 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import groupby
 from os import PathLike
 from pathlib import Path
-from typing import TypeVar
 
-from symcheck.audit.executor import Done, Executor, Timeout
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
+from symcheck.document.derived import FOLLOWING, NOTHING, Derived, blamed, outcome
 from symcheck.document.letters import Letter, elsewhere, letters
 from symcheck.document.printed import Printed
+from symcheck.document.roles import Roles
 from symcheck.document.sources import source
 from symcheck.document.structure import Mark, marks
 from symcheck.document.survey import READING, Seen, surveyed, surveyed_with
+from symcheck.document.work import Progress, Work, proved_of, undecided
 from symcheck.question import Answer, Status
 
-K = TypeVar("K")
-T = TypeVar("T")
-HARD = 3  # times a limit after which a worker that does not heed it is killed
 # what distinguishes two refusals of one kind: the place, and what is printed there
 _PLACE = re.compile(r",? at character \d+: .*$", re.DOTALL)
 _BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the decision tells the value of a difference
@@ -36,8 +34,8 @@ VALUELESS = (
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
+UNLIKE = "does not agree with other relations: an error in one of them, or a condition printed elsewhere?"
 STEP = "does not follow from what it is said to: an error in one of them, or a condition printed elsewhere?"
-Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
@@ -101,7 +99,7 @@ class Look:
     holds
         The places of relations that hold for all values of their letters.
     follows
-        The places of relations that follow from definitions before them.
+        The places of relations that follow from those before them.
     findings
         What to look at.
     notes
@@ -192,12 +190,15 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     holds = [formulas[k].place for k in sorted(holding)]
-    following = [
-        q
+    following = {
+        q.number
         for q in (*suspicious, *lines.questions, *lines.beyond.values())
         if q.where and q in proved and q.number not in holding
-    ]
-    follows = [formulas[k].place for k in sorted({q.number for q in following})]
+    }
+    told = {q.number for q in failing if sure[q].verdict is Status.REFUTED}
+    more, disagreeing = _derived(checks, holding | following | told, work)
+    found += disagreeing
+    follows = [formulas[k].place for k in sorted(following | more)]
     return Look(
         str(file),
         formulas,
@@ -211,6 +212,27 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
         printed.notes,
         time.perf_counter() - started,
     )
+
+
+def _derived(checks: Checks, done: Set[int], work: Work) -> tuple[set[int], list[tuple[int, Finding]]]:
+    """The other formulas that follow from earlier ones, and findings of those that do not agree."""
+    roles = Roles(checks)
+    roles.guesses()
+    sets = Derived(checks, roles)
+    questions = {k: sets.questions(k) for k in range(len(checks.formulas)) if k not in done}
+    asked = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
+    outcomes = work.all(outcome, asked, FOLLOWING, lambda reason: NOTHING)
+    own = {k: [outcomes.get(each, NOTHING) for each in every] for k, every in questions.items()}
+    follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], done, work)
+    answers = work.all(decided, [*wrong.values()], SECONDS, undecided)
+    refuted = {m: q for m, q in wrong.items() if m not in done and answers[q].verdict is Status.REFUTED}
+    found = [(m, _finding(checks.formulas, question, answers[question])) for m, question in refuted.items()]
+    for those in unlike:
+        others = tuple(f"{checks.formulas[m].place}: {checks.formulas[m].latex}" for m in those[:-1])
+        last = checks.formulas[those[-1]]
+        found.append((those[-1], Finding(last.place, last.latex, UNLIKE, definitions=others)))
+    return follows, found
 
 
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:
@@ -228,48 +250,11 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     return seen, letters(formulas, seen)
 
 
-@dataclass
-class Work:
-    """Tasks for workers, with one progress for all of them."""
-
-    executor: Executor
-    progress: Progress
-    done: int = 0
-    total: int = 0
-
-    def all(
-        self, function: Callable[[K], T], tasks: Sequence[K], seconds: float, lost: Callable[[str], T]
-    ) -> dict[K, T]:
-        """The answer to each task; what takes too long, or breaks, has the answer of `lost`."""
-        self.total += len(tasks)
-        found: dict[K, T] = {}
-        for task, answer in self.executor.map(function, tasks, HARD * seconds) if tasks else ():
-            if isinstance(answer, Done):
-                found[task] = answer.value
-            elif isinstance(answer, Timeout):
-                found[task] = lost(f"it took more than {HARD * seconds:g} s")
-            else:
-                found[task] = lost(f"an internal error: {answer.reason}")
-            self.done += 1
-            self.progress(self.done, self.total)
-        return found
-
-
-def proved_of(answers: Mapping[Question, Answer]) -> set[Question]:
-    """The questions whose answer is a proof."""
-    return {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
-
-
-def undecided(reason: str) -> Answer:
-    """The answer where a search did not end."""
-    return Answer(Status.UNDECIDED, reason=reason)
-
-
 def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) -> Finding:
     return Finding(
         formulas[question.number].place,
         question.relation,
-        {"chain": CHAIN, "step": STEP}.get(question.kind, FAILS),
+        {"chain": CHAIN, "step": STEP, "derived": UNLIKE}.get(question.kind, FAILS),
         answer.counterexample,
         tuple(map(_enclosed, answer.values)),
         tuple(f"{formulas[k].place}: {text}" for k, text in zip(question.sources, question.where, strict=True)),

@@ -20,11 +20,12 @@ from symcheck.document.checks import Checks
 from symcheck.document.guesses import guessed
 from symcheck.document.letters import Letter, shown
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
-from symcheck.document.look import Work, known
+from symcheck.document.look import known
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess
 from symcheck.document.sources import source
 from symcheck.document.survey import is_sayable
+from symcheck.document.work import Work
 from symcheck.papers import FILES, key_of
 from symcheck.question.doubts import functions_in_letters
 
@@ -133,14 +134,19 @@ def _spelled(formulas: Sequence[Printed]) -> list[str]:
 def _body(draft: Draft, names: Mapping[int, str]) -> Iterator[str]:
     """A line for each relation in printed order, but that of a condition before the claims that need it."""
     section, done = draft.formulas[0].scope[0] if draft.formulas else 0, set[int]()
+
+    def line(k: int) -> Iterator[str]:
+        if k not in done:
+            done.add(k)
+            for m in draft.guesses[k].follows:
+                yield from line(m)
+            yield draft.line(k, names)
+
     for k, formula in enumerate(draft.formulas):
         if formula.scope[0] != section:
             yield ""
         section = formula.scope[0]
-        for m in (*draft.guesses[k].follows, k):
-            if m not in done:
-                yield draft.line(m, names)
-        done |= {*draft.guesses[k].follows, k}
+        yield from line(k)
 
 
 def _letter(each: Letter) -> str:

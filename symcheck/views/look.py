@@ -45,7 +45,7 @@ def _lines(look: Look) -> Iterator[str]:
         yield from _wrapped(_places(refusal.places, MOST_PLACES), " " * 6, " " * 6)
     for title, places in (
         ("Hold for all values of their letters", look.holds),
-        ("Follow from definitions before them", look.follows),
+        ("Follow from relations before them", look.follows),
     ):
         if places:
             yield from ("", f"{title} ({len(places)})", *_wrapped(_places(places), "  ", "  "))

@@ -1,0 +1,53 @@
+"""What is asked of a document, spread over worker processes, with one progress for all of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+from symcheck.audit.executor import Done, Executor, Timeout
+from symcheck.document.checks import Question
+from symcheck.question import Answer, Status
+
+K = TypeVar("K")
+T = TypeVar("T")
+HARD = 3  # times a limit after which a worker that does not heed it is killed
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class Work:
+    """Tasks for workers, with one progress for all of them."""
+
+    executor: Executor
+    progress: Progress
+    done: int = 0
+    total: int = 0
+
+    def all(
+        self, function: Callable[[K], T], tasks: Sequence[K], seconds: float, lost: Callable[[str], T]
+    ) -> dict[K, T]:
+        """The answer to each task; what takes too long, or breaks, has the answer of `lost`."""
+        self.total += len(tasks)
+        found: dict[K, T] = {}
+        for task, answer in self.executor.map(function, tasks, HARD * seconds) if tasks else ():
+            if isinstance(answer, Done):
+                found[task] = answer.value
+            elif isinstance(answer, Timeout):
+                found[task] = lost(f"it took more than {HARD * seconds:g} s")
+            else:
+                found[task] = lost(f"an internal error: {answer.reason}")
+            self.done += 1
+            self.progress(self.done, self.total)
+        return found
+
+
+def proved_of(answers: Mapping[Question, Answer]) -> set[Question]:
+    """The questions whose answer is a proof."""
+    return {question for question, answer in answers.items() if answer.verdict is Status.PROVED}
+
+
+def undecided(reason: str) -> Answer:
+    """The answer where a search did not end."""
+    return Answer(Status.UNDECIDED, reason=reason)
