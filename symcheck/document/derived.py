@@ -19,13 +19,14 @@ from symcheck.question.limit import OutOfTime, limited
 MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
 MOST_STEPS = 2000  # of the search for sets
+ANEW = 2  # sections that say what a letter is, which means the same in all of them all the same
 COMPARED = 12  # of these sets, those that bind the letters of the equation
 ASKED = 8  # of these, those that are asked, where it holds
 EXPLAINED = 4  # of these, those for which slips of the pen are looked for, where it fails
 # words before a relation that do not make it a condition, if it may follow from others
 DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|find)\b", re.IGNORECASE)
 ATTEMPT = 0.8  # seconds for one set; nearly all proofs take a tenth
-FOLLOWING = 4.0  # for all sets of a relation
+FOLLOWING = 2.0  # for all sets of a relation
 SLIPS = 4.0  # seconds for the slips in one relation
 EXPLAINING = 12.0  # for all slips that may explain why a relation fails
 
@@ -111,6 +112,10 @@ class Derived:
 
     def __init__(self, checks: Checks, roles: Roles) -> None:
         self.checks, self.roles = checks, roles
+        self.anew: dict[str, set[int]] = {}  # by letter: the sections that say what it is
+        for k, seen in enumerate(checks.seen):
+            for letter in seen.heads:
+                self.anew.setdefault(letter, set()).add(checks.formulas[k].scope[0])
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
 
     def _usable(self, k: int) -> Iterator[Definition]:
@@ -122,12 +127,18 @@ class Derived:
 
     def questions(self, k: int) -> list[tuple[Question, ...]]:
         """For each equation of a formula those that ask whether it follows, from one set after the other."""
-        pool = [each for m in range(k - 1, -1, -1) if self.is_said(m) for each in self.usable[m]]
+        pool = [each for m in range(k - 1, -1, -1) if self.is_said(m) for each in self.usable[m] if self._serves(m, k)]
         found = []
         for each in self.usable[k]:
             sets = sorted(_closed(each, pool), key=lambda every: (len(every), sum(k - one.number for one in every)))
             found.append(tuple(self._question(each, sources) for sources in sets))
         return found
+
+    def _serves(self, m: int, k: int) -> bool:
+        """Do the letters of a formula mean the same elsewhere? Not if many sections say anew what one of them is."""
+        return self.roles.is_same_part(m, k) or all(
+            len(self.anew.get(x, ())) <= ANEW for x in self.checks.seen[m].names
+        )
 
     def _question(self, each: Definition, sources: Sequence[Definition]) -> Question:
         said = self.checks.said(self.checks.seen[each.number], *(self.checks.seen[x.number] for x in sources))

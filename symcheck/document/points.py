@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
 ENOUGH = 2  # of these, those at which something does not hold by accident
-STEPS = 40
+STEPS = 25
 LONGEST = 0.5  # change of a logarithm in one step
 FAR = 8.0  # logarithm beyond which letters have run away to zero or infinity
 SMALL = 1e-9  # what is left of an equation that holds
@@ -95,12 +95,14 @@ def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float
     found: list[dict[Symbol, float]] = []
     with np.errstate(all="ignore"):
         for signs in _signs(len(symbols)):
-            for _ in range(TRIED):
+            for tried in range(TRIED):
                 point = _solved(equations, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
                 if point is not None:
                     found.append(dict(zip(symbols, map(float, point), strict=True)))
                 if len(found) == POINTS:
                     return tuple(found)
+                if tried and not found:
+                    break
             if found:
                 break
     return tuple(found)
