@@ -161,6 +161,15 @@ REFUTED |= {
     r"\sqrt[3]{x^3} = -x": "",
     r"\cos n\pi = 1 \quad \forall n \in \mathbb{Z}": "",
 }
+VECTORS = (r"u \in \mathbb{R}^3", r"v \in \mathbb{R}^3")
+PROVED |= {  # I beside what is transposed is the identity
+    r"\det(I + u v^T) = 1 + v^T u": VECTORS,
+    r"(I - 2 v v^T)(I - 2 v v^T) = I": "v^T v = 1",
+}
+REFUTED |= {
+    r"\det(I + u v^T) = 1 - v^T u": VECTORS,
+    r"(I - v v^T)(I - v v^T) = I": (*VECTORS, "v^T v = 1"),
+}
 POSITIVE = (r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}", r"m \ne n")
 PROVED |= {
     r"\int_0^{2\pi} \sin(m x) \sin(n x) dx = 0": POSITIVE,
@@ -278,6 +287,19 @@ def test_what_says_what_a_new_letter_is_is_neither_true_nor_false(relation: str)
 )
 def test_what_may_be_summed_is_not_refuted(relation: str) -> None:
     assert decide(relation).verdict in ("undecided", "ambiguous")
+
+
+@pytest.mark.parametrize("harmonic", [r"H_k = \sum_{j=1}^k \frac{1}{j}", r"H_n = \sum_{j=1}^n \frac{1}{j}"])
+def test_a_member_of_a_family_that_is_summed_over_is_no_letter_of_its_own(harmonic: str) -> None:
+    answer = decide(r"\sum_{k=1}^n H_k = (n+1) H_n - n", harmonic, r"n \in \mathbb{Z}_{>0}")
+    assert answer.verdict in ("ambiguous", "undecided")
+
+
+def test_a_number_with_a_power_in_letters_behind_a_letter_is_not_part_of_its_name() -> None:
+    relation = r"\sum_{k=0}^n k \binom{n}{k} = n%s2^{n-1}"
+    assert decide(relation % "", given=NATURAL).verdict == "unreadable"
+    assert decide(relation % r" \cdot ", given=NATURAL).verdict in ("proved", "undecided")
+    assert decide("a2 a = 2 a + 1").verdict == "ambiguous"
 
 
 @pytest.mark.parametrize("relation", FALSE_OF_WHOLE_NUMBERS)
