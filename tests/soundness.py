@@ -340,6 +340,15 @@ class Forger:
             begun = ["+", ["+", "x", ["-", given["s"]]], 1]
             given["g"] = {"letter": "x", "term": ["*", step, ["^", begun, power]]}
             given["f"] = {"letter": "x", "term": [step, ["*", step, ["+", ["*", 2, begun], -1]]][power - 1]}
+        if name == "telescoping_product":
+            given["s"], given["t"] = self.rng.choice(((1, 3), (0, 2), (2, 2), (3, 2), (1, -1)))
+            factor, begun = self.number(), ["+", ["+", "x", ["-", given["s"]]], 2]
+            power = ["pow", 2, ["+", ["+", "x", ["-", given["s"]]], 1]]
+            whole, each = self.rng.choice(
+                ((begun, ["/", begun, ["+", begun, -1]]), (["gamma", begun], ["+", begun, -1]), (power, 2))
+            )
+            given["g"] = {"letter": "x", "term": whole}
+            given["f"] = {"letter": "x", "term": each if self.chance(0.8) else ["*", factor, each]}
         if name in ("decaying", "gaussian", "half_gaussian") and isinstance(given.get("g"), dict):
             self.decay(name, given)
         if name in ("gamma_integral", "tail_converges", "power_tail", "power_head"):

@@ -143,6 +143,8 @@ PROVED |= {  # sums of angles, by the sine of all but one
     r"\arcsin x = \arctan\frac{x}{\sqrt{1 - x^2}}": "-1 < x < 1",
 }
 REFUTED |= {
+    r"\sinh(x + y) = \sinh x \cosh y - \cosh x \sinh y": "",
+    r"\cos(2 a + b) x = 3 x": "b > 0",
     r"\arctan x + \arctan\frac{1}{x} = \frac{\pi}{2}": "x < 0",
     r"\arcsin x - \arccos x = \frac{\pi}{2}": "",
     r"\arctan x = \arccos\frac{1}{\sqrt{1 + x^2}}": "",  # x < 0
@@ -169,6 +171,25 @@ PROVED |= {  # I beside what is transposed is the identity
 REFUTED |= {
     r"\det(I + u v^T) = 1 - v^T u": VECTORS,
     r"(I - v v^T)(I - v v^T) = I": (*VECTORS, "v^T v = 1"),
+}
+FROM_ONE = r"n \in \mathbb{Z}_{>0}"
+PROVED |= {  # sums and products to a letter, by the step from each number to the next
+    r"\sum_{k=1}^n k \cdot k! = (n + 1)! - 1": FROM_ONE,
+    r"\sum_{k=1}^n \left(\frac{1}{k} - \frac{1}{k + 1}\right) = 1 - \frac{1}{n + 1}": FROM_ONE,
+    r"\sum_{k=1}^n \frac{a + k}{k} = a \sum_{k=1}^n \frac{1}{k} + n": FROM_ONE,
+    r"\sum_{k=0}^n \cos kx = \frac{1}{2} + \frac{\sin((n + \frac{1}{2}) x)}{2 \sin\frac{x}{2}}": FROM_ONE,
+    r"\sum_{k=1}^n (-1)^k k^2 = (-1)^n \frac{n (n + 1)}{2}": FROM_ONE,
+    r"\prod_{k=1}^n k = n!": FROM_ONE,
+    r"\prod_{k=1}^n \frac{k + 1}{k} = n + 1": FROM_ONE,
+    r"\prod_{k=1}^n 2^k = 2^{n (n + 1)/2}": FROM_ONE,
+}
+REFUTED |= {
+    r"\sum_{k=1}^n k \cdot k! = (n + 1)!": FROM_ONE,
+    r"\sum_{k=1}^n \frac{a + k}{k} = a \sum_{k=1}^n \frac{1}{k} + n^2": FROM_ONE,
+    r"\sum_{k=0}^n \cos kx = 1 + \frac{\sin((n + \frac{1}{2}) x)}{2 \sin\frac{x}{2}}": FROM_ONE,
+    r"\sum_{k=1}^n (-1)^k k^2 = (-1)^n \frac{n (n - 1)}{2}": FROM_ONE,
+    r"\prod_{k=1}^n k = (n + 1)!": FROM_ONE,
+    r"\prod_{k=1}^n 2^k = 2^{n (n - 1)/2}": FROM_ONE,
 }
 POSITIVE = (r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}", r"m \ne n")
 PROVED |= {
@@ -215,7 +236,7 @@ AMBIGUOUS = (
     r"\sin^{-1} x = \frac{1}{\sin x}", r"\tan^{-1} x = \arctan x", r"\log x = \ln x",
     "e = 2.718", r"\pi = 3.14", r"0.333 = \frac{1}{3}", r"1\,\text{km} = 1000\,\text{m}",
     r"F_{ij} F_{ij} = 3", r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", r"dx^2 = 2x\,dx", r"\sin 90 = 1",
-    r"q(x + 1)^2 = q(x^2 + 2x + 1)",
+    r"q(x + 1)^2 = q(x^2 + 2x + 1)", r"\cos(n + 1) x = \cos n x \cos x - \sin n x \sin x",
 )  # fmt: skip
 REFUSED = (
     "1/2x = x/2", "a/bc = d", "a/b c = ac/b", "a/b/c = d", r"1/2\pi = \frac{1}{2\pi}", r"2/3 x = \frac{2x}{3}",

@@ -49,6 +49,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
         ),
         "an improper integral is not stated in Coq",
     ),
+    "telescoping_product": "a product up to a real number is not stated in Coq",
     **dict.fromkeys(("telescope", "sum_of_sums"), "a sum up to a real number is not stated in Coq"),
     "gamma": "Euler's gamma function is not in Coq's libraries",
     "gamma_values": "Euler's gamma function is not in Coq's libraries",

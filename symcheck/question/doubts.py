@@ -28,13 +28,16 @@ from symcheck.reading.tree import (
     Chain,
     Div,
     Limiting,
+    Mul,
     Name,
     Norm,
     Number,
     Pow,
     Root,
     Sqrt,
+    children,
     walk,
+    with_children,
 )
 
 GREEK = frozenset({r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"})  # indices, above too: hardly exponents
@@ -73,7 +76,7 @@ _WORD = re.compile(r"(?<![A-Za-z\\])[a-z]{4,}(?![A-Za-z])")  # small letters wit
 _LETTER = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\{[^{}]*\}|\w))?")  # a letter with its subscript
 # a function before several letters without brackets: "\sin xy"
 _BARE = re.compile(
-    r"(\\(?:sin|cos|tan|cot|ln|log|lg|exp|sinh|cosh|tanh|arctan|arcsin|arccos))\s*"
+    r"(\\(?:sin|cos|tan|cot|ln|log|lg|exp|sinh|cosh|tanh|arctan|arcsin|arccos))(?![A-Za-z])\s*"
     r"((?:(?:\\(?!sin|cos|tan|cot|ln|log|exp|left|right|math|bold|frac|sqrt|cdot|times|text|quad)[A-Za-z]+|[A-Za-z])"
     r"(?:_(?:\{[^{}]*\}|\w))?\s*){2,})"
 )
@@ -276,6 +279,25 @@ def _members(tree: Tree, spelled: Iterable[str]) -> Iterator[str]:
         stem, below, subscript = latex.partition("_")
         if below and stem in families and re.search(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", subscript):
             yield latex
+
+
+def with_longer_arguments(tree: Tree) -> Tree:
+    r"""The same with letters behind a function of a sum in its argument: of (2k + 1) x in `\cos(2k + 1) x`."""
+    new = with_children(tree, tuple(map(with_longer_arguments, children(tree))))
+    if not isinstance(new, Mul):
+        return new
+    factors = list[Tree]()
+    for factor in new.factors:
+        match factors[-1:]:
+            case [Call(function, (Add() as angle,))] if function in ANGULAR and isinstance(factor, Name):
+                factors[-1] = Call(function, (Mul((angle, factor)),))
+            case [Call(function, (Mul((Add(), *_) as inside),))] if function in ANGULAR and isinstance(factor, Name):
+                factors[-1] = Call(function, (Mul((*inside, factor)),))
+            case _:
+                factors.append(factor)
+    if len(factors) == len(new.factors):
+        return new
+    return Mul(tuple(factors)) if len(factors) > 1 else factors[0]
 
 
 def _order_of_polynomials(reading: Reading) -> str:

@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from symcheck.core.calculus import domain, functions, letters, substituted
+from symcheck.core.calculus import domain, functions, letters, nodes, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Call, Formula, Node, T, Term, mapped, node
+from symcheck.core.terms import Binder, Call, End, Formula, Node, T, Term, mapped, node
 from symcheck.proof.algebra.knowledge import larger_first
 from symcheck.question.jets import calls_in
 from symcheck.question.prepare import DEFINED, Asked, members
@@ -119,6 +119,49 @@ def induction(problems: Sequence[Problem], whole: Iterable[str], conditions: Ite
     if any(place_of(call, n) is None for f in stated for call in calls_in(f)):
         return None
     return _Sequences.of(problems, n, given)
+
+
+UNIT = {"sum": 0, "product": 1}  # what those without addends or factors are
+JOINED = {"sum": "+", "product": "*"}
+
+
+def with_sums(problem: Problem, whole: Iterable[str]) -> Problem | None:
+    """The same with sequences for sums and products up to a whole letter, of which a recurrence says what they are.
+
+    None if there are none: the addends must not depend on that letter.
+    """
+    found = dict[Binder, tuple[str, str]]()
+
+    def put(tree: T) -> T:
+        if isinstance(tree, Binder) and tree.tag in UNIT and (n := _last(tree)) in known:
+            name, _ = found.setdefault(tree, (f"{tree.tag}_{len(found) + 1}", n))
+            return node("call", name, (0,), tree.outside[1])  # type: ignore[return-value]
+        return mapped(tree, put) if isinstance(tree, Node) and not tree.bound else tree  # type: ignore[return-value]
+
+    known = {*whole}
+    claim = put(problem.claim)
+    if not found or any(map(functions, (problem.claim, *found))):
+        return None
+    hypotheses = list(problem.hypotheses)
+    for total, (name, n) in found.items():
+        ahead, now = (node("call", name, (0,), at) for at in (node("+", n, 1), n))
+        step = node(JOINED[total.tag], now, substituted(total.body, {total.letter: node("+", n, 1)}))
+        low = total.outside[0]
+        assert isinstance(low, int)
+        empty = node("call", name, (0,), low - 1)
+        hypotheses.append((name, (node("=", ahead, step), node("=", empty, UNIT[total.tag]))))
+    return replace(problem, claim=claim, hypotheses=tuple(hypotheses))
+
+
+def _last(total: Binder) -> str:
+    """The letter up to which a sum from a number on runs, perhaps a few places from it; "" if its addends have it."""
+    low, high = total.outside
+    inner = [part for part in nodes(total.body) if part.bound]
+    if not isinstance(low, int) or isinstance(high, End) or len(letters(high)) != 1 or inner:
+        return ""
+    (n,) = letters(high)
+    place = place_of(node("call", total.tag, (0,), high), n)
+    return n if place is not None and place.moving and n not in letters(total.body) else ""
 
 
 def _of(n: str, formula: Formula, whole: set[str]) -> Formula:

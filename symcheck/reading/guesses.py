@@ -316,7 +316,7 @@ def _sized_identity(latex: str, every: Mapping[str, Evidence]) -> re.Match[str] 
 
 
 def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
-    """The number of rows of matrices that are printed, said, capital and bold or beside what is transposed; 0 if unsaid."""
+    """The number of rows of matrices that are printed, said, capital and bold or beside transposes; 0 if unsaid."""
     found = None
     for each in every.values():
         if each.spelling in _IDENTITIES:
