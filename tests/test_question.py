@@ -121,6 +121,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\int_0^\infty \frac{1}{1 + x^2} dx = \pi": "",
 }
 WHERE = {  # earlier equations
+    r"\nabla \cdot \mathbf{B} = 0": r"\mathbf{B} = \nabla \times \mathbf{A}",
     r"\frac{d}{dt}(\dot x^2 + x^2) = 0": r"\ddot x + x = 0",
     r"\frac{d}{dt}(\dot x^2 - x^2) = 0": r"\ddot x + x = 0",
     r"f'(x) = 2 x": "f(x) = x^2",
@@ -172,6 +173,35 @@ REFUTED |= {
     r"\det(I + u v^T) = 1 - v^T u": VECTORS,
     r"(I - v v^T)(I - v v^T) = I": (*VECTORS, "v^T v = 1"),
 }
+PROVED |= {  # smooth fields and the position in space
+    r"\nabla \cdot (\nabla \times \mathbf{A}) = 0": "",
+    r"\nabla \times (\nabla f) = 0": "",
+    r"\nabla \cdot (f \mathbf{A}) = f \nabla \cdot \mathbf{A} + \mathbf{A} \cdot \nabla f": "",
+    r"\nabla \times (\nabla \times \mathbf{A}) = \nabla (\nabla \cdot \mathbf{A}) - \nabla^2 \mathbf{A}": "",
+    r"(\mathbf{v} \cdot \nabla) \mathbf{v} = \nabla \frac{v^2}{2} - \mathbf{v} \times (\nabla \times \mathbf{v})": "",
+    r"\nabla^2 (f g) = f \nabla^2 g + 2 \nabla f \cdot \nabla g + g \nabla^2 f": "",
+    r"\nabla (e^f) = e^f \nabla f": "",
+    r"\nabla \frac{1}{r} = -\frac{\mathbf{r}}{r^3}": "",
+    r"\nabla^2 \frac{1}{r} = 0": "",
+    r"\nabla f(r) = f'(r) \frac{\mathbf{r}}{r}": "",
+    r"\nabla \cdot \mathbf{B} = 0": "",
+}
+REFUTED |= {
+    r"\nabla \cdot (f \mathbf{A}) = f \nabla \cdot \mathbf{A} - \mathbf{A} \cdot \nabla f": "",
+    r"\nabla \times (\nabla \times \mathbf{A}) = \nabla (\nabla \cdot \mathbf{A}) + \nabla^2 \mathbf{A}": "",
+    r"(\mathbf{v} \cdot \nabla) \mathbf{v} = \nabla (v^2) - \mathbf{v} \times (\nabla \times \mathbf{v})": "",
+    r"\nabla^2 (f g) = f \nabla^2 g + \nabla f \cdot \nabla g + g \nabla^2 f": "",
+    r"\nabla \frac{1}{r} = -\frac{\mathbf{r}}{r^2}": "",
+    r"\nabla^2 \frac{1}{r} = \frac{2}{r^3}": "",
+    r"\nabla f(r) = f'(r) \mathbf{r}": "",
+    r"\nabla (\mathbf{a} \cdot \mathbf{r}) = 2 \mathbf{a}": "",
+}
+LAWS = (  # of fields, which hold of some and not of others, or in the plane alone
+    r"\nabla \cdot \mathbf{E} = 0", r"\nabla^2 f = -k^2 f", r"\nabla^2 f = f", r"\mathbf{F} = -\nabla U",
+    r"\nabla \times \mathbf{B} = \mu \mathbf{J}", r"\nabla f \cdot \nabla g = 0", r"\nabla e^f = e^f \nabla f",
+    r"\nabla \cdot (\rho \mathbf{v}) = \rho \nabla \cdot \mathbf{v}", r"\nabla \cdot \mathbf{r} = 2",
+    r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}",
+)  # fmt: skip
 FROM_ONE = r"n \in \mathbb{Z}_{>0}"
 PROVED |= {  # sums and products to a letter, by the step from each number to the next
     r"\sum_{k=1}^n k \cdot k! = (n + 1)! - 1": FROM_ONE,
@@ -254,7 +284,8 @@ REFUSED = (
 )  # fmt: skip
 WITHOUT_VALUE = (  # read whole, but of what is printed something has no value that is known
     r"\mathbf{a}\mathbf{b} = \mathbf{b}\mathbf{a}", "(a, b) = 0", r"a \mod b = 0", r"x \approx y",
-    r"\nabla \cdot (\nabla \times \mathbf{A}) = 0", r"\langle x + y \rangle = \langle x \rangle", r"\min_x x^2 + 1",
+    r"\nabla \times \mathbf{E} = -\frac{\partial \mathbf{B}}{\partial t}",
+    r"\langle x + y \rangle = \langle x \rangle", r"\min_x x^2 + 1",
     r"u = 0 \text{ on $\Gamma$}", r"x = y \text{ unless $y > 0$}", r"\overline{x^2} = 0",
 )  # fmt: skip
 EXACTLY = {  # by the conventions of print, with certainty
@@ -308,6 +339,18 @@ def test_what_says_what_a_new_letter_is_is_neither_true_nor_false(relation: str)
 )
 def test_what_may_be_summed_is_not_refuted(relation: str) -> None:
     assert decide(relation).verdict in ("undecided", "ambiguous")
+
+
+@pytest.mark.parametrize("relation", LAWS)
+def test_a_law_of_fields_is_no_identity(relation: str) -> None:
+    assert decide(relation).verdict in ("undecided", "ambiguous")
+
+
+def test_what_is_said_to_be_constant_is_no_field() -> None:
+    relation = r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}"
+    assert decide(relation, letters={r"\mathbf{a}": "constant"}).verdict in ("proved", "undecided")
+    assert decide(r"\nabla (k f) = k \nabla f", letters={"k": "constant"}).verdict == "proved"
+    assert decide(r"\nabla (k f) = k \nabla f").verdict == "ambiguous"
 
 
 @pytest.mark.parametrize("harmonic", [r"H_k = \sum_{j=1}^k \frac{1}{j}", r"H_n = \sum_{j=1}^n \frac{1}{j}"])

@@ -38,6 +38,7 @@ from symcheck.question.doubts import (
     with_longer_arguments,
 )
 from symcheck.question.equations import EQUATION, relates
+from symcheck.question.fields import in_fields
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import OfAnySize, covers, of_any_size
 from symcheck.question.prepare import (
@@ -149,6 +150,8 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
+        if (of_fields := in_fields(asked, _decided_one)) is not None:
+            return replace(of_fields, seconds=time.perf_counter() - started)
         if all_sizes and (general := _of_any_size(asked)):
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)

@@ -160,7 +160,7 @@ def _last(total: Binder) -> str:
     if not isinstance(low, int) or isinstance(high, End) or len(letters(high)) != 1 or inner:
         return ""
     (n,) = letters(high)
-    place = place_of(node("call", total.tag, (0,), high), n)
+    place = _place(high, n)
     return n if place is not None and place.moving and n not in letters(total.body) else ""
 
 
@@ -172,17 +172,20 @@ def _of(n: str, formula: Formula, whole: set[str]) -> Formula:
 
 def place_of(call: Call, n: str) -> Place | None:
     """The place of a sequence, if it is one."""
-    match call.orders, call.terms:
-        case (0,), (str(x),) if x == n:
+    return _place(call.terms[0], n) if call.orders == (0,) else None
+
+
+def _place(at: Term, n: str) -> Place | None:
+    """The place that a term says: a number, the letter, or that many more."""
+    match at:
+        case str(x) if x == n:
             return Place(True, 0)
-        case (0,), (int(k),):
+        case int(k):
             return Place(False, k)
-        case (0,), (Node() as t,):
-            match t.outside:
-                case (str(x), int(k)) | (int(k), str(x)) if t.tag == "+" and x == n:
-                    return Place(True, k)
-                case (str(x), Node(tag="-", outside=(int(k),))) if t.tag == "+" and x == n:
-                    return Place(True, -k)
+        case Node(tag="+", outside=(str(x), int(k)) | (int(k), str(x))) if x == n:
+            return Place(True, k)
+        case Node(tag="+", outside=(str(x), Node(tag="-", outside=(int(k),)))) if x == n:
+            return Place(True, -k)
     return None
 
 
