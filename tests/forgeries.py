@@ -1906,6 +1906,50 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "a Gaussian wave of another frequency": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["*", ["exp", ["-", sq("x")]], COS], low=NOO, high=OO), ["*", ["exp", -1], ["sqrt", PI]]],
+            theorem(
+                "gaussian_wave",
+                {
+                    "f": of("x", ["*", ["exp", ["-", sq("x")]], COS]),
+                    "g": of("x", 0),
+                    **{"a": 1, "b": 0, "c": 1, "u": 2, "v": 0},
+                },
+                [above(1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "a Gaussian wave that grows": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["*", ["exp", sq("x")], COS], low=NOO, high=OO), 0],
+            theorem(
+                "gaussian_wave",
+                {
+                    "f": of("x", ["*", ["exp", sq("x")], COS]),
+                    "g": of("x", 0),
+                    **{"a": -1, "b": 0, "c": 1, "u": 1, "v": 0},
+                },
+                [above(-1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "an integral that is shifted by something else": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral("x", low=NOO, high=OO), integral(["+", "x", 1], low=NOO, high=OO)],
+            theorem(
+                "shifted",
+                {"f": of("x", "x"), "g": of("x", ["+", "x", 1]), "a": 1},
+                [every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
     "a Gaussian beside what outweighs it": Forgery(
         "is no polynomial",
         proved(

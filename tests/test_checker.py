@@ -438,6 +438,33 @@ THEOREMS: dict[str, JSON] = {
             by(here()),
         ),
     ),
+    "gaussian_wave": proved(
+        [
+            "=",
+            integral(["*", BELL, ["cos", "x"]], "x", NOO, OO),
+            ["*", ["exp", ["/", -1, 4]], ["sqrt", PI]],
+        ],
+        theorem(
+            "gaussian_wave",
+            {"f": of("x", ["*", BELL, ["cos", "x"]]), "g": of("x", 0), "a": 1, "b": 0, "c": 1, "u": 1, "v": 0},
+            [above(1), every(["y"], ID)],
+            by(here()),
+        ),
+    ),
+    "shifted": proved(
+        ["=", integral(["exp", ["-", sq(["+", "x", 1])]], "x", NOO, OO), integral(BELL, "x", NOO, OO)],
+        theorem(
+            "gaussian",
+            {"f": of("x", BELL), "g": of("x", 0), "a": 1, "b": 0, "c": 1},
+            [above(1), every(["y"], ID)],
+            theorem(
+                "shifted",
+                {"f": of("x", ["exp", ["-", sq(["+", "x", 1])]]), "g": of("x", BELL), "a": 1},
+                [every(["y"], ID)],
+                by(here(2)),
+            ),
+        ),
+    ),
     "half_gaussian": proved(
         ["=", integral(["*", 2, BELL], "x", 0, OO), ["sqrt", PI]],
         theorem(
@@ -671,7 +698,9 @@ WITHOUT_A_POINT = {
     *(
         "decaying",
         "gaussian",
+        "gaussian_wave",
         "half_gaussian",
+        "shifted",
         "gamma_integral",
         "tail_converges",
         "head_converges",

@@ -71,6 +71,7 @@ beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- dive
 beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} <= 0; {SHAPE} |- diverges(f(x), {HALF}) == 1
 decaying(f, g, a, s): a > 0; forall(x, implies(x > s, f(x) == diff(exp(-(a * x)) * g(x), x))) |- integral(f(x), x, s, oo) == -(exp(-(a * s)) * g(s)) and diverges(f(x), x, s, oo) == 0
 gaussian(f, g, a, b, c): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g(x), x) + c * exp(b * x - a * x**2)) |- integral(f(x), {LINE}) == c * exp(b**2/(4 * a)) * sqrt(pi/a) and diverges(f(x), {LINE}) == 0
+gaussian_wave(f, g, a, b, c, u, v): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g(x), x) + c * exp(b * x - a * x**2) * cos(u * x + v)) |- integral(f(x), {LINE}) == c * exp((b**2 - u**2)/(4 * a)) * cos(b * u/(2 * a) + v) * sqrt(pi/a) and diverges(f(x), {LINE}) == 0
 half_gaussian(f, g, a, c): a > 0; forall(x, implies(x > 0, f(x) == diff(exp(-(a * x**2)) * g(x), x) + c * exp(-(a * x**2)))) |- integral(f(x), {HALF}) == c/2 * sqrt(pi/a) - g(0) and diverges(f(x), {HALF}) == 0
 gamma_integral(f, c, u, a): a > 0; u > -1; forall(x, implies(x > 0, f(x) == c * pow(x, u) * exp(-(a * x)))) |- integral(f(x), {HALF}) == c * gamma(u + 1) * pow(a, -(u + 1)) and diverges(f(x), {HALF}) == 0
 power_tail(f, c, u, s): s > 0; u < -1; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u))) |- integral(f(x), x, s, oo) == -(c * pow(s, u + 1)/(u + 1)) and diverges(f(x), x, s, oo) == 0
@@ -79,6 +80,7 @@ power_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) =
 head_converges(f, g, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == pow(x, u) * g(x))) |- diverges(f(x), x, 0, s) == 0
 sum_of_integrals(f, g, h, s): diverges(g(x), x, s, oo) == 0; diverges(h(x), x, s, oo) == 0; forall(x, implies(x > s, f(x) == g(x) + h(x))) |- integral(f(x), x, s, oo) == integral(g(x), x, s, oo) + integral(h(x), x, s, oo) and diverges(f(x), x, s, oo) == 0
 reflected(f, g, s): forall(x, implies(x < s, f(x) == g(-x))) |- integral(f(x), x, -oo, s) == integral(g(x), x, -s, oo) and diverges(f(x), x, -oo, s) == diverges(g(x), x, -s, oo)
+shifted(f, g, a): forall(x, f(x) == g(x + a)) |- integral(f(x), {LINE}) == integral(g(x), {LINE}) and diverges(f(x), {LINE}) == diverges(g(x), {LINE})
 halves(f, s): diverges(f(x), x, -oo, s) == 0; diverges(f(x), x, s, oo) == 0 |- integral(f(x), {LINE}) == integral(f(x), x, -oo, s) + integral(f(x), x, s, oo) and diverges(f(x), {LINE}) == 0
 sum_of_sums(f, g, h, a, b, s, t): forall(x, implies(x >= s, f(x) == a * g(x) + b * h(x))) |- sum(f(x), x, s, t) == a * sum(g(x), x, s, t) + b * sum(h(x), x, s, t)
 scaled(f, g, a, c, s): c > 0; forall(x, implies(x > s, f(x) == a * g(c * x))) |- c * integral(f(x), x, s, oo) == a * integral(g(x), x, c * s, oo)
@@ -91,14 +93,14 @@ SINES = ("0", "1/2", "sqrt(2)/2", "sqrt(3)/2", "1")  # of these angles; of the l
 KNOWN = {"arctan": ("0", "1/sqrt(3)", "1", "sqrt(3)"), "arcsin": SINES, "arccos": SINES[::-1]}
 SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
-    "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "half_gaussian": ("g",),
+    "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "gaussian_wave": ("g",), "half_gaussian": ("g",),
 }  # fmt: skip
 CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integral between any two numbers
-WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
+WAVES = ("decaying", "gaussian", "gaussian_wave", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by premises, or beside them, integrands and addends are defined between the ends: no divisor is zero there
-    "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd",
-    "scaled", "telescope", "telescoping_product", "sum_of_sums", "constant", "full_turn",
+    "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "gaussian_wave", "half_gaussian",
+    "gamma_integral", "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected",
+    "even", "odd", "shifted", "scaled", "telescope", "telescoping_product", "sum_of_sums", "constant", "full_turn",
 )  # fmt: skip
 
 

@@ -33,6 +33,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
         (
             "decaying",
             "gaussian",
+            "gaussian_wave",
             "half_gaussian",
             "gamma_integral",
             "power_tail",
@@ -43,6 +44,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
             "scaled",
             "pieces",
             "reflected",
+            "shifted",
             "halves",
             "even",
             "odd",
