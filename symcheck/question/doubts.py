@@ -262,7 +262,8 @@ def doubt_of_proofs(reading: Reading) -> str:
             if reading.source[2][part.letter][1]:
                 continue  # a function of one letter
             return f"the prime of {part.letter}: a derivative, by which letter? or another letter? say what it is"
-    if (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
+    begun = any(re.search(r"\b[EP]\[\d", text) for text in asked.where)  # a sequence with its first values
+    if not begun and (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
     if relies_on_order(reading.tree, said | {*reading.source[2]}):
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())

@@ -24,6 +24,8 @@ _SUBSCRIPT = re.compile(
     r"(?P<letter>\\[a-z]+\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<group>[^{}]*)\}|(?P<token>[A-Za-z0-9]))"
     r"|\\[A-Za-z]+|."
 )
+# one letter in brackets
+_ARGUMENT = re.compile(r"\s*(?:\\left\s*)?\(\s*(\\?[A-Za-z]+)\s*(?:\\right\s*)?\)")
 FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fails at the first or second
 MOST = 8  # numbers by which places differ: of longer recurrences people print systems
 _PLACE = re.compile(r"[A-Za-z](?:[+-]\d+)?|\d+")  # a subscript that moves along with a letter, or stands
@@ -76,7 +78,7 @@ def with_sequences(asked: Asked) -> Asked | None:
     The letter is a whole number then, and no index of a sum. None where no letter has such subscripts, and none but
     these and numbers.
     """
-    texts = (asked.relation, *asked.where, *asked.given)
+    texts = tuple(_without_arguments((asked.relation, *asked.where, *asked.given)))
     below: dict[str, set[str]] = {}
     for match in (match for text in texts for match in _SUBSCRIPT.finditer(text) if match["letter"]):
         below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
@@ -90,12 +92,30 @@ def with_sequences(asked: Asked) -> Asked | None:
         return f"{match['letter']}[{match['group'] or match['token']}]" if match["letter"] in named else match[0]
 
     relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
+    texts = (asked.relation, *asked.where, *asked.given)
     if rest == [*texts[1:]]:
         return None  # of these sequences nothing is said: their values are letters like others
     where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
     said = {**members(given, dict(asked.letters))[1], **dict(asked.letters)}
     more = tuple((n, "integer") for n in whole if not said.get(n))
     return Asked(relation, where, given, (*asked.letters, *more))
+
+
+def _without_arguments(texts: Sequence[str]) -> Iterator[str]:
+    """The same without a letter in brackets that stands behind all members of a sequence: P_n for P_n(x)."""
+    places: dict[str, set[str]] = {}
+    for text in texts:
+        for found in _SUBSCRIPT.finditer(text):
+            if found["letter"]:
+                argument = _ARGUMENT.match(text, found.end())
+                places.setdefault(found["letter"], set()).add(argument[1] if argument else "")
+    applied = {x for x, several in places.items() if len(several) == 1 and several != {""}}
+    for text in texts:
+        ends = [found.end() for found in _SUBSCRIPT.finditer(text) if found["letter"] in applied]
+        for end in reversed(ends):
+            argument = _ARGUMENT.match(text, end)
+            text = text[:end] + " " + text[argument.end() :] if argument else text
+        yield text
 
 
 def induction(problems: Sequence[Problem], whole: Iterable[str], conditions: Iterable[str] = ()) -> Induction | None:
@@ -189,6 +209,16 @@ def _place(at: Term, n: str) -> Place | None:
     return None
 
 
+def _solved(left: Term, right: Term) -> tuple[Term, Term]:
+    """An equation of a multiple of one value of a sequence, solved for that value."""
+    factors = left.outside if isinstance(left, Node) and left.tag == "*" else ()
+    calls = [k for k, factor in enumerate(factors) if isinstance(factor, Call)]
+    rest = [factor for factor in factors if not functions(factor)]
+    if len(calls) != 1 or len(rest) != len(factors) - 1:
+        return left, right
+    return factors[calls[0]], node("/", right, node("*", *rest) if len(rest) > 1 else rest[0])
+
+
 @dataclass(frozen=True)
 class _Rule:
     """An equation that says a value of a sequence by earlier ones of the same or of others, or by its number alone."""
@@ -208,6 +238,7 @@ class _Sequences:
         self.rules: dict[str, _Rule] = {}
         self.plain: list[tuple[str, Formula]] = []
         self.bounds: list[int] = []
+        self.divisors: list[int] = []  # by how much they are ahead of the lowest place
 
     @classmethod
     def of(cls, problems: Sequence[Problem], n: str, given: Iterable[tuple[str, Formula]]) -> Induction | None:
@@ -220,6 +251,8 @@ class _Sequences:
         below = min([0, *shifts])
         lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
         first = max([lowest - below, *found.bounds])
+        if any(lowest + ahead <= 0 for ahead in found.divisors):
+            return None  # below the line is 0 where a rule is used
         if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
             return None  # a value is said twice
         if first > max(found.bounds, default=first) or any(not k.moving and k.number < lowest for k in places):
@@ -247,7 +280,7 @@ class _Sequences:
             return self._condition(name, formula)
         if formula.tag != "=":
             return False
-        for left, right in (formula.terms, formula.terms[::-1]):
+        for left, right in (_solved(*pair) for pair in (formula.terms, formula.terms[::-1])):
             if not isinstance(left, Call):
                 continue
             place = place_of(left, self.n)
@@ -257,14 +290,22 @@ class _Sequences:
             others = self._places(right)
             before = all(k.moving and k.number < place.number + (f != left.function) for f, k in others)
             if place.moving and before:
-                smooth = not others or not any(
-                    functions(f) or self.n in letters(f) for f in domain(right, divisors=True)
-                )
-                rule = _Rule(
-                    left.function, place.number, right, min((k.number for _, k in others), default=place.number)
-                )
-                return smooth and self.rules.setdefault(left.function, rule) == rule
+                low = min((k.number for _, k in others), default=place.number)
+                rule = _Rule(left.function, place.number, right, low)
+                return self._is_smooth(rule) and self.rules.setdefault(left.function, rule) == rule
         return False
+
+    def _is_smooth(self, rule: _Rule) -> bool:
+        """Whether a rule has a value wherever it is used: below the line, it has the letter and more at most."""
+        if rule.low == rule.top:
+            return True
+        for condition in domain(rule.body, divisors=True):
+            if functions(condition) or self.n in letters(condition):
+                place = _place(condition.outside[0], self.n) if condition.tag == "!=" else None
+                if place is None or not place.moving:
+                    return False
+                self.divisors.append(place.number - rule.low)
+        return True
 
     def _condition(self, name: str, formula: Formula) -> bool:
         """A condition without sequences: of the letter it says from where on it runs."""
