@@ -202,6 +202,24 @@ LAWS = (  # of fields, which hold of some and not of others, or in the plane alo
     r"\nabla \cdot (\rho \mathbf{v}) = \rho \nabla \cdot \mathbf{v}", r"\nabla \cdot \mathbf{r} = 2",
     r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}",
 )  # fmt: skip
+PROVED |= {  # integrals of complex functions, of Gaussian waves and of shifted quadratics
+    r"\int_{-\infty}^\infty e^{-a x^2} e^{-i \omega x}\,dx = \sqrt{\frac{\pi}{a}} e^{-\omega^2/(4 a)}": "a > 0",
+    r"\int_{-\infty}^\infty e^{-a |t|} e^{-i \omega t}\,dt = \frac{2 a}{a^2 + \omega^2}": "a > 0",
+    r"\int_0^\infty e^{-s t} e^{i \omega t}\,dt = \frac{1}{s - i \omega}": "s > 0",
+    r"\int_{-\infty}^\infty e^{-(x - 1)^2} \cos x\,dx = \sqrt{\pi} e^{-1/4} \cos 1": "",
+    r"\int_{-\infty}^\infty \frac{1}{\pi} \frac{\gamma}{(x - x_0)^2 + \gamma^2}\,dx = 1": r"\gamma > 0",
+    r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{2}": "",
+    r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{12}": "",
+    r"\int_0^\infty e^{-s t} e^{a t}\,dt = \frac{1}{s - a}": ("s > a", "a > 0"),
+}
+REFUTED |= {
+    r"\int_{-\infty}^\infty e^{-a x^2} e^{-i \omega x}\,dx = \sqrt{\frac{\pi}{a}} e^{-\omega^2/a}": "a > 0",
+    r"\int_{-\infty}^\infty e^{-a |t|} e^{-i \omega t}\,dt = \frac{a}{a^2 + \omega^2}": "a > 0",
+    r"\int_0^\infty e^{-s t} e^{i \omega t}\,dt = \frac{1}{s + i \omega}": "s > 0",
+    r"\int_{-\infty}^\infty e^{-(x - 1)^2} \cos x\,dx = \sqrt{\pi} e^{-1/4}": "",
+    r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{4}": "",
+    r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{6}": "",
+}
 FROM_ONE = r"n \in \mathbb{Z}_{>0}"
 PROVED |= {  # sums and products to a letter, by the step from each number to the next
     r"\sum_{k=1}^n k \cdot k! = (n + 1)! - 1": FROM_ONE,

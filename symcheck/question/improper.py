@@ -42,6 +42,8 @@ def improper(body: Term, x: str, low: Term, high: Term) -> Hints:
 def _hints(body: Term, x: str, low: Term, high: Term) -> Hints:
     """The same where nothing is to be hidden from SymPy."""
     f = ((x,), body)
+    if high == INFINITY and low in (0, MINUS_INFINITY) and (roots := _numbers(body, x)):
+        return roots
     if low == 0 and high != INFINITY:
         return [_head(body, x, high)]
     if low == MINUS_INFINITY and high == INFINITY:
@@ -213,6 +215,27 @@ def _gaussian(body: Term, x: str) -> Hints:
     return [Applied("gaussian", terms, (((x,), body), ((x,), from_sympy(g)))), _root(-q.nth(2))]
 
 
+def _numbers(body: Term, x: str) -> Hints:
+    """What the powers of numbers that are squares are, in an integral of a power of x by one of p x^2 + q."""
+    import sympy
+
+    expr, symbol = _symbols(body, x)
+    above, below = sympy.fraction(sympy.factor(expr))
+    bases = [each.as_base_exp() for each in sympy.Mul.make_args(below) if each.has(symbol)]
+    if len(bases) != 1 or not bases[0][0].is_polynomial(symbol) or not above.is_polynomial(symbol):
+        return []
+    ((base, r),) = bases
+    q = sympy.Poly(base, symbol)
+    if q.degree() != 2 or q.nth(1) != 0 or not all(c.is_Rational and c.is_positive for c in (q.nth(0), q.nth(2))):
+        return []
+    half = sympy.Rational(sympy.degree(above, symbol) + 1, 2)
+    powers = [(q.nth(2), -half), (q.nth(0), half - r)]
+    roots = [(sympy.sqrt(number), u) for number, u in powers if number != 1]
+    return [
+        Applied("power_of_power", (from_sympy(root), 2, from_sympy(u)), ()) for root, u in roots if root.is_Rational
+    ]
+
+
 def _one_wave(rest: Expr, x: Symbol) -> tuple[Expr, Expr, Expr] | None:
     """(c, u, v) with c cos(u x + v), if it is that."""
     import sympy
@@ -239,7 +262,7 @@ def _shifted(body: Term, x: str) -> Hints:
         return []
     (a,) = middles
     centred = from_sympy(sympy.factor(expr.subs(symbol, symbol - a)))
-    return [Applied("shifted", (from_sympy(a),), (((x,), body), ((x,), centred)))]
+    return [Applied("shifted", (from_sympy(a),), (((x,), body), ((x,), centred))), *_numbers(centred, x)]
 
 
 def _root(a: Expr) -> Applied[Term]:

@@ -203,7 +203,7 @@ def _square_root(term: Term) -> Term | None:
         return None
     unit, factors = value.num.factor()
     number = fraction(unit)
-    if number <= 0:
+    if number <= 0 or not (factors or value.num == 1):
         return None
     outside, primes = square_free(number)
     if primes or any(exponent % 2 for _, exponent in factors):
