@@ -220,6 +220,28 @@ REFUTED |= {
     r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{4}": "",
     r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{6}": "",
 }
+PROVED |= {  # parts of half a turn
+    r"\cos\frac{\pi}{8} = \frac{\sqrt{2 + \sqrt{2}}}{2}": "",
+    r"\sin 15^\circ = \frac{\sqrt{6} - \sqrt{2}}{4}": "",
+    r"\tan\frac{\pi}{8} = \sqrt{2} - 1": "",
+    r"\cos\frac{\pi}{5} \cos\frac{2 \pi}{5} = \frac{1}{4}": "",
+}
+REFUTED |= {
+    r"\cos\frac{\pi}{8} = \frac{\sqrt{2 - \sqrt{2}}}{2}": "",
+    r"\sin 15^\circ = \frac{\sqrt{6} + \sqrt{2}}{4}": "",
+    r"\tan\frac{\pi}{8} = \sqrt{2} + 1": "",
+    r"\cos\frac{\pi}{5} \cos\frac{2 \pi}{5} = \frac{1}{5}": "",
+}
+PROVED |= {  # powers of one base, and as exponentials
+    r"2^x = e^{x \ln 2}": "x > 0",
+    r"\sqrt[3]{x} \sqrt[6]{x} = \sqrt{x}": "x > 0",
+    r"x^{2/3} x^{1/4} = x^{11/12}": "x > 0",
+}
+REFUTED |= {
+    r"2^x = e^{2 \ln x}": "x > 0",
+    r"\sqrt[3]{x} \sqrt[6]{x} = x": "x > 0",
+    r"x^{2/3} x^{1/4} = x^{5/6}": "x > 0",
+}
 FROM_ONE = r"n \in \mathbb{Z}_{>0}"
 PROVED |= {  # sums and products to a letter, by the step from each number to the next
     r"\sum_{k=1}^n k \cdot k! = (n + 1)! - 1": FROM_ONE,

@@ -41,6 +41,7 @@ from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import OfAnySize, covers, of_any_size
+from symcheck.question.parts_of_turns import with_parts_of_turns
 from symcheck.question.prepare import (
     DEFINED,
     VARIABLES,
@@ -570,6 +571,9 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
                 verdict, made, used = _decided_as_stated(solved)
                 equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
                 return (verdict, made, (*used, *equations)) if made is not None else found
+    if found[1] is None and (turned := with_parts_of_turns(problem)) is not None:
+        by_parts = _decided_as_stated(turned)
+        return by_parts if by_parts[0] is Verdict.PROVED else found
     if found[1] is None and found[2][0].startswith(REFUSED) and (plain := with_plain_divisors(problem)) != problem:
         return _decided_as_stated(plain)
     return found
