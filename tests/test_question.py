@@ -209,6 +209,8 @@ PROVED |= {  # integrals of complex functions, of Gaussian waves and of shifted 
     r"\int_{-\infty}^\infty e^{-(x - 1)^2} \cos x\,dx = \sqrt{\pi} e^{-1/4} \cos 1": "",
     r"\int_{-\infty}^\infty \frac{1}{\pi} \frac{\gamma}{(x - x_0)^2 + \gamma^2}\,dx = 1": r"\gamma > 0",
     r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{2}": "",
+    r"\int_{-\infty}^\infty \frac{x^4}{\sqrt{2 \pi}} e^{-x^2/2}\,dx = 3": "",
+    r"\int_{-\infty}^\infty \frac{1}{2 b} e^{-|x - \mu|/b}\,dx = 1": "b > 0",
     r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{12}": "",
     r"\int_0^\infty e^{-s t} e^{a t}\,dt = \frac{1}{s - a}": ("s > a", "a > 0"),
 }

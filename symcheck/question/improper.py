@@ -220,9 +220,11 @@ def _numbers(body: Term, x: str) -> Hints:
     import sympy
 
     expr, symbol = _symbols(body, x)
+    if not expr.is_rational_function(symbol):
+        return []
     above, below = sympy.fraction(sympy.factor(expr))
     bases = [each.as_base_exp() for each in sympy.Mul.make_args(below) if each.has(symbol)]
-    if len(bases) != 1 or not bases[0][0].is_polynomial(symbol) or not above.is_polynomial(symbol):
+    if len(bases) != 1:
         return []
     ((base, r),) = bases
     q = sympy.Poly(base, symbol)
@@ -253,9 +255,9 @@ def _shifted(body: Term, x: str) -> Hints:
     import sympy
 
     expr, symbol = _symbols(body, x)
-    above, below = sympy.fraction(sympy.together(expr))
-    if not above.is_polynomial(symbol):
+    if not expr.is_rational_function(symbol):
         return []
+    above, below = sympy.fraction(sympy.together(expr))
     quadratic = [sympy.Poly(base, symbol) for base, _ in sympy.factor_list(below, symbol)[1]]
     middles = {sympy.cancel(q.nth(1) / (2 * q.nth(2))) for q in quadratic if q.degree() == 2}
     if len(middles) != 1 or 0 in middles:

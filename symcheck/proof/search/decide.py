@@ -180,6 +180,8 @@ def _conditions(
         elif (form := _positive(divisor, texts[1:], known)) is not None:
             given |= known.sign(form)[1]
             positive += [form, form.terms[0]] if len(texts) > 1 and isinstance(form, Node) else [form]
+        elif texts in statement:
+            nonzero.append(texts)
         else:
             return None
     return nonzero, positive, given
