@@ -257,7 +257,7 @@ def _shifted(body: Term, x: str) -> Hints:
     expr, symbol = _symbols(body, x)
     if not expr.is_rational_function(symbol):
         return []
-    above, below = sympy.fraction(sympy.together(expr))
+    _, below = sympy.fraction(sympy.together(expr))
     quadratic = [sympy.Poly(base, symbol) for base, _ in sympy.factor_list(below, symbol)[1]]
     middles = {sympy.cancel(q.nth(1) / (2 * q.nth(2))) for q in quadratic if q.degree() == 2}
     if len(middles) != 1 or 0 in middles:
