@@ -183,6 +183,7 @@ PROVED |= {  # smooth fields and the position in space
     r"\nabla (e^f) = e^f \nabla f": "",
     r"\nabla \frac{1}{r} = -\frac{\mathbf{r}}{r^3}": "",
     r"\nabla^2 \frac{1}{r} = 0": "",
+    r"\nabla \cdot (r^n \mathbf{r}) = (n + 3) r^n": "",
     r"\nabla f(r) = f'(r) \frac{\mathbf{r}}{r}": "",
     r"\nabla \cdot \mathbf{B} = 0": "",
 }
@@ -200,7 +201,8 @@ LAWS = (  # of fields, which hold of some and not of others, or in the plane alo
     r"\nabla \cdot \mathbf{E} = 0", r"\nabla^2 f = -k^2 f", r"\nabla^2 f = f", r"\mathbf{F} = -\nabla U",
     r"\nabla \times \mathbf{B} = \mu \mathbf{J}", r"\nabla f \cdot \nabla g = 0", r"\nabla e^f = e^f \nabla f",
     r"\nabla \cdot (\rho \mathbf{v}) = \rho \nabla \cdot \mathbf{v}", r"\nabla \cdot \mathbf{r} = 2",
-    r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}",
+    r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}", r"\nabla f g = f \nabla g + g \nabla f",
+    r"\nabla \cdot (f \mathbf{B}) = \mathbf{B} \cdot \nabla f",
 )  # fmt: skip
 PROVED |= {  # integrals of complex functions, of Gaussian waves and of shifted quadratics
     r"\int_{-\infty}^\infty e^{-a x^2} e^{-i \omega x}\,dx = \sqrt{\frac{\pi}{a}} e^{-\omega^2/(4 a)}": "a > 0",

@@ -175,6 +175,8 @@ def doubt(reading: Reading) -> str:
     if units and not {*said, *reading.source[2]} & {each.latex for each in units}:
         return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
     spelled = {g.letter.latex for g in reading.inference.guesses}
+    if slopes := sorted(x for x in spelled - said if x.startswith(r"\nabla")):
+        return f"what does {slopes[0]} belong to? write brackets around all that is differentiated"
     typed = ((x, found[1]) for x in spelled - said if (found := _TYPED.fullmatch(x)))
     if alone := next((x[6:-1] for x, stem in typed if stem in spelled), ""):
         return f"is {alone} a letter, or {alone[0]} times {alone[1:]}? write {alone[0]}_{{{alone[1:]}}}, or a \\cdot"

@@ -61,6 +61,8 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
         return replace(base, verdict=Status.AMBIGUOUS, reason=f"it holds where {shown} is constant; say what it is")
     if verdict is Status.REFUTED and stated.about_position and _holds_in_plane(stated, decide):
         return replace(base, verdict=Status.AMBIGUOUS, reason="it holds in the plane: of how many dimensions is r?")
+    if verdict is Status.REFUTED and _verdict(stated.without_sources(), decide)[0] is Status.PROVED:
+        return replace(base, verdict=Status.AMBIGUOUS, reason="it holds where divergences are zero: is that meant?")
     calculated = stated.about_position and perhaps == stated.fields and {*answers} <= {Status.REFUTED}
     if verdict is Status.REFUTED and (stated.hypotheses or not (calculated or stated.is_even())):
         return replace(base, reason=LAW)
@@ -138,6 +140,9 @@ def _under_operators(reading: Reading) -> frozenset[str]:
     for name in [x for x in said if x in found]:
         found |= {each.letter for each in nodes(said[name]) if isinstance(each, Name)}
     bare = {x.removeprefix(NABLA).replace(" ", "") for x in found} - {"", POSITION, *COORDINATES}
+    exponents = (part.exponent for part in nodes(reading.tree) if isinstance(part, Pow))
+    raised = {each.letter for exponent in exponents for each in nodes(exponent) if isinstance(each, Name)}
+    bare -= raised - _alone(reading.tree)  # an exponent is a number, unless it is differentiated itself
     bare -= {name.removeprefix(NABLA).replace(" ", "") for name in _applied(reading.tree)}
     return frozenset(x for x in bare if _bold(x) != POSITION)
 
@@ -199,6 +204,13 @@ class _Stated:
         valued = tuple(dict.fromkeys(each for each in domain(*trees, divisors=True) if not functions(each)))
         hypotheses = (*self.hypotheses, (DEFINED, valued)) if valued else self.hypotheses
         return [Problem(f"question{n or ''}", claim, (), hypotheses) for n, claim in enumerate(self.claims)]
+
+    def without_sources(self) -> list[Problem]:
+        """The same where vector fields have no divergence, which need not be said of a flow or a magnetic field."""
+        lowering = _Fields(self.reading, self.fields, COORDINATES)
+        vectors = [Name(x) for x in sorted(self.fields) if _bold(x)]
+        zero = tuple(node("=", lowering.scalar(Call("div", (vector,)), {}), 0) for vector in vectors)
+        return [replace(each, hypotheses=(*each.hypotheses, ("no sources", zero))) for each in self.problems()]
 
     def taken(self) -> dict[str, str]:
         """What each letter was taken for."""
@@ -347,6 +359,9 @@ class _Fields(Lowering):
                 rate = each_part(lambda t: dot(along, [_slope(t, x) for x in self.coordinates]), value)  # noqa: B023
                 before = self.scalar(_joined(tree.factors[:k]), env) if k else 1
                 return each_part(lambda t: times(before, t), rate)  # noqa: B023
+        for k, factor in enumerate(tree.factors[:-1], 1):
+            if isinstance(factor, Name) and factor.letter.startswith(NABLA) and k not in tree.dotted:
+                raise NoForm("does an operator belong to all that follows?")
         if any(_along(pair[0]) for pair in pairwise(tree.factors)) or any(x == Name(NABLA) for x in tree.factors):
             raise NoForm("an operator before nothing")
         return super().of_mul(tree, env)
