@@ -77,6 +77,7 @@ FALSE_AT_A_NUMBER = (
     ("f(3) = 4 h", ("f(k+1) = f(k) + h", "f(0) = 0"), (r"k \in \mathbb{N}",)),
 )
 OPEN = {
+    "functions at several letters": (r"a_n(x) = x^n", ("a_{n+1}(x) = x a_n(x)", "a_0(y) = 1"), (*NATURAL, "x > 0")),
     "a power of what may be negative": ("x[n] = a^n c", GEOMETRIC, NATURAL),
     "a value that is said twice": ("x[n] = 3", ("x[n+1] = x[n]", "x[0] = 3", "x[5] = 4"), NATURAL),
     "sequences that say each other": ("a_{n+1} = 1", ("b_n = a_n", "a_n = b_n", "a_0 = 1"), NATURAL),

@@ -88,6 +88,12 @@ def with_sequences(asked: Asked) -> Asked | None:
     if not named or any(re.search(rf"_\{{?{n}=", text) for n in whole for text in texts):
         return None
 
+    applied = (
+        _ARGUMENT.match(text, m.end()) for text in texts for m in _SUBSCRIPT.finditer(text) if m["letter"] in named
+    )
+    if any(applied):
+        return None  # functions of several places, or factors
+
     def bracketed(match: re.Match[str]) -> str:
         return f"{match['letter']}[{match['group'] or match['token']}]" if match["letter"] in named else match[0]
 
