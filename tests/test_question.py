@@ -144,7 +144,7 @@ PROVED |= {  # sums of angles, by the sine of all but one
     r"\arcsin x = \arctan\frac{x}{\sqrt{1 - x^2}}": "-1 < x < 1",
 }
 REFUTED |= {
-    r"\sinh(x + y) = \sinh x \cosh y - \cosh x \sinh y": "",
+    r"\sinh(x + y) = \sinh x \cosh y - \cosh x \sinh y": "y > 0",
     r"\cos(2 a + b) x = 3 x": "b > 0",
     r"\arctan x + \arctan\frac{1}{x} = \frac{\pi}{2}": "x < 0",
     r"\arcsin x - \arccos x = \frac{\pi}{2}": "",

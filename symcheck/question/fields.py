@@ -36,8 +36,9 @@ PLANE = ("x", "y")
 NABLA, POSITION = r"\nabla", "r"
 OPERATORS = {"grad": 1, "div": 1, "curl": 1, "rot": 1, "laplacian": 2}  # and how often they differentiate
 FEW = 3  # letters of which each may be constant, or not
+# an operator on fields
 _PRINTED = re.compile(r"\\nabla|\\operatorname\{(?:grad|div|curl|rot)\}")
-_HAT = re.compile(r"\\(?:hat|widehat)\{")
+_HAT = re.compile(r"\\(?:hat|widehat)\{")  # the accent of unit vectors
 FIELD, CONSTANT, PLACE = "a smooth field in x, y, z", "constant", "the position (x, y, z)"
 
 
