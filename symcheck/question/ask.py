@@ -151,7 +151,9 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
-        if (of_fields := in_fields(asked, _decided_one)) is not None:
+        with limited(TOTAL):
+            of_fields = in_fields(asked, _decided_one)
+        if of_fields is not None:
             return replace(of_fields, seconds=time.perf_counter() - started)
         if all_sizes and (general := _of_any_size(asked)):
             used = tuple(spelled.get(text, text) for text in general.used)

@@ -50,7 +50,7 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
         reading = _read(asked)
         constant = {x for x, phrase in asked.letters if phrase in ("constant", "scalar")}
         stated = _Stated.of(reading, _under_operators(reading) - constant)
-        verdict, made = _verdict(stated.problems(), decide)
+        verdict, made, names = _verdict(stated.problems(), decide)
         perhaps = stated.fields - _alone(reading.tree)  # of what stands alone under an operator it is certain
         others = [_Stated.of(reading, each) for each in _fewer(stated.fields, perhaps) if verdict is not Status.PROVED]
         answers = [_verdict(each.problems(), decide)[0] for each in others]
@@ -72,7 +72,9 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
     point = made[0].get("point", {}) if verdict is Status.REFUTED else {}
     at = {x: term(t) for x, t in point.get("values", {}).items()}
     values = tuple(map(term, point.get("shown", ())))
-    return replace(base, verdict=verdict, certificate=made, counterexample=at, values=values, used=stated.used)
+    hypotheses = {text for text, _ in stated.hypotheses}  # what is no hypothesis is a definition, written out
+    used = tuple(text for text in (*asked.where, *asked.given) if text in names or text not in hypotheses)
+    return replace(base, verdict=verdict, certificate=made, counterexample=at, values=values, used=used)
 
 
 def _holds_in_plane(stated: _Stated, decide: Decide) -> bool:
@@ -158,18 +160,19 @@ def _along(tree: Tree) -> bool:
     return isinstance(tree, Mul) and tree.factors[-1] == Name(NABLA) and len(tree.factors) > 1
 
 
-def _verdict(problems: list[Problem], decide: Decide) -> tuple[Status, tuple[Certificate, ...]]:
-    """The verdict on all components with its certificates, of which one refutes."""
-    certificates, status = list[Certificate](), Status.PROVED
+def _verdict(problems: list[Problem], decide: Decide) -> tuple[Status, tuple[Certificate, ...], set[str]]:
+    """The verdict on all components with its certificates, of which one refutes, and the hypotheses that are used."""
+    certificates, status, names = list[Certificate](), Status.PROVED, set[str]()
     for problem in problems:
-        verdict, made, _ = decide(problem)
+        verdict, made, used = decide(problem)
+        names.update(used)
         if verdict is Verdict.REFUTED and made is not None:
-            return Status.REFUTED, (made,)
+            return Status.REFUTED, (made,), names
         if made is None:
             status = Status.UNDECIDED
         else:
             certificates.append(made)
-    return status, tuple(certificates) if status is Status.PROVED else ()
+    return status, tuple(certificates) if status is Status.PROVED else (), names
 
 
 @dataclass(frozen=True)
@@ -180,11 +183,10 @@ class _Stated:
     fields: frozenset[str]
     claims: tuple[Formula, ...]
     hypotheses: tuple[tuple[str, tuple[Formula, ...]], ...]
-    used: tuple[str, ...]
 
     @classmethod
     def of(cls, reading: Reading, fields: frozenset[str], coordinates: tuple[str, ...] = COORDINATES) -> _Stated:
-        asked, _, defined, equations, conditions = reading.source
+        _, _, defined, equations, conditions = reading.source
         lowering = _Fields(reading, fields, coordinates)
         for name, (_, arguments, right) in defined.items():
             if arguments:
@@ -192,7 +194,7 @@ class _Stated:
             lowering.meant[name] = read(right, reading.inference.notation)
         texts = [*equations, *conditions]
         said = [(text, tuple(lowering.formulas(read(text, reading.inference.notation)))) for text in texts]
-        return cls(reading, fields, tuple(lowering.formulas(reading.tree)), tuple(said), (*asked.where, *asked.given))
+        return cls(reading, fields, tuple(lowering.formulas(reading.tree)), tuple(said))
 
     @property
     def about_position(self) -> bool:
