@@ -1906,6 +1906,50 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "a Gaussian wave of another frequency": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["*", ["exp", ["-", sq("x")]], COS], low=NOO, high=OO), ["*", ["exp", -1], ["sqrt", PI]]],
+            theorem(
+                "gaussian_wave",
+                {
+                    "f": of("x", ["*", ["exp", ["-", sq("x")]], COS]),
+                    "g": of("x", 0),
+                    **{"a": 1, "b": 0, "c": 1, "u": 2, "v": 0},
+                },
+                [above(1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "a Gaussian wave that grows": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", integral(["*", ["exp", sq("x")], COS], low=NOO, high=OO), 0],
+            theorem(
+                "gaussian_wave",
+                {
+                    "f": of("x", ["*", ["exp", sq("x")], COS]),
+                    "g": of("x", 0),
+                    **{"a": -1, "b": 0, "c": 1, "u": 1, "v": 0},
+                },
+                [above(-1), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "an integral that is shifted by something else": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral("x", low=NOO, high=OO), integral(["+", "x", 1], low=NOO, high=OO)],
+            theorem(
+                "shifted",
+                {"f": of("x", "x"), "g": of("x", ["+", "x", 1]), "a": 1},
+                [every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
     "a Gaussian beside what outweighs it": Forgery(
         "is no polynomial",
         proved(
@@ -2209,7 +2253,7 @@ THEOREMS: dict[str, Forgery] = {
             theorem(
                 "sum_of_sums",
                 {"f": of("k", "k"), "g": of("k", sq("k")), "h": of("k", 0), "a": 1, "b": 0, "s": 1, "t": 3},
-                [every(["y"], ID)],
+                [every(["y"], implies(ID))],
                 by(here()),
             ),
         ),
@@ -2233,6 +2277,51 @@ THEOREMS: dict[str, Forgery] = {
             theorem(
                 "telescope",
                 {"f": of("k", "k"), "g": of("k", sq("k")), "s": 1, "t": 3},
+                [above(3), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a sum of other sums with a divisor that is zero at the first addend": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["=", ["sum", ["/", "a", "k"], "k", 0, 3], ["*", "a", ["sum", ["/", 1, "k"], "k", 0, 3]]],
+            theorem(
+                "sum_of_sums",
+                {
+                    "f": of("k", ["/", "a", "k"]),
+                    "g": of("k", ["/", 1, "k"]),
+                    "h": of("k", 0),
+                    "a": "a",
+                    "b": 0,
+                    "s": 0,
+                    "t": 3,
+                },
+                [every(["y"], implies(ID))],
+                by(here()),
+            ),
+            at={"a": 1},
+        ),
+    ),
+    "a product that grows by another factor": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["product", "k", "k", 1, 3], 9],
+            theorem(
+                "telescoping_product",
+                {"f": of("k", "k"), "g": of("k", sq("k")), "s": 2, "t": 3},
+                [above(2), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a product that begins with another number": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", ["product", 2, "k", 1, 3], 0],
+            theorem(
+                "telescoping_product",
+                {"f": of("k", 2), "g": of("k", 0), "s": 1, "t": 3},
                 [above(3), ID, every(["x"], implies(ID))],
                 by(here()),
             ),
@@ -2355,6 +2444,20 @@ THEOREMS: dict[str, Forgery] = {
             theorem(
                 "telescope",
                 {"f": of("k", 0), "g": of("k", ["sin", ["*", 2, PI, "k"]]), "s": 0, "t": "t"},
+                [above("t"), ID, every(["x"], implies(ID))],
+                by(here()),
+            ),
+            [[">=", "t", 0]],
+            at={"t": 0},
+        ),
+    ),
+    "a product with a factor that has a period": Forgery(
+        "may have a period",
+        proved(
+            ["=", ["cos", ["*", 2, PI, "t"]], 1],
+            theorem(
+                "telescoping_product",
+                {"f": of("k", 1), "g": of("k", ["cos", ["*", 2, PI, "k"]]), "s": 1, "t": "t"},
                 [above("t"), ID, every(["x"], implies(ID))],
                 by(here()),
             ),

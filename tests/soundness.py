@@ -340,7 +340,16 @@ class Forger:
             begun = ["+", ["+", "x", ["-", given["s"]]], 1]
             given["g"] = {"letter": "x", "term": ["*", step, ["^", begun, power]]}
             given["f"] = {"letter": "x", "term": [step, ["*", step, ["+", ["*", 2, begun], -1]]][power - 1]}
-        if name in ("decaying", "gaussian", "half_gaussian") and isinstance(given.get("g"), dict):
+        if name == "telescoping_product":
+            given["s"], given["t"] = self.rng.choice(((1, 3), (0, 2), (2, 2), (3, 2), (1, -1)))
+            factor, begun = self.number(), ["+", ["+", "x", ["-", given["s"]]], 2]
+            power = ["pow", 2, ["+", ["+", "x", ["-", given["s"]]], 1]]
+            whole, each = self.rng.choice(
+                ((begun, ["/", begun, ["+", begun, -1]]), (["gamma", begun], ["+", begun, -1]), (power, 2))
+            )
+            given["g"] = {"letter": "x", "term": whole}
+            given["f"] = {"letter": "x", "term": each if self.chance(0.8) else ["*", factor, each]}
+        if name in ("decaying", "gaussian", "gaussian_wave", "half_gaussian") and isinstance(given.get("g"), dict):
             self.decay(name, given)
         if name in ("gamma_integral", "tail_converges", "power_tail", "power_head"):
             given["u"] = self.rng.choice((1, 2, ["/", 1, 2], ["/", -1, 2], -2, ["-", "a"], ["/", -5, 2], 0))
@@ -356,6 +365,10 @@ class Forger:
                 given["f"] = {"letter": "x", "term": ["+", given["g"]["term"], given["h"]["term"]]}
             if name == "reflected":
                 given["f"] = {"letter": "x", "term": put(given["g"]["term"], "x", ["-", "x"])}
+        if name == "shifted":
+            bodies = [["exp", ["-", ["^", "x", 2]]], ["pow", ["+", ["^", "x", 2], 1], -2], "x", ["sin", "x"]]
+            given |= {"a": self.number(), "g": {"letter": "x", "term": self.rng.choice(bodies)}}
+            given["f"] = {"letter": "x", "term": put(given["g"]["term"], "x", ["+", "x", given["a"]])}
         if name == "head_converges":
             given["u"] = self.rng.choice((1, 2, ["/", 1, 2], ["/", -1, 2], -1, ["/", -3, 2], 0))
             bodies = (1, ["exp", ["-", "x"]], ["cos", "x"], ["+", "x", 1], ["/", 1, "x"])
@@ -393,6 +406,9 @@ class Forger:
         exponent = ["-", ["*", given["a"], x]] if name == "decaying" else ["+", linear, square]
         rate = self.derived(["diff", ["*", ["exp", exponent], g], x, 1, x])
         rest = [] if name == "decaying" else [["*", given["c"], ["exp", exponent]]]
+        if name == "gaussian_wave":
+            given |= {p: self.rng.choice((0, 1, 2, ["/", -1, 2])) for p in "uv"}
+            rest[0].append(["cos", ["+", ["*", given["u"], x], given["v"]]])
         given["f"] = {"letter": x, "term": ["+", rate, *rest]}
 
     def integrand(self, given: dict[str, JSON]) -> None:

@@ -438,6 +438,33 @@ THEOREMS: dict[str, JSON] = {
             by(here()),
         ),
     ),
+    "gaussian_wave": proved(
+        [
+            "=",
+            integral(["*", BELL, ["cos", "x"]], "x", NOO, OO),
+            ["*", ["exp", ["/", -1, 4]], ["sqrt", PI]],
+        ],
+        theorem(
+            "gaussian_wave",
+            {"f": of("x", ["*", BELL, ["cos", "x"]]), "g": of("x", 0), "a": 1, "b": 0, "c": 1, "u": 1, "v": 0},
+            [above(1), every(["y"], ID)],
+            by(here()),
+        ),
+    ),
+    "shifted": proved(
+        ["=", integral(["exp", ["-", sq(["+", "x", 1])]], "x", NOO, OO), integral(BELL, "x", NOO, OO)],
+        theorem(
+            "gaussian",
+            {"f": of("x", BELL), "g": of("x", 0), "a": 1, "b": 0, "c": 1},
+            [above(1), every(["y"], ID)],
+            theorem(
+                "shifted",
+                {"f": of("x", ["exp", ["-", sq(["+", "x", 1])]]), "g": of("x", BELL), "a": 1},
+                [every(["y"], ID)],
+                by(here(2)),
+            ),
+        ),
+    ),
     "half_gaussian": proved(
         ["=", integral(["*", 2, BELL], "x", 0, OO), ["sqrt", PI]],
         theorem(
@@ -555,9 +582,24 @@ THEOREMS: dict[str, JSON] = {
                 "s": 1,
                 "t": "n",
             },
-            [every(["y"], ID)],
+            [every(["y"], implies(ID))],
             by(here()),
         ),
+    ),
+    "telescoping_product": proved(
+        ["=", ["product", "k", "k", 1, "n"], ["gamma", ["+", "n", 1]]],
+        theorem(
+            "telescoping_product",
+            {"f": of("k", "k"), "g": of("k", ["gamma", ["+", "k", 1]]), "s": 1, "t": "n"},
+            [
+                above("n"),
+                theorem("gamma_values", {}, [], by(here())),
+                every(["y"], implies(theorem("gamma", {"t": ["+", "y", 1]}, [above(["+", "y", 1])], by(here(2))))),
+            ],
+            by(here()),
+        ),
+        [[">=", "n", 0]],
+        at={"n": 2},
     ),
     "exp_of_log": proved(["=", ["exp", ["log", 2]], 2], theorem("exp_of_log", {"t": 2}, [above(2)], by(here()))),
     "log_of_one": proved(["=", ["log", 1], 0], theorem("log_of_one", {}, [], by(here()))),
@@ -656,7 +698,9 @@ WITHOUT_A_POINT = {
     *(
         "decaying",
         "gaussian",
+        "gaussian_wave",
         "half_gaussian",
+        "shifted",
         "gamma_integral",
         "tail_converges",
         "head_converges",

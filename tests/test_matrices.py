@@ -272,6 +272,8 @@ LEAST_SQUARES = {
     "where": [r"\hat\beta = (X^TX)^{-1}X^Ty", r"y = X\beta + \varepsilon"],
     "given": [r"X \in \mathbb{R}^{n\times p}"],
 }
+S_N = r"\mathbf{S} \in \mathbb{R}^{n \times n}"
+SKEW = [r"\mathbf{S}^T = -\mathbf{S}", S_N]
 PROVED: list[tuple[str, dict[str, Any]]] = [
     (r"(\mathbf{A}\mathbf{B})^T = \mathbf{B}^T\mathbf{A}^T", {}),
     (r"(AB)^{-1} = B^{-1}A^{-1}", {"letters": {"A": M, "B": M}}),
@@ -290,6 +292,10 @@ PROVED: list[tuple[str, dict[str, Any]]] = [
     (r"\frac{d}{dt}(\mathbf{A}^{-1}) = -\mathbf{A}^{-1}\dot{\mathbf{A}}\mathbf{A}^{-1}", {}),
     (r"\mathbf{A}\mathbf{B}-\mathbf{B}\mathbf{A} = 0", {"given": [r"\mathbf{B} = \mathbf{A}^2+3\mathbf{A}"]}),
     (r"\|\mathbf{x}+\mathbf{y}\|^2 = \|\mathbf{x}\|^2+2\mathbf{x}\cdot\mathbf{y}+\|\mathbf{y}\|^2", {}),
+    (r"\mathbf{x}^T\mathbf{S}\mathbf{x} = 0", {"given": SKEW}),
+    (r"\mathbf{x}^T\mathbf{S}\mathbf{y} = -\mathbf{y}^T\mathbf{S}\mathbf{x}", {"given": SKEW}),
+    (r"\operatorname{tr}(\mathbf{S}) = 0", {"given": SKEW}),
+    (r"\|\mathbf{R}\mathbf{x}\| = \|\mathbf{x}\|", {"given": [r"\mathbf{R}^T\mathbf{R} = \mathbf{I}", R_N]}),
     (r"e^Y = a e^{-X} a^{-1}", {"where": r"a^{-1} e^Y = (a e^X)^{-1}", "letters": {"a": M, "X": M, "Y": M}}),
 ]  # fmt: skip
 NOT_PROVED: list[tuple[str, dict[str, Any]]] = [
@@ -302,6 +308,9 @@ NOT_PROVED: list[tuple[str, dict[str, Any]]] = [
     (r"\mathbf{P} = (\mathbf{I} + \mathbf{K}\mathbf{H})\mathbf{M}", OPTIMAL),
     (r"\mathbf{P} = \mathbf{P}^T", {**OPTIMAL, "given": [r"\mathbf{R}^T=\mathbf{R}"]}),
     (r"\hat\beta - \beta = (X^TX)^{-1}X\varepsilon", LEAST_SQUARES),
+    (r"\mathbf{x}^T\mathbf{S}\mathbf{y} = \mathbf{y}^T\mathbf{S}\mathbf{x}", {"given": SKEW}),
+    (r"\mathbf{x}^T\mathbf{S}\mathbf{x} = 0", {"given": [r"\mathbf{S}^T = \mathbf{S}", S_N]}),
+    (r"\|\mathbf{R}\mathbf{x}\| = \|\mathbf{y}\|", {"given": [r"\mathbf{R}^T\mathbf{R} = \mathbf{I}", R_N]}),
     (r"\mathbf{B} = \mathbf{C}", {"given": [r"\mathbf{A}\mathbf{B} = \mathbf{A}\mathbf{C}"]}),
     (r"\mathbf{x} = \mathbf{y}",
      {"given": [r"\mathbf{A} = \mathbf{I}", r"\mathbf{A} = 2\mathbf{I}", r"\mathbf{A}\mathbf{x} = \mathbf{y}"]}),

@@ -121,6 +121,7 @@ REFUTED: dict[str, str | tuple[str, ...]] = {
     r"\int_0^\infty \frac{1}{1 + x^2} dx = \pi": "",
 }
 WHERE = {  # earlier equations
+    r"\nabla \cdot \mathbf{B} = 0": r"\mathbf{B} = \nabla \times \mathbf{A}",
     r"\frac{d}{dt}(\dot x^2 + x^2) = 0": r"\ddot x + x = 0",
     r"\frac{d}{dt}(\dot x^2 - x^2) = 0": r"\ddot x + x = 0",
     r"f'(x) = 2 x": "f(x) = x^2",
@@ -143,6 +144,8 @@ PROVED |= {  # sums of angles, by the sine of all but one
     r"\arcsin x = \arctan\frac{x}{\sqrt{1 - x^2}}": "-1 < x < 1",
 }
 REFUTED |= {
+    r"\sinh(x + y) = \sinh x \cosh y - \cosh x \sinh y": "y > 0",
+    r"\cos(2 a + b) x = 3 x": "b > 0",
     r"\arctan x + \arctan\frac{1}{x} = \frac{\pi}{2}": "x < 0",
     r"\arcsin x - \arccos x = \frac{\pi}{2}": "",
     r"\arctan x = \arccos\frac{1}{\sqrt{1 + x^2}}": "",  # x < 0
@@ -160,6 +163,107 @@ REFUTED |= {
     r"\left(a \sqrt[3]{\frac{m}{3 M}}\right)^3 = \frac{m}{M} a^3": ("m > 0", "M > 0"),
     r"\sqrt[3]{x^3} = -x": "",
     r"\cos n\pi = 1 \quad \forall n \in \mathbb{Z}": "",
+}
+VECTORS = (r"u \in \mathbb{R}^3", r"v \in \mathbb{R}^3")
+PROVED |= {  # I beside what is transposed is the identity
+    r"\det(I + u v^T) = 1 + v^T u": VECTORS,
+    r"(I - 2 v v^T)(I - 2 v v^T) = I": "v^T v = 1",
+}
+REFUTED |= {
+    r"\det(I + u v^T) = 1 - v^T u": VECTORS,
+    r"(I - v v^T)(I - v v^T) = I": (*VECTORS, "v^T v = 1"),
+}
+PROVED |= {  # smooth fields and the position in space
+    r"\nabla \cdot (\nabla \times \mathbf{A}) = 0": "",
+    r"\nabla \times (\nabla f) = 0": "",
+    r"\nabla \cdot (f \mathbf{A}) = f \nabla \cdot \mathbf{A} + \mathbf{A} \cdot \nabla f": "",
+    r"\nabla \times (\nabla \times \mathbf{A}) = \nabla (\nabla \cdot \mathbf{A}) - \nabla^2 \mathbf{A}": "",
+    r"(\mathbf{v} \cdot \nabla) \mathbf{v} = \nabla \frac{v^2}{2} - \mathbf{v} \times (\nabla \times \mathbf{v})": "",
+    r"\nabla^2 (f g) = f \nabla^2 g + 2 \nabla f \cdot \nabla g + g \nabla^2 f": "",
+    r"\nabla (e^f) = e^f \nabla f": "",
+    r"\nabla \frac{1}{r} = -\frac{\mathbf{r}}{r^3}": "",
+    r"\nabla^2 \frac{1}{r} = 0": "",
+    r"\nabla \cdot (r^n \mathbf{r}) = (n + 3) r^n": "",
+    r"\nabla f(r) = f'(r) \frac{\mathbf{r}}{r}": "",
+    r"\nabla \cdot \mathbf{B} = 0": "",
+}
+REFUTED |= {
+    r"\nabla \cdot (f \mathbf{A}) = f \nabla \cdot \mathbf{A} - \mathbf{A} \cdot \nabla f": "",
+    r"\nabla \times (\nabla \times \mathbf{A}) = \nabla (\nabla \cdot \mathbf{A}) + \nabla^2 \mathbf{A}": "",
+    r"(\mathbf{v} \cdot \nabla) \mathbf{v} = \nabla (v^2) - \mathbf{v} \times (\nabla \times \mathbf{v})": "",
+    r"\nabla^2 (f g) = f \nabla^2 g + \nabla f \cdot \nabla g + g \nabla^2 f": "",
+    r"\nabla \frac{1}{r} = -\frac{\mathbf{r}}{r^2}": "",
+    r"\nabla^2 \frac{1}{r} = \frac{2}{r^3}": "",
+    r"\nabla f(r) = f'(r) \mathbf{r}": "",
+    r"\nabla (\mathbf{a} \cdot \mathbf{r}) = 2 \mathbf{a}": "",
+}
+LAWS = (  # of fields, which hold of some and not of others, or in the plane alone
+    r"\nabla \cdot \mathbf{E} = 0", r"\nabla^2 f = -k^2 f", r"\nabla^2 f = f", r"\mathbf{F} = -\nabla U",
+    r"\nabla \times \mathbf{B} = \mu \mathbf{J}", r"\nabla f \cdot \nabla g = 0", r"\nabla e^f = e^f \nabla f",
+    r"\nabla \cdot (\rho \mathbf{v}) = \rho \nabla \cdot \mathbf{v}", r"\nabla \cdot \mathbf{r} = 2",
+    r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}", r"\nabla f g = f \nabla g + g \nabla f",
+    r"\nabla \cdot (f \mathbf{B}) = \mathbf{B} \cdot \nabla f",
+)  # fmt: skip
+PROVED |= {  # integrals of complex functions, of Gaussian waves and of shifted quadratics
+    r"\int_{-\infty}^\infty e^{-a x^2} e^{-i \omega x}\,dx = \sqrt{\frac{\pi}{a}} e^{-\omega^2/(4 a)}": "a > 0",
+    r"\int_{-\infty}^\infty e^{-a |t|} e^{-i \omega t}\,dt = \frac{2 a}{a^2 + \omega^2}": "a > 0",
+    r"\int_0^\infty e^{-s t} e^{i \omega t}\,dt = \frac{1}{s - i \omega}": "s > 0",
+    r"\int_{-\infty}^\infty e^{-(x - 1)^2} \cos x\,dx = \sqrt{\pi} e^{-1/4} \cos 1": "",
+    r"\int_{-\infty}^\infty \frac{1}{\pi} \frac{\gamma}{(x - x_0)^2 + \gamma^2}\,dx = 1": r"\gamma > 0",
+    r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{2}": "",
+    r"\int_{-\infty}^\infty \frac{x^4}{\sqrt{2 \pi}} e^{-x^2/2}\,dx = 3": "",
+    r"\int_{-\infty}^\infty \frac{1}{2 b} e^{-|x - \mu|/b}\,dx = 1": "b > 0",
+    r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{12}": "",
+    r"\int_0^\infty e^{-s t} e^{a t}\,dt = \frac{1}{s - a}": ("s > a", "a > 0"),
+}
+REFUTED |= {
+    r"\int_{-\infty}^\infty e^{-a x^2} e^{-i \omega x}\,dx = \sqrt{\frac{\pi}{a}} e^{-\omega^2/a}": "a > 0",
+    r"\int_{-\infty}^\infty e^{-a |t|} e^{-i \omega t}\,dt = \frac{a}{a^2 + \omega^2}": "a > 0",
+    r"\int_0^\infty e^{-s t} e^{i \omega t}\,dt = \frac{1}{s + i \omega}": "s > 0",
+    r"\int_{-\infty}^\infty e^{-(x - 1)^2} \cos x\,dx = \sqrt{\pi} e^{-1/4}": "",
+    r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{4}": "",
+    r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{6}": "",
+}
+PROVED |= {  # parts of half a turn
+    r"\cos\frac{\pi}{8} = \frac{\sqrt{2 + \sqrt{2}}}{2}": "",
+    r"\sin 15^\circ = \frac{\sqrt{6} - \sqrt{2}}{4}": "",
+    r"\tan\frac{\pi}{8} = \sqrt{2} - 1": "",
+    r"\cos\frac{\pi}{5} \cos\frac{2 \pi}{5} = \frac{1}{4}": "",
+}
+REFUTED |= {
+    r"\cos\frac{\pi}{8} = \frac{\sqrt{2 - \sqrt{2}}}{2}": "",
+    r"\sin 15^\circ = \frac{\sqrt{6} + \sqrt{2}}{4}": "",
+    r"\tan\frac{\pi}{8} = \sqrt{2} + 1": "",
+    r"\cos\frac{\pi}{5} \cos\frac{2 \pi}{5} = \frac{1}{5}": "",
+}
+PROVED |= {  # powers of one base, and as exponentials
+    r"2^x = e^{x \ln 2}": "x > 0",
+    r"\sqrt[3]{x} \sqrt[6]{x} = \sqrt{x}": "x > 0",
+    r"x^{2/3} x^{1/4} = x^{11/12}": "x > 0",
+}
+REFUTED |= {
+    r"2^x = e^{2 \ln x}": "x > 0",
+    r"\sqrt[3]{x} \sqrt[6]{x} = x": "x > 0",
+    r"x^{2/3} x^{1/4} = x^{5/6}": "x > 0",
+}
+FROM_ONE = r"n \in \mathbb{Z}_{>0}"
+PROVED |= {  # sums and products to a letter, by the step from each number to the next
+    r"\sum_{k=1}^n k \cdot k! = (n + 1)! - 1": FROM_ONE,
+    r"\sum_{k=1}^n \left(\frac{1}{k} - \frac{1}{k + 1}\right) = 1 - \frac{1}{n + 1}": FROM_ONE,
+    r"\sum_{k=1}^n \frac{a + k}{k} = a \sum_{k=1}^n \frac{1}{k} + n": FROM_ONE,
+    r"\sum_{k=0}^n \cos kx = \frac{1}{2} + \frac{\sin((n + \frac{1}{2}) x)}{2 \sin\frac{x}{2}}": FROM_ONE,
+    r"\sum_{k=1}^n (-1)^k k^2 = (-1)^n \frac{n (n + 1)}{2}": FROM_ONE,
+    r"\prod_{k=1}^n k = n!": FROM_ONE,
+    r"\prod_{k=1}^n \frac{k + 1}{k} = n + 1": FROM_ONE,
+    r"\prod_{k=1}^n 2^k = 2^{n (n + 1)/2}": FROM_ONE,
+}
+REFUTED |= {
+    r"\sum_{k=1}^n k \cdot k! = (n + 1)!": FROM_ONE,
+    r"\sum_{k=1}^n \frac{a + k}{k} = a \sum_{k=1}^n \frac{1}{k} + n^2": FROM_ONE,
+    r"\sum_{k=0}^n \cos kx = 1 + \frac{\sin((n + \frac{1}{2}) x)}{2 \sin\frac{x}{2}}": FROM_ONE,
+    r"\sum_{k=1}^n (-1)^k k^2 = (-1)^n \frac{n (n - 1)}{2}": FROM_ONE,
+    r"\prod_{k=1}^n k = (n + 1)!": FROM_ONE,
+    r"\prod_{k=1}^n 2^k = 2^{n (n - 1)/2}": FROM_ONE,
 }
 POSITIVE = (r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}", r"m \ne n")
 PROVED |= {
@@ -206,7 +310,7 @@ AMBIGUOUS = (
     r"\sin^{-1} x = \frac{1}{\sin x}", r"\tan^{-1} x = \arctan x", r"\log x = \ln x",
     "e = 2.718", r"\pi = 3.14", r"0.333 = \frac{1}{3}", r"1\,\text{km} = 1000\,\text{m}",
     r"F_{ij} F_{ij} = 3", r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", r"dx^2 = 2x\,dx", r"\sin 90 = 1",
-    r"q(x + 1)^2 = q(x^2 + 2x + 1)",
+    r"q(x + 1)^2 = q(x^2 + 2x + 1)", r"\cos(n + 1) x = \cos n x \cos x - \sin n x \sin x",
 )  # fmt: skip
 REFUSED = (
     "1/2x = x/2", "a/bc = d", "a/b c = ac/b", "a/b/c = d", r"1/2\pi = \frac{1}{2\pi}", r"2/3 x = \frac{2x}{3}",
@@ -224,7 +328,8 @@ REFUSED = (
 )  # fmt: skip
 WITHOUT_VALUE = (  # read whole, but of what is printed something has no value that is known
     r"\mathbf{a}\mathbf{b} = \mathbf{b}\mathbf{a}", "(a, b) = 0", r"a \mod b = 0", r"x \approx y",
-    r"\nabla \cdot (\nabla \times \mathbf{A}) = 0", r"\langle x + y \rangle = \langle x \rangle", r"\min_x x^2 + 1",
+    r"\nabla \times \mathbf{E} = -\frac{\partial \mathbf{B}}{\partial t}",
+    r"\langle x + y \rangle = \langle x \rangle", r"\min_x x^2 + 1",
     r"u = 0 \text{ on $\Gamma$}", r"x = y \text{ unless $y > 0$}", r"\overline{x^2} = 0",
 )  # fmt: skip
 EXACTLY = {  # by the conventions of print, with certainty
@@ -278,6 +383,31 @@ def test_what_says_what_a_new_letter_is_is_neither_true_nor_false(relation: str)
 )
 def test_what_may_be_summed_is_not_refuted(relation: str) -> None:
     assert decide(relation).verdict in ("undecided", "ambiguous")
+
+
+@pytest.mark.parametrize("relation", LAWS)
+def test_a_law_of_fields_is_no_identity(relation: str) -> None:
+    assert decide(relation).verdict in ("undecided", "ambiguous")
+
+
+def test_what_is_said_to_be_constant_is_no_field() -> None:
+    relation = r"\nabla (\mathbf{a} \cdot \mathbf{r}) = \mathbf{a}"
+    assert decide(relation, letters={r"\mathbf{a}": "constant"}).verdict in ("proved", "undecided")
+    assert decide(r"\nabla (k f) = k \nabla f", letters={"k": "constant"}).verdict == "proved"
+    assert decide(r"\nabla (k f) = k \nabla f").verdict == "ambiguous"
+
+
+@pytest.mark.parametrize("harmonic", [r"H_k = \sum_{j=1}^k \frac{1}{j}", r"H_n = \sum_{j=1}^n \frac{1}{j}"])
+def test_a_member_of_a_family_that_is_summed_over_is_no_letter_of_its_own(harmonic: str) -> None:
+    answer = decide(r"\sum_{k=1}^n H_k = (n+1) H_n - n", harmonic, r"n \in \mathbb{Z}_{>0}")
+    assert answer.verdict in ("ambiguous", "undecided")
+
+
+def test_a_number_with_a_power_in_letters_behind_a_letter_is_not_part_of_its_name() -> None:
+    relation = r"\sum_{k=0}^n k \binom{n}{k} = n%s2^{n-1}"
+    assert decide(relation % "", given=NATURAL).verdict == "unreadable"
+    assert decide(relation % r" \cdot ", given=NATURAL).verdict in ("proved", "undecided")
+    assert decide("a2 a = 2 a + 1").verdict == "ambiguous"
 
 
 @pytest.mark.parametrize("relation", FALSE_OF_WHOLE_NUMBERS)

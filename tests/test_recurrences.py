@@ -20,8 +20,15 @@ MATRIX = (
     r"\mathbf{P}[n+1] = \begin{bmatrix} 0 & \rho^n \\ 0 & 1/2 \end{bmatrix} \mathbf{P}[n]",
     r"\mathbf{P}[0] = \begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix}",
 )
+LEGENDRE = (r"(n+1) P_{n+1}(x) = (2n+1) x P_n(x) - n P_{n-1}(x)", "P_0(x) = 1", "P_1(x) = x")
+HERMITE = (r"H_{n+1}(x) = 2 x H_n(x) - 2 n H_{n-1}(x)", "H_0(x) = 1", "H_1(x) = 2 x")
+LAGUERRE = (r"(n+1) L_{n+1}(x) = (2n+1-x) L_n(x) - n L_{n-1}(x)", "L_0(x) = 1", "L_1(x) = 1 - x")
 
 TRUE = (
+    (r"P_4(x) = \frac{1}{8} (35 x^4 - 30 x^2 + 3)", LEGENDRE, ()),
+    ("H_3(x) = 8 x^3 - 12 x", HERMITE, ()),
+    (r"L_2(x) = \frac{x^2 - 4 x + 2}{2}", LAGUERRE, ()),
+    ("P_n = 1", ("(n+1) P_{n+1} = (2n+1) P_n - n P_{n-1}", "P_0 = 1", "P_1 = 1"), NATURAL),
     ("x[n] = a^n c", GEOMETRIC, (*NATURAL, "a > 0")),
     ("x[n] = a^{n-1} c", ("x[n+1] = a x[n]", "x[1] = c"), (*POSITIVE, "a > 0")),
     ("x[n] = (-1)^n", ("x[n+1] = -x[n]", "x[0] = 1"), NATURAL),
@@ -46,6 +53,7 @@ TRUE = (
     ),
 )
 FALSE = (
+    ("P_n = 1", ("(n+1) P_{n+1} = (2n+1) P_n + n P_{n-1}", "P_0 = 1", "P_1 = 1"), NATURAL),
     ("x[n] = 2 a^n c", GEOMETRIC, (*NATURAL, "a > 0")),
     ("x[n] = a^n c", ("x[n+1] = a x[n]", "x[1] = c"), (*POSITIVE, "a > 0")),
     ("x[n] > 1", ("x[n+1] = x[n]^2 + 1", "x[0] = 1"), NATURAL),
@@ -69,6 +77,7 @@ FALSE_AT_A_NUMBER = (
     ("f(3) = 4 h", ("f(k+1) = f(k) + h", "f(0) = 0"), (r"k \in \mathbb{N}",)),
 )
 OPEN = {
+    "functions at several letters": (r"a_n(x) = x^n", ("a_{n+1}(x) = x a_n(x)", "a_0(y) = 1"), (*NATURAL, "x > 0")),
     "a power of what may be negative": ("x[n] = a^n c", GEOMETRIC, NATURAL),
     "a value that is said twice": ("x[n] = 3", ("x[n+1] = x[n]", "x[0] = 3", "x[5] = 4"), NATURAL),
     "sequences that say each other": ("a_{n+1} = 1", ("b_n = a_n", "a_n = b_n", "a_0 = 1"), NATURAL),

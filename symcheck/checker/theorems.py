@@ -64,12 +64,14 @@ circular_of_arctan(t): |- sin(arctan(t)) * sqrt(1 + t**2) == t and cos(arctan(t)
 circular_of_arcsin(t): t**2 <= 1 |- sin(arcsin(t)) == t and cos(arcsin(t)) == sqrt(1 - t**2)
 circular_of_arccos(t): t**2 <= 1 |- cos(arccos(t)) == t and sin(arccos(t)) == sqrt(1 - t**2)
 telescope(f, g, s, t): s - 1 <= t; g(s - 1) == 0; forall(x, implies(x >= s - 1, g(x + 1) == g(x) + f(x + 1))) |- sum(f(x), x, s, t) == g(t)
+telescoping_product(f, g, s, t): s - 1 <= t; g(s - 1) == 1; forall(x, implies(x >= s - 1, g(x + 1) == g(x) * f(x + 1))) |- product(f(x), x, s, t) == g(t)
 power_as_exp(b, u): b > 0 |- pow(b, u) == exp(u * log(b))
 power_diverges(f, c, u): c != 0; forall(x, implies(x > 0, f(x) == c * pow(x, u))) |- diverges(f(x), {HALF}) == 1
 beta(f, c, k, u, r, p, q): p > 0; q > 0; {S} > 0; 2*r - {S} > 0; {SHAPE} |- diverges(f(x), {HALF}) == 0 and {EULER} * gamma(r - {S}/2) and gamma(r) > 0 and gamma({S}/2) > 0 and gamma(r - {S}/2) > 0 and pow(p, -({S}/2)) > 0 and pow(q, -(r - {S}/2)) > 0
 beta_diverges(f, c, k, u, r, p, q): p > 0; q > 0; c != 0; {S} <= 0 or 2*r - {S} <= 0; {SHAPE} |- diverges(f(x), {HALF}) == 1
 decaying(f, g, a, s): a > 0; forall(x, implies(x > s, f(x) == diff(exp(-(a * x)) * g(x), x))) |- integral(f(x), x, s, oo) == -(exp(-(a * s)) * g(s)) and diverges(f(x), x, s, oo) == 0
 gaussian(f, g, a, b, c): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g(x), x) + c * exp(b * x - a * x**2)) |- integral(f(x), {LINE}) == c * exp(b**2/(4 * a)) * sqrt(pi/a) and diverges(f(x), {LINE}) == 0
+gaussian_wave(f, g, a, b, c, u, v): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g(x), x) + c * exp(b * x - a * x**2) * cos(u * x + v)) |- integral(f(x), {LINE}) == c * exp((b**2 - u**2)/(4 * a)) * cos(b * u/(2 * a) + v) * sqrt(pi/a) and diverges(f(x), {LINE}) == 0
 half_gaussian(f, g, a, c): a > 0; forall(x, implies(x > 0, f(x) == diff(exp(-(a * x**2)) * g(x), x) + c * exp(-(a * x**2)))) |- integral(f(x), {HALF}) == c/2 * sqrt(pi/a) - g(0) and diverges(f(x), {HALF}) == 0
 gamma_integral(f, c, u, a): a > 0; u > -1; forall(x, implies(x > 0, f(x) == c * pow(x, u) * exp(-(a * x)))) |- integral(f(x), {HALF}) == c * gamma(u + 1) * pow(a, -(u + 1)) and diverges(f(x), {HALF}) == 0
 power_tail(f, c, u, s): s > 0; u < -1; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u))) |- integral(f(x), x, s, oo) == -(c * pow(s, u + 1)/(u + 1)) and diverges(f(x), x, s, oo) == 0
@@ -78,8 +80,9 @@ power_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) =
 head_converges(f, g, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == pow(x, u) * g(x))) |- diverges(f(x), x, 0, s) == 0
 sum_of_integrals(f, g, h, s): diverges(g(x), x, s, oo) == 0; diverges(h(x), x, s, oo) == 0; forall(x, implies(x > s, f(x) == g(x) + h(x))) |- integral(f(x), x, s, oo) == integral(g(x), x, s, oo) + integral(h(x), x, s, oo) and diverges(f(x), x, s, oo) == 0
 reflected(f, g, s): forall(x, implies(x < s, f(x) == g(-x))) |- integral(f(x), x, -oo, s) == integral(g(x), x, -s, oo) and diverges(f(x), x, -oo, s) == diverges(g(x), x, -s, oo)
+shifted(f, g, a): forall(x, f(x) == g(x + a)) |- integral(f(x), {LINE}) == integral(g(x), {LINE}) and diverges(f(x), {LINE}) == diverges(g(x), {LINE})
 halves(f, s): diverges(f(x), x, -oo, s) == 0; diverges(f(x), x, s, oo) == 0 |- integral(f(x), {LINE}) == integral(f(x), x, -oo, s) + integral(f(x), x, s, oo) and diverges(f(x), {LINE}) == 0
-sum_of_sums(f, g, h, a, b, s, t): forall(x, f(x) == a * g(x) + b * h(x)) |- sum(f(x), x, s, t) == a * sum(g(x), x, s, t) + b * sum(h(x), x, s, t)
+sum_of_sums(f, g, h, a, b, s, t): forall(x, implies(x >= s, f(x) == a * g(x) + b * h(x))) |- sum(f(x), x, s, t) == a * sum(g(x), x, s, t) + b * sum(h(x), x, s, t)
 scaled(f, g, a, c, s): c > 0; forall(x, implies(x > s, f(x) == a * g(c * x))) |- c * integral(f(x), x, s, oo) == a * integral(g(x), x, c * s, oo)
 pieces(f, r, s, t): |- integral(f(x), x, s, t) == integral(f(x), x, s, r) + integral(f(x), x, r, t)
 even(f): forall(x, f(-x) == f(x)) |- integral(f(x), {LINE}) == 2 * integral(f(x), {HALF}) and diverges(f(x), {LINE}) == diverges(f(x), {HALF})
@@ -90,14 +93,14 @@ SINES = ("0", "1/2", "sqrt(2)/2", "sqrt(3)/2", "1")  # of these angles; of the l
 KNOWN = {"arctan": ("0", "1/sqrt(3)", "1", "sqrt(3)"), "arcsin": SINES, "arccos": SINES[::-1]}
 SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its letter, or in the letter itself
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
-    "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "half_gaussian": ("g",),
+    "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "gaussian_wave": ("g",), "half_gaussian": ("g",),
 }  # fmt: skip
 CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integral between any two numbers
-WAVES = ("decaying", "gaussian", "half_gaussian")  # here also in sines and cosines, which do not grow
+WAVES = ("decaying", "gaussian", "gaussian_wave", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by premises, or beside them, integrands and addends are defined between the ends: no divisor is zero there
-    "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "half_gaussian", "gamma_integral",
-    "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected", "even", "odd",
-    "scaled", "telescope", "constant", "full_turn",
+    "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "gaussian_wave", "half_gaussian",
+    "gamma_integral", "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected",
+    "even", "odd", "shifted", "scaled", "telescope", "telescoping_product", "sum_of_sums", "constant", "full_turn",
 )  # fmt: skip
 
 
@@ -241,7 +244,7 @@ def _told_apart(name: str, given: Mapping[str, Argument]) -> tuple[dict[str, Ter
         whole = parameter not in ("n", "k") or isinstance(argument, int)
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
-    if name == "telescope" and not _grows(lambdas["g"]):
+    if name in ("telescope", "telescoping_product") and not _grows(lambdas["g"]):
         raise Malformed(
             f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones"
         )
@@ -260,10 +263,10 @@ def _told_apart(name: str, given: Mapping[str, Argument]) -> tuple[dict[str, Ter
 
 
 def _grows(g: Lambda) -> bool:
-    """Whether a term is put together of its letter and of powers to it: two such terms never differ by a period."""
+    """Whether two such terms never differ by a period: what exp, log and gamma say is o-minimal, by Speissegger."""
     (x,), body = g
     inner = [part for part in nodes(body) if x in letters(part)]
-    known = all(part.tag in ("+", "*", "-", "/", "^", "pow", "exp") for part in inner)
+    known = all(part.tag in ("+", "*", "-", "/", "^", "pow", "exp", "log", "gamma", "sqrt") for part in inner)
     return known and not any(part.tag == "pow" and x in letters(part.outside[0]) for part in inner)
 
 

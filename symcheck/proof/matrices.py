@@ -111,16 +111,24 @@ class Search:
         value = Matrix(value.shape, {**value.parts})
         while value.parts:
             part = max(value.parts, key=self.order)
-            found = next(((rule, t) for rule in self.rules for t in _places(rule.lead, part)), None)
+            found = next(self.uses(part), None)
             if found is None:
                 done[part] = done.get(part, 0) + value.parts.pop(part)
                 continue
-            rule, term = found
-            c = -value.parts[part]
+            rule, term, d = found
+            c = -value.parts[part] / d
             taken = self.at(["*", _number(c), term], rule.value)
             value = self.of.plus(value, taken)
-            steps += [(c * d, reference, _within(term, inner)) for d, reference, inner in rule.steps]
+            steps += [(c * e, reference, _within(term, inner)) for e, reference, inner in rule.steps]
         return Matrix(value.shape, done), steps
+
+    def uses(self, part: Monomial) -> Iterator[tuple[Rule, JSON, Fraction]]:
+        """The rules that make a product less, each with where it stands in it, and how often it is taken away then."""
+        for rule in self.rules:
+            for term in _places(rule.lead, part):
+                taken = self.at(term, rule.value).parts
+                if part in taken and max(taken, key=self.order) == part:
+                    yield rule, term, taken[part]
 
     def vanishing(self, claim: Matrix) -> list[Step] | None:
         """How a difference follows from the facts, if the rules show that it does."""
@@ -219,8 +227,11 @@ def _places(lead: Monomial, part: Monomial) -> Iterator[JSON]:
         return
     for k, (kind, own) in enumerate(numbers):
         others = [_factor(each) for j, each in enumerate(numbers) if j != k]
-        for turned in [(*own[n:], *own[:n]) for n in range(len(own))] if kind == "trace" else [own]:
-            for n in _at(small, turned) if kind != "size" else ():
+        ways = [own, flipped(own)] if kind != "size" else []  # a number is its own transpose
+        if kind == "trace":
+            ways = [(*way[n:], *way[:n]) for way in ways for n in range(len(way))]
+        for turned in ways:
+            for n in _at(small, turned):
                 found = _product(*_terms(turned[:n]), FACT, *_terms(turned[n + len(small) :]))
                 yield _product(*others, ["trace", found] if kind == "trace" else found, *_terms(word))
 

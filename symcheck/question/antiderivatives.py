@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from symcheck.core.calculus import is_entire, letters, nodes, substituted
 from symcheck.core.problems import Applied, Problem
-from symcheck.core.terms import INFINITY, Binder, End, Node, Term, Value, mapped, node
+from symcheck.core.terms import INFINITY, Binder, End, Formula, Node, Term, Value, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.improper import improper
 from symcheck.question.limit import OutOfTime, limited
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from sympy import Expr, Piecewise
 
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
+INDUCTIVE = {"sum": "telescope", "product": "telescoping_product"}
 # what SymPy raises for what it cannot do
 FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)
 KEPT = 512  # integrals and sums: what is one slip away from a relation has the same ones
@@ -33,7 +34,33 @@ def hinted(problem: Problem) -> Problem:
     found = dict.fromkeys(each for tree in trees for each in _binders(tree))
     hints = [hint for each in found for hint in _hints(each)[1]]
     hints += [hint for pair in permutations(found, 2) for hint in _scaled(*pair)]
+    hints += _claimed(problem.claim)
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
+
+
+def _claimed(claim: Formula) -> Iterator[Applied[Term]]:
+    """That a sum or product up to a letter is what is claimed: the proof has to take the step from each number on."""
+    for total, said in permutations(claim.terms, 2) if claim.tag == "=" else ():
+        if isinstance(total, Binder) and total.tag in INDUCTIVE and _is_finite(total):
+            (low, high), x = total.outside, total.letter
+            last, ahead = _letter_of(high)
+            if last and not {x, last} & letters(low) and x not in letters(said) and last not in letters(total.body):
+                value = substituted(said, {last: node("+", x, -ahead) if ahead else x})
+                if any(part.tag in ("sin", "cos") and x in letters(part) for part in nodes(value)):
+                    continue  # as it may have a period, no theorem speaks of it
+                yield Applied(INDUCTIVE[total.tag], (low, high), (((x,), total.body), ((x,), value)))
+
+
+def _letter_of(end: Term) -> tuple[str, int]:
+    """The letter of an upper end n or n + 1, and by how much the end is ahead of it; no letter for any other end."""
+    match end:
+        case str(x):
+            return x, 0
+        case Value(tag="+", terms=(str(x), int(k))):
+            return x, k
+        case Value(tag="+", terms=(str(x), Value(tag="-", terms=(int(k),)))):
+            return x, -k
+    return "", 0
 
 
 def _binders(tree: Term) -> Iterator[Binder]:

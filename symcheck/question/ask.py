@@ -28,10 +28,20 @@ from symcheck.question.answer import Answer, Slips, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
 from symcheck.question.divisors import with_plain_divisors
-from symcheck.question.doubts import braced, defines, doubt, doubt_of_proofs, held, spelled_function
+from symcheck.question.doubts import (
+    braced,
+    defines,
+    doubt,
+    doubt_of_proofs,
+    held,
+    spelled_function,
+    with_longer_arguments,
+)
 from symcheck.question.equations import EQUATION, relates
+from symcheck.question.fields import in_fields
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import OfAnySize, covers, of_any_size
+from symcheck.question.parts_of_turns import with_parts_of_turns
 from symcheck.question.prepare import (
     DEFINED,
     VARIABLES,
@@ -43,8 +53,9 @@ from symcheck.question.prepare import (
     sizes,
     unlowered,
     with_scopes,
+    worded,
 )
-from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences
+from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences, with_sums
 from symcheck.question.repairs import EVERYWHERE, repairs
 from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
@@ -61,6 +72,7 @@ TOTAL = 15.0  # seconds for all of them
 ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that are found take less than one
 REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
+LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -139,6 +151,10 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
+        with limited(TOTAL):
+            of_fields = in_fields(asked, _decided_one)
+        if of_fields is not None:
+            return replace(of_fields, seconds=time.perf_counter() - started)
         if all_sizes and (general := _of_any_size(asked)):
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
@@ -302,6 +318,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             continue
         if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        if verdict is Verdict.REFUTED and _perhaps_with_longer_arguments(reading):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=LONGER)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
         said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
@@ -329,10 +347,22 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
                 certificate=(made,),
                 slips=slips if wanted else tuple,
             )
+    if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
+        return shown
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _by_steps(base: Answer, reading: Reading) -> Answer | None:
+    """The answer by induction over the letter up to which sums and products run."""
+    whole = _whole_letters(reading)
+    problems = tuple(with_sums(problem, whole) or problem for problem in reading.problems)
+    if problems == reading.problems or (cases := induction(problems, whole)) is None:
+        return None
+    answer = _by_induction(base, replace(reading, problems=problems), cases)
+    return answer if answer.verdict is Status.PROVED else None
 
 
 def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
@@ -393,6 +423,16 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
     if slips is not None and may_be_solved(problem, reading) and all(s["edit"].endswith(EVERYWHERE) for s in slips()):
         return EQUATION
     return EQUATION if is_condition(problem, reading) else ""
+
+
+def _perhaps_with_longer_arguments(reading: Reading) -> bool:
+    """Is it not refuted where letters behind the brackets of a sine belong to its argument?"""
+    tree = with_longer_arguments(reading.tree)
+    if tree == reading.tree:
+        return False
+    with suppress(SymcheckError):
+        return all(_decided_one(problem)[0] is not Verdict.REFUTED for problem in worded(reading, tree))
+    return False
 
 
 def _usual_symbols(reading: Reading) -> str:
@@ -534,6 +574,9 @@ def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[s
                 verdict, made, used = _decided_as_stated(solved)
                 equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
                 return (verdict, made, (*used, *equations)) if made is not None else found
+    if found[1] is None and (turned := with_parts_of_turns(problem)) is not None:
+        by_parts = _decided_as_stated(turned)
+        return by_parts if by_parts[0] is Verdict.PROVED else found
     if found[1] is None and found[2][0].startswith(REFUSED) and (plain := with_plain_divisors(problem)) != problem:
         return _decided_as_stated(plain)
     return found

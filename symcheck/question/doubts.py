@@ -28,13 +28,16 @@ from symcheck.reading.tree import (
     Chain,
     Div,
     Limiting,
+    Mul,
     Name,
     Norm,
     Number,
     Pow,
     Root,
     Sqrt,
+    children,
     walk,
+    with_children,
 )
 
 GREEK = frozenset({r"\mu", r"\nu", r"\rho", r"\sigma", r"\lambda", r"\kappa"})  # indices, above too: hardly exponents
@@ -55,6 +58,7 @@ _ACCENTED = re.compile(r"\\(?:tilde|hat|widetilde|widehat|breve|check)\{(.+)\}")
 _BASIS = re.compile(
     r"(?:\\(?:hat|widehat)\{)?\\(?:mathbf|boldsymbol|bm|pmb|vec)\{(?:\\?[ijk](?:math)?|e(?=\}+_))\}+(?:_\{?\w\}?)?"
 )
+_TYPED = re.compile(r"\\text\{([A-Za-z])\d+\}")  # a letter with digits behind it on the line: "v1"
 _SKEW = re.compile(r"\[\\(?:tilde|widetilde)|\\lfloor")  # a matrix that is often made of a vector
 # an expectation or transform before a bracket: "\mathbb{E}[x]", "E(x)"
 _APPLIED = re.compile(
@@ -72,7 +76,7 @@ _WORD = re.compile(r"(?<![A-Za-z\\])[a-z]{4,}(?![A-Za-z])")  # small letters wit
 _LETTER = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\{[^{}]*\}|\w))?")  # a letter with its subscript
 # a function before several letters without brackets: "\sin xy"
 _BARE = re.compile(
-    r"(\\(?:sin|cos|tan|cot|ln|log|lg|exp|sinh|cosh|tanh|arctan|arcsin|arccos))\s*"
+    r"(\\(?:sin|cos|tan|cot|ln|log|lg|exp|sinh|cosh|tanh|arctan|arcsin|arccos))(?![A-Za-z])\s*"
     r"((?:(?:\\(?!sin|cos|tan|cot|ln|log|exp|left|right|math|bold|frac|sqrt|cdot|times|text|quad)[A-Za-z]+|[A-Za-z])"
     r"(?:_(?:\{[^{}]*\}|\w))?\s*){2,})"
 )
@@ -171,6 +175,11 @@ def doubt(reading: Reading) -> str:
     if units and not {*said, *reading.source[2]} & {each.latex for each in units}:
         return f"is {units[0].latex} always of length 1? say so, as |{units[0].latex}| = 1, or what it is"
     spelled = {g.letter.latex for g in reading.inference.guesses}
+    if slopes := sorted(x for x in spelled - said if x.startswith(r"\nabla")):
+        return f"what does {slopes[0]} belong to? write brackets around all that is differentiated"
+    typed = ((x, found[1]) for x in spelled - said if (found := _TYPED.fullmatch(x)))
+    if alone := next((x[6:-1] for x, stem in typed if stem in spelled), ""):
+        return f"is {alone} a letter, or {alone[0]} times {alone[1:]}? write {alone[0]}_{{{alone[1:]}}}, or a \\cdot"
     if named := [x for x in spelled if _UNIT_VECTOR.match(x) and x[x.find("{") + 1 : -1] in spelled and x not in said]:
         return f"is {named[0]} the unit vector along {named[0][named[0].find('{') + 1 : -1]}? say what it is"
     hats = [
@@ -178,6 +187,8 @@ def doubt(reading: Reading) -> str:
     ]
     if free := [x for x in hats if x not in said and not mentioned(x, (*asked.where, *asked.given))]:
         return f"is {free[0]} of length 1, or one of several axes? say so, as |{free[0]}| = 1, or what it is"
+    if member := next(_members(reading.tree, spelled - said), ""):
+        return f"is {member} a member of the family that is summed over? write brackets around the subscripts, as x[n]"
     if any(part.tag == "!=" for problem in reading.problems for part in _relations(problem.claim)):
         return "is it meant that the sides are never equal, or that they are not always equal?"
     if reason := _of_a_word(asked.relation) or _behind_function(asked.relation) or _alone(reading):
@@ -253,12 +264,43 @@ def doubt_of_proofs(reading: Reading) -> str:
             if reading.source[2][part.letter][1]:
                 continue  # a function of one letter
             return f"the prime of {part.letter}: a derivative, by which letter? or another letter? say what it is"
-    if (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
+    begun = any(re.search(r"\b[EP]\[\d", text) for text in asked.where)  # a sequence with its first values
+    if not begun and (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
     if relies_on_order(reading.tree, said | {*reading.source[2]}):
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
     return unsaid(reading)
+
+
+def _members(tree: Tree, spelled: Iterable[str]) -> Iterator[str]:
+    """Letters such as H_n beside a sum over H_k: of that family nothing is said at n, at which it has a value."""
+    families = {
+        p.letter for _, p in walk(tree) if isinstance(p, Name) and any(isinstance(x, str) for x in p.subscripts)
+    }
+    for latex in sorted(spelled):
+        stem, below, subscript = latex.partition("_")
+        if below and stem in families and re.search(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", subscript):
+            yield latex
+
+
+def with_longer_arguments(tree: Tree) -> Tree:
+    r"""The same with letters behind a function of a sum in its argument: of (2k + 1) x in `\cos(2k + 1) x`."""
+    new = with_children(tree, tuple(map(with_longer_arguments, children(tree))))
+    if not isinstance(new, Mul):
+        return new
+    factors = list[Tree]()
+    for factor in new.factors:
+        match factors[-1:]:
+            case [Call(function, (Add() as angle,))] if function in ANGULAR and isinstance(factor, Name):
+                factors[-1] = Call(function, (Mul((angle, factor)),))
+            case [Call(function, (Mul((Add(), *_) as inside),))] if function in ANGULAR and isinstance(factor, Name):
+                factors[-1] = Call(function, (Mul((*inside, factor)),))
+            case _:
+                factors.append(factor)
+    if len(factors) == len(new.factors):
+        return new
+    return Mul(tuple(factors)) if len(factors) > 1 else factors[0]
 
 
 def _order_of_polynomials(reading: Reading) -> str:

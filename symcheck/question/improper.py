@@ -42,10 +42,12 @@ def improper(body: Term, x: str, low: Term, high: Term) -> Hints:
 def _hints(body: Term, x: str, low: Term, high: Term) -> Hints:
     """The same where nothing is to be hidden from SymPy."""
     f = ((x,), body)
+    if high == INFINITY and low in (0, MINUS_INFINITY) and (roots := _numbers(body, x)):
+        return roots
     if low == 0 and high != INFINITY:
         return [_head(body, x, high)]
     if low == MINUS_INFINITY and high == INFINITY:
-        if whole := _gaussian(body, x):
+        if whole := _gaussian(body, x) or _shifted(body, x):
             return whole
         middle = _kink(body, x)
         sides = [*_hints(body, x, MINUS_INFINITY, middle), *_hints(body, x, middle, INFINITY)]
@@ -200,12 +202,69 @@ def _gaussian(body: Term, x: str) -> Hints:
     if len(groups) != 1:
         return []
     ((exponent, rest),) = groups.items()
-    if not exponent.is_polynomial(symbol) or sympy.degree(exponent, symbol) != 2 or not rest.is_polynomial(symbol):
+    if not exponent.is_polynomial(symbol) or sympy.degree(exponent, symbol) != 2:
         return []
     q = sympy.Poly(exponent, symbol)
+    if (wave := _one_wave(rest, symbol)) is not None:
+        terms = tuple(map(from_sympy, (-q.nth(2), q.nth(1), *wave)))
+        return [Applied("gaussian_wave", terms, (((x,), body), ((x,), 0))), _root(-q.nth(2))]
+    if not rest.is_polynomial(symbol):
+        return []
     g, c = _reduced(rest, symbol, -q.nth(2), q.nth(1))
     terms = from_sympy(-q.nth(2)), from_sympy(q.nth(1)), from_sympy(c)
     return [Applied("gaussian", terms, (((x,), body), ((x,), from_sympy(g)))), _root(-q.nth(2))]
+
+
+def _numbers(body: Term, x: str) -> Hints:
+    """What the powers of numbers that are squares are, in an integral of a power of x by one of p x^2 + q."""
+    import sympy
+
+    expr, symbol = _symbols(body, x)
+    if not expr.is_rational_function(symbol):
+        return []
+    above, below = sympy.fraction(sympy.factor(expr))
+    bases = [each.as_base_exp() for each in sympy.Mul.make_args(below) if each.has(symbol)]
+    if len(bases) != 1:
+        return []
+    ((base, r),) = bases
+    q = sympy.Poly(base, symbol)
+    if q.degree() != 2 or q.nth(1) != 0 or not all(c.is_Rational and c.is_positive for c in (q.nth(0), q.nth(2))):
+        return []
+    half = sympy.Rational(sympy.degree(above, symbol) + 1, 2)
+    powers = [(q.nth(2), -half), (q.nth(0), half - r)]
+    roots = [(sympy.sqrt(number), u) for number, u in powers if number != 1]
+    return [
+        Applied("power_of_power", (from_sympy(root), 2, from_sympy(u)), ()) for root, u in roots if root.is_Rational
+    ]
+
+
+def _one_wave(rest: Expr, x: Symbol) -> tuple[Expr, Expr, Expr] | None:
+    """(c, u, v) with c cos(u x + v), if it is that."""
+    import sympy
+
+    c, wave = rest.as_independent(x, as_Add=False)
+    if not isinstance(wave, sympy.sin | sympy.cos) or not wave.args[0].is_polynomial(x):
+        return None
+    u, v = (sympy.Poly(wave.args[0], x).nth(k) for k in (1, 0))
+    known = sympy.degree(wave.args[0], x) == 1
+    return (c, u, v - sympy.pi / 2 if isinstance(wave, sympy.sin) else v) if known else None
+
+
+def _shifted(body: Term, x: str) -> Hints:
+    """The theorem that moves the middle of a quadratic divisor to 0, if an integrand has one that is elsewhere."""
+    import sympy
+
+    expr, symbol = _symbols(body, x)
+    if not expr.is_rational_function(symbol):
+        return []
+    _, below = sympy.fraction(sympy.together(expr))
+    quadratic = [sympy.Poly(base, symbol) for base, _ in sympy.factor_list(below, symbol)[1]]
+    middles = {sympy.cancel(q.nth(1) / (2 * q.nth(2))) for q in quadratic if q.degree() == 2}
+    if len(middles) != 1 or 0 in middles:
+        return []
+    (a,) = middles
+    centred = from_sympy(sympy.factor(expr.subs(symbol, symbol - a)))
+    return [Applied("shifted", (from_sympy(a),), (((x,), body), ((x,), centred))), *_numbers(centred, x)]
 
 
 def _root(a: Expr) -> Applied[Term]:

@@ -177,7 +177,10 @@ class Lowering:
         """Both sides of each equation of a chain."""
         if not isinstance(tree, Chain) or {*tree.signs} != {"="}:
             raise NoForm("it is no equation")
-        sides = [self.side(each) for each in tree.members]
+        members = tree.members
+        if all(isinstance(each, Norm) for each in members):  # lengths are equal if their squares are
+            members = tuple(Pow(each, Number("2")) for each in members)
+        sides = [self.side(each) for each in members]
         shape = next((shape for _, shape in filter(None, sides)), NUMBER)
         terms: list[Typed] = [(["zero", *shape], shape) if each is None else each for each in sides]
         for (_, one), (_, other) in pairwise(terms):

@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from symcheck.core.calculus import domain, functions, letters, substituted
+from symcheck.core.calculus import domain, functions, letters, nodes, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Call, Formula, Node, T, Term, mapped, node
+from symcheck.core.terms import Binder, Call, End, Formula, Node, T, Term, mapped, node
 from symcheck.proof.algebra.knowledge import larger_first
 from symcheck.question.jets import calls_in
 from symcheck.question.prepare import DEFINED, Asked, members
@@ -24,6 +24,8 @@ _SUBSCRIPT = re.compile(
     r"(?P<letter>\\[a-z]+\{\\?[A-Za-z]+\}|\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<group>[^{}]*)\}|(?P<token>[A-Za-z0-9]))"
     r"|\\[A-Za-z]+|."
 )
+# one letter in brackets
+_ARGUMENT = re.compile(r"\s*(?:\\left\s*)?\(\s*(\\?[A-Za-z]+)\s*(?:\\right\s*)?\)")
 FIRST = 4  # whole numbers at which a claim is looked at: a false one mostly fails at the first or second
 MOST = 8  # numbers by which places differ: of longer recurrences people print systems
 _PLACE = re.compile(r"[A-Za-z](?:[+-]\d+)?|\d+")  # a subscript that moves along with a letter, or stands
@@ -76,7 +78,7 @@ def with_sequences(asked: Asked) -> Asked | None:
     The letter is a whole number then, and no index of a sum. None where no letter has such subscripts, and none but
     these and numbers.
     """
-    texts = (asked.relation, *asked.where, *asked.given)
+    texts = tuple(_without_arguments((asked.relation, *asked.where, *asked.given)))
     below: dict[str, set[str]] = {}
     for match in (match for text in texts for match in _SUBSCRIPT.finditer(text) if match["letter"]):
         below.setdefault(match["letter"], set()).add(match["group"] or match["token"])
@@ -86,16 +88,40 @@ def with_sequences(asked: Asked) -> Asked | None:
     if not named or any(re.search(rf"_\{{?{n}=", text) for n in whole for text in texts):
         return None
 
+    applied = (
+        _ARGUMENT.match(text, m.end()) for text in texts for m in _SUBSCRIPT.finditer(text) if m["letter"] in named
+    )
+    if any(applied):
+        return None  # functions of several places, or factors
+
     def bracketed(match: re.Match[str]) -> str:
         return f"{match['letter']}[{match['group'] or match['token']}]" if match["letter"] in named else match[0]
 
     relation, *rest = (_SUBSCRIPT.sub(bracketed, text) for text in texts)
+    texts = (asked.relation, *asked.where, *asked.given)
     if rest == [*texts[1:]]:
         return None  # of these sequences nothing is said: their values are letters like others
     where, given = tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :])
     said = {**members(given, dict(asked.letters))[1], **dict(asked.letters)}
     more = tuple((n, "integer") for n in whole if not said.get(n))
     return Asked(relation, where, given, (*asked.letters, *more))
+
+
+def _without_arguments(texts: Sequence[str]) -> Iterator[str]:
+    """The same without a letter in brackets that stands behind all members of a sequence: P_n for P_n(x)."""
+    places: dict[str, set[str]] = {}
+    for text in texts:
+        for found in _SUBSCRIPT.finditer(text):
+            if found["letter"]:
+                argument = _ARGUMENT.match(text, found.end())
+                places.setdefault(found["letter"], set()).add(argument[1] if argument else "")
+    applied = {x for x, several in places.items() if len(several) == 1 and several != {""}}
+    for text in texts:
+        ends = [found.end() for found in _SUBSCRIPT.finditer(text) if found["letter"] in applied]
+        for end in reversed(ends):
+            argument = _ARGUMENT.match(text, end)
+            text = text[:end] + " " + text[argument.end() :] if argument else text
+        yield text
 
 
 def induction(problems: Sequence[Problem], whole: Iterable[str], conditions: Iterable[str] = ()) -> Induction | None:
@@ -121,6 +147,49 @@ def induction(problems: Sequence[Problem], whole: Iterable[str], conditions: Ite
     return _Sequences.of(problems, n, given)
 
 
+UNIT = {"sum": 0, "product": 1}  # what those without addends or factors are
+JOINED = {"sum": "+", "product": "*"}
+
+
+def with_sums(problem: Problem, whole: Iterable[str]) -> Problem | None:
+    """The same with sequences for sums and products up to a whole letter, of which a recurrence says what they are.
+
+    None if there are none: the addends must not depend on that letter.
+    """
+    found = dict[Binder, tuple[str, str]]()
+
+    def put(tree: T) -> T:
+        if isinstance(tree, Binder) and tree.tag in UNIT and (n := _last(tree)) in known:
+            name, _ = found.setdefault(tree, (f"{tree.tag}_{len(found) + 1}", n))
+            return node("call", name, (0,), tree.outside[1])  # type: ignore[return-value]
+        return mapped(tree, put) if isinstance(tree, Node) and not tree.bound else tree  # type: ignore[return-value]
+
+    known = {*whole}
+    claim = put(problem.claim)
+    if not found or any(map(functions, (problem.claim, *found))):
+        return None
+    hypotheses = list(problem.hypotheses)
+    for total, (name, n) in found.items():
+        ahead, now = (node("call", name, (0,), at) for at in (node("+", n, 1), n))
+        step = node(JOINED[total.tag], now, substituted(total.body, {total.letter: node("+", n, 1)}))
+        low = total.outside[0]
+        assert isinstance(low, int)
+        empty = node("call", name, (0,), low - 1)
+        hypotheses.append((name, (node("=", ahead, step), node("=", empty, UNIT[total.tag]))))
+    return replace(problem, claim=claim, hypotheses=tuple(hypotheses))
+
+
+def _last(total: Binder) -> str:
+    """The letter up to which a sum from a number on runs, perhaps a few places from it; "" if its addends have it."""
+    low, high = total.outside
+    inner = [part for part in nodes(total.body) if part.bound]
+    if not isinstance(low, int) or isinstance(high, End) or len(letters(high)) != 1 or inner:
+        return ""
+    (n,) = letters(high)
+    place = _place(high, n)
+    return n if place is not None and place.moving and n not in letters(total.body) else ""
+
+
 def _of(n: str, formula: Formula, whole: set[str]) -> Formula:
     """A recurrence in another letter as one in this letter: it is said of all whole numbers."""
     other = set().union(*map(letters, calls_in(formula))) & whole
@@ -129,18 +198,31 @@ def _of(n: str, formula: Formula, whole: set[str]) -> Formula:
 
 def place_of(call: Call, n: str) -> Place | None:
     """The place of a sequence, if it is one."""
-    match call.orders, call.terms:
-        case (0,), (str(x),) if x == n:
+    return _place(call.terms[0], n) if call.orders == (0,) else None
+
+
+def _place(at: Term, n: str) -> Place | None:
+    """The place that a term says: a number, the letter, or that many more."""
+    match at:
+        case str(x) if x == n:
             return Place(True, 0)
-        case (0,), (int(k),):
+        case int(k):
             return Place(False, k)
-        case (0,), (Node() as t,):
-            match t.outside:
-                case (str(x), int(k)) | (int(k), str(x)) if t.tag == "+" and x == n:
-                    return Place(True, k)
-                case (str(x), Node(tag="-", outside=(int(k),))) if t.tag == "+" and x == n:
-                    return Place(True, -k)
+        case Node(tag="+", outside=(str(x), int(k)) | (int(k), str(x))) if x == n:
+            return Place(True, k)
+        case Node(tag="+", outside=(str(x), Node(tag="-", outside=(int(k),)))) if x == n:
+            return Place(True, -k)
     return None
+
+
+def _solved(left: Term, right: Term) -> tuple[Term, Term]:
+    """An equation of a multiple of one value of a sequence, solved for that value."""
+    factors = left.outside if isinstance(left, Node) and left.tag == "*" else ()
+    calls = [k for k, factor in enumerate(factors) if isinstance(factor, Call)]
+    rest = [factor for factor in factors if not functions(factor)]
+    if len(calls) != 1 or len(rest) != len(factors) - 1:
+        return left, right
+    return factors[calls[0]], node("/", right, node("*", *rest) if len(rest) > 1 else rest[0])
 
 
 @dataclass(frozen=True)
@@ -162,6 +244,7 @@ class _Sequences:
         self.rules: dict[str, _Rule] = {}
         self.plain: list[tuple[str, Formula]] = []
         self.bounds: list[int] = []
+        self.divisors: list[int] = []  # by how much they are ahead of the lowest place
 
     @classmethod
     def of(cls, problems: Sequence[Problem], n: str, given: Iterable[tuple[str, Formula]]) -> Induction | None:
@@ -174,6 +257,8 @@ class _Sequences:
         below = min([0, *shifts])
         lowest = min((k for _, k in found.initial), default=max([0, *found.bounds]) + below)
         first = max([lowest - below, *found.bounds])
+        if any(lowest + ahead <= 0 for ahead in found.divisors):
+            return None  # below the line is 0 where a rule is used
         if any(f in found.rules and found._is_said(found.rules[f], k, lowest) for f, k in found.initial):
             return None  # a value is said twice
         if first > max(found.bounds, default=first) or any(not k.moving and k.number < lowest for k in places):
@@ -201,7 +286,7 @@ class _Sequences:
             return self._condition(name, formula)
         if formula.tag != "=":
             return False
-        for left, right in (formula.terms, formula.terms[::-1]):
+        for left, right in (_solved(*pair) for pair in (formula.terms, formula.terms[::-1])):
             if not isinstance(left, Call):
                 continue
             place = place_of(left, self.n)
@@ -211,14 +296,22 @@ class _Sequences:
             others = self._places(right)
             before = all(k.moving and k.number < place.number + (f != left.function) for f, k in others)
             if place.moving and before:
-                smooth = not others or not any(
-                    functions(f) or self.n in letters(f) for f in domain(right, divisors=True)
-                )
-                rule = _Rule(
-                    left.function, place.number, right, min((k.number for _, k in others), default=place.number)
-                )
-                return smooth and self.rules.setdefault(left.function, rule) == rule
+                low = min((k.number for _, k in others), default=place.number)
+                rule = _Rule(left.function, place.number, right, low)
+                return self._is_smooth(rule) and self.rules.setdefault(left.function, rule) == rule
         return False
+
+    def _is_smooth(self, rule: _Rule) -> bool:
+        """Whether a rule has a value wherever it is used: below the line, it has the letter and more at most."""
+        if rule.low == rule.top:
+            return True
+        for condition in domain(rule.body, divisors=True):
+            if functions(condition) or self.n in letters(condition):
+                place = _place(condition.outside[0], self.n) if condition.tag == "!=" else None
+                if place is None or not place.moving:
+                    return False
+                self.divisors.append(place.number - rule.low)
+        return True
 
     def _condition(self, name: str, formula: Formula) -> bool:
         """A condition without sequences: of the letter it says from where on it runs."""

@@ -3,18 +3,24 @@ with fractions for exponents."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
+from math import lcm
 
 from symcheck.core.calculus import nodes
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import Node, Relation, Term, Value, node
 from symcheck.core.verdicts import SymcheckError
+from symcheck.proof.algebra.forms import number_term
+from symcheck.proof.algebra.polynomial import number_of
 from symcheck.question.antiderivatives import FAULTS, SECONDS
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
 
+HALF = Fraction(1, 2)
+FINEST = 12  # roots of one number: of the twelfth, others are powers
 MOST = 4  # absolute values: each doubles the cases
 
 
@@ -30,6 +36,8 @@ def rooted(problem: Problem) -> Problem:
         hints += [*shorter, Applied("equal_squares", claim.terms, ())]
     powers = dict.fromkeys(part for part in nodes(*trees) if part.tag == "pow" and not bound)
     hints += [hint for part in [*powers][:MOST] for hint in _of_power(part)]
+    if not bound:
+        hints += [*_of_one_root([*powers], roots), *_of_exponentials([*powers], [*nodes(*trees)])]
     if isinstance(claim, Relation) and claim.tag == "=":
         for one, other in (claim.terms, claim.terms[::-1]):
             match one:
@@ -50,6 +58,34 @@ def _of_power(power: Node) -> Iterator[Applied[Term]]:
             match base:
                 case Value(tag="^", terms=(inner, int(n))):
                     yield Applied("power_of_power", (inner, n, node("/", p, q)), ())
+
+
+def _of_one_root(powers: Sequence[Node], roots: Sequence[Node]) -> Iterator[Applied[Term]]:
+    """How powers of one base are those of one root of it, by one more factor at a time."""
+    exponents = dict[Term, set[Fraction]]()
+    for base, exponent in (power.outside for power in powers):
+        if (number := number_of(exponent)) is not None and number > 0 and number.denominator > 1:
+            exponents.setdefault(base, set()).add(number)
+    for base, fractions in exponents.items():
+        root = node("sqrt", base)
+        every = fractions | ({HALF} if root in roots else set())
+        q = lcm(*(each.denominator for each in every))
+        if len(every) == 1 or q > FINEST or max(every) > 1:
+            continue
+        if root in roots:
+            half = node("pow", base, number_term(HALF))
+            yield Applied("power_inverse", (base, number_term(HALF), half), ())
+            yield Applied("equal_squares", (root, half), ())
+        for k in range(2, int(max(every) * q) + 1):
+            yield Applied("power_of_sum", (base, number_term(Fraction(k - 1, q)), number_term(Fraction(1, q))), ())
+
+
+def _of_exponentials(powers: Sequence[Node], parts: Sequence[Node]) -> Iterator[Applied[Term]]:
+    """Powers as exponentials, where the logarithm of their base stands in an exponent."""
+    exponents = [each for part in parts if part.tag == "exp" for each in nodes(part.outside[0])]
+    for base, exponent in (power.outside for power in powers):
+        if node("log", base) in exponents:
+            yield Applied("power_as_exp", (base, exponent), ())
 
 
 def _of_fraction(root: Node) -> Iterator[Applied[Term]]:

@@ -316,7 +316,7 @@ def _sized_identity(latex: str, every: Mapping[str, Evidence]) -> re.Match[str] 
 
 
 def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
-    """The number of rows of matrices that are printed, are said to be some, or are capital and bold; 0 if not said."""
+    """The number of rows of matrices that are printed, said, capital and bold or beside transposes; 0 if unsaid."""
     found = None
     for each in every.values():
         if each.spelling in _IDENTITIES:
@@ -327,7 +327,7 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
             return each.shape[0]
         if each.said.startswith(("matrix", "skew matrix")):
             return 3
-        if each.square or is_styled(each.spelling, capital=True):
+        if each.square or is_styled(each.spelling, capital=True) or (each.transposed and "T" not in every):
             found = 0
     return found
 

@@ -1276,9 +1276,11 @@ class Lowering:
 
     def of_integral(self, tree: Integral, env: Env) -> Value:
         self.refuse_primes(tree)
-        by, body = self.variable(tree.variable, env), self.scalar(tree.body, env)
-        self.refuse_unsaid(body, by, tree)
-        return node("integral", body, by, self.bound(tree.low, env), self.bound(tree.high, env))
+        by, body = self.variable(tree.variable, env), self.complex(tree.body, env)
+        low, high = self.bound(tree.low, env), self.bound(tree.high, env)
+        for part in parts(body):
+            self.refuse_unsaid(part, by, tree)
+        return each_part(lambda t: node("integral", t, by, low, high), body)
 
     def refuse_primes(self, tree: Integral | Antiderivative) -> None:
         """An error for letters with and without primes under an integral, of which nobody says what the primes are."""

@@ -108,7 +108,15 @@ def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
         end += 1
     behind = toks[end] if end < len(toks) else tex.Tok("", -2)
     adjacent = behind.at == toks[k].at + end - k and (behind.text.isalnum() or behind.text == ".")
-    return 0 if adjacent else end - k - 1
+    return 0 if adjacent or _is_base(toks, end) else end - k - 1
+
+
+def _is_base(toks: Sequence[tex.Tok], end: int) -> bool:
+    """Is a number raised to a power with letters in it, as in `n2^{n-1}`? Then it is a factor."""
+    if [tok.text for tok in toks[end : end + 1]] != ["^"] or end + 1 == len(toks):
+        return False
+    last = _closing(toks, end + 1) if toks[end + 1].text == "{" else end + 1
+    return any(tok.text.isalpha() for tok in toks[end + 1 : last + 1])
 
 
 _OF_FORMULAS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\left", r"\right"})  # arguments are formulas

@@ -160,7 +160,9 @@ def _conditions(
     A denominator that contains others is written as its numerator and those others. Hypotheses are added to the given.
     """
     formulas = [problem.claim, *(formula for ref, formula in stated(problem) if ref in given)]
-    statement = _divisors([side for formula in formulas for side in _sides(formula)], known.ring)
+    sides = [side for formula in formulas for side in _sides(formula)]
+    statement = _divisors(sides, known.ring)
+    bound = statement.keys() - _divisors(sides, known.ring, bodies=False).keys()  # what only integrands divide by
     nonzero: list[tuple[str, ...]] = []
     positive: list[Term] = []
     free = set().union(*(letters(unfold(f, known.ring.definitions)) for f in formulas))
@@ -173,11 +175,13 @@ def _conditions(
             given |= hypotheses_of(refs)
         elif not _letters(divisor) <= free:
             continue  # under a binder, or in a premise about all numbers, where it is shown
-        elif texts in statement:
+        elif texts in statement and (texts not in bound or _letters(divisor)):
             nonzero.append(texts)
         elif (form := _positive(divisor, texts[1:], known)) is not None:
             given |= known.sign(form)[1]
             positive += [form, form.terms[0]] if len(texts) > 1 and isinstance(form, Node) else [form]
+        elif texts in statement:
+            nonzero.append(texts)
         else:
             return None
     return nonzero, positive, given
@@ -215,14 +219,14 @@ def _positive(top: Poly, below: tuple[str, ...], known: Knowledge) -> Term | Non
     return whole if known.sign(whole)[0] == 2 else None
 
 
-def _divisors(terms: Iterable[Term], ring: Ring) -> Divisors:
-    """The denominators met in the terms, also in the arguments of functions."""
+def _divisors(terms: Iterable[Term], ring: Ring, *, bodies: bool = True) -> Divisors:
+    """The denominators met in the terms, also in the arguments of functions, and in what stands under binders."""
     outside, inside = (Ring(ring.names, ring.definitions) for _ in range(2))
     inside.inside = True
     for term in terms:
         plain = unfold(term, ring.definitions)
         for part in (term, *function_arguments(plain, bodies=False)):
             outside.ratio(part)
-        for part in function_arguments(plain, bodies=True):
+        for part in function_arguments(plain, bodies=True) if bodies else ():
             inside.ratio(part)
     return {**outside.divisors, **inside.divisors}

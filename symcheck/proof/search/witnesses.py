@@ -10,10 +10,10 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, islice, product
 
 from symcheck.checker.enclosures import enclosed
-from symcheck.core.calculus import Unknown, domain, substituted
+from symcheck.core.calculus import Unknown, domain, letters, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, RELATIONS, Formula, Node, Term, node
@@ -30,6 +30,7 @@ from symcheck.proof.search.values import computed, owed_by, with_values
 ZERO_IS_ONE: Formula = node("=", 0, 1)
 DRAWS = 3000  # points: the papers' witnesses are among the first 1,900
 TRIALS = 60  # points evaluated by digits, of which the papers need two
+SMALL, FEW = (1, 2, 3), 3  # whole numbers that are tried for so many letters where no integral is known at a point
 _ARCS = ("arctan", "arcsin", "arccos")
 Pool = tuple[int | Fraction, ...]
 # numbers that a reader can follow, small ones first
@@ -73,7 +74,24 @@ def find_witnesses(
     if together is None and len(premises) > 1:
         points = [_witness(problem, nonzero, [premise], prove) for premise in premises]
     found = [whole for point in points if point and (whole := with_values(problem, point, prove)) is not None]
+    if len(found) < len(points) and None not in points and len(premises) < 2:  # of whole numbers more is known
+        whole_ones = (with_values(problem, point, prove) for point in _small(problem, nonzero, premises))
+        found = [*islice(filter(None, whole_ones), 1)]
     return found if len(found) == len(points) else None
+
+
+def _small(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula]) -> Iterator[Point]:
+    """Points of a few small whole numbers where digits tell that all hypotheses hold that are orders."""
+    given = [formula for _, formula in stated(problem)]
+    given += [part for premise in premises for part in conjuncts(premise)]
+    said = (*given, *(node("!=", term, 0) for term in nonzero), *domain(problem.claim, *given, divisors=True))
+    names = sorted(set().union(*map(letters, (problem.claim, *said))))
+    if problem.definitions or len(names) > FEW or any(f.tag not in ("<", "<=", ">", ">=", "!=") for f in said):
+        return
+    for numbers in product(SMALL, repeat=len(names)):
+        point = Point(values=dict(zip(names, numbers, strict=True)))
+        if all(_is_met(formula, point, {}) for formula in said):
+            yield point
 
 
 def _witness(problem: Problem, nonzero: Sequence[Term], premises: Sequence[Formula], prove: Prover) -> Point | None:
@@ -102,6 +120,7 @@ def _is_met(condition: Formula, point: Point, definitions: dict[str, Term]) -> b
     except (Unknown, RecursionError):
         return False
     met = {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0, "<": digits.high < 0}
+    met["!="] = met[">"] or met["<"]
     return met[condition.tag]
 
 
