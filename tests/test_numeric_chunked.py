@@ -14,7 +14,7 @@ import pytest
 from chunked_samples import LEAD, arguments, functions, is_long
 
 from symcheck import kernels
-from symcheck.numeric import chunked
+from symcheck.numeric import chunked, wheels
 from symcheck.numeric.chunked import arrays as chunked_arrays
 from symcheck.numeric.chunked import gufunc, signature_of
 from symcheck.numeric.chunked import kernels as chunked_kernels
@@ -138,11 +138,13 @@ def test_bad_values_in_a_chunk_are_named_when_it_is_computed() -> None:
         lazy.compute(scheduler="sync")
 
 
-@pytest.mark.parametrize("units", ["deg", "degrees", "Degree"])
+@pytest.mark.parametrize("units", ["deg", "degrees", "Degree", "deg/s", "arcmin", "rpm"])
 def test_angles_in_degrees_are_not_taken_for_radians(units: str) -> None:
     angles = xarray.DataArray([0.5, 0.6], dims="a", name="tilt", attrs={"units": units})
     with pytest.raises(ValueError, match=f"tilt has units '{units}'; angles are in radians"):
         FUNCTIONS["wheels.six_wheels"](angles)
+    with pytest.raises(ValueError, match=f"has units '{units}'; angles are in radians, rates in rad/s"):
+        wheels.listed_vertices(4, angles[0], 0.5)
 
 
 @pytest.mark.parametrize("text", ["(i)->", "i->()", "(i),->(i)", "(i)(j)->()"])

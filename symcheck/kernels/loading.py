@@ -39,23 +39,32 @@ def folder() -> Path:
     return Path(spec.submodule_search_locations[0]).resolve()
 
 
-def load(name: str) -> ModuleType:
+def load(name: str, *, check: bool = False) -> ModuleType:
     """Import the kernels of a paper whose key is known only when the program runs.
 
     Parameters
     ----------
     name
         The key of the paper, such as "ignatov2005", or the folder of an audit.
+    check
+        True gives kernels that raise ValueError for an argument outside of its domain; else nothing is checked.
 
     Returns
     -------
     module
-        `symcheck.generated.<key>`.
+        `symcheck.generated.<key>`, or one like it whose kernels are checked.
 
     Raises
     ------
     SymcheckError
         If nothing was generated under that name, or kernels of another folder with the same key are in use.
+
+    Examples
+    --------
+    >>> load("ignatov2005", check=True).volume_of_four_wheels(0.5, -1.0)
+    Traceback (most recent call last):
+        ...
+    ValueError: volume_of_four_wheels: b = -1.0 must satisfy 0 < b < pi/2
     """
     own = Path(name) / GENERATED
     key, home = (key_of(Path(name)), own.resolve()) if own.is_dir() else (name, folder())
@@ -71,7 +80,11 @@ def load(name: str) -> ModuleType:
         raise SymcheckError(f"no kernels named {key!r} in {home}; run `symcheck generate`") from error
     if (other := Path(found.__file__ or "").resolve().parent) != home:
         raise SymcheckError(f"the kernels of {other} are in use under the key {key!r}; rename one of the folders")
-    return found
+    if not check:
+        return found
+    from symcheck.kernels.checked import checked_module
+
+    return checked_module(found)
 
 
 def of_paper(key: str) -> Mapping[str, KernelFunction]:

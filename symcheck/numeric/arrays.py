@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import prod
+
 import numpy as np
 
 from symcheck.numeric.domain import Array
@@ -9,7 +11,8 @@ from symcheck.numeric.domain import Array
 
 def letters(array: Array, axes: int = 1) -> list[Array]:
     """The components along the last axes, first: a kernel takes a letter for each."""
-    flat = np.moveaxis(array.reshape(*array.shape[: array.ndim - axes], -1), -1, 0)
+    lead, last = array.shape[: array.ndim - axes], array.shape[array.ndim - axes :]
+    flat = np.moveaxis(array.reshape(*lead, prod(last)), -1, 0)  # -1 for the product: not of an empty array
     return [flat[k] for k in range(len(flat))]
 
 
@@ -17,6 +20,16 @@ def of_one_shape(*arrays: Array) -> list[Array]:
     """The arrays broadcast against each other, not copied: numbers where all are numbers."""
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     return [np.broadcast_to(array, shape)[()] for array in arrays]
+
+
+def results(*arrays: Array) -> list[Array]:
+    """As `of_one_shape`, each with memory of its own: what is written to one is in no other."""
+    shape = np.broadcast_shapes(*(array.shape for array in arrays))
+    kept: list[Array] = []
+    for array in arrays:
+        own = array.shape == shape and not any(array is other for other in kept)
+        kept.append(array if own else np.broadcast_to(array, shape).copy())
+    return kept
 
 
 def eigensystem(matrix: Array) -> tuple[Array, Array]:

@@ -6,6 +6,7 @@ does not get in, so that none gets out unseen.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection
 from importlib import import_module
 from types import ModuleType
@@ -20,9 +21,12 @@ Truth = bool | np.bool_ | NDArray[np.bool_]
 Shape = tuple[int | None, ...]  # lengths of last axes, None for any length
 
 TOLERANCE = 1e-9  # relative: a matrix that was written with ten digits still passes
-LARGEST = 1e100  # a moment: the product of three is a double
+LARGEST = 1e100  # a moment: the product of three is a double; a coefficient: the quotient of two squares is one
+FARTHEST = 1e150  # a quotient: its square is a double
+GREATEST = 1e302  # a momentum: sums of a million are doubles
 HUGE = np.finfo(np.float64).max / 4  # an entry of a 3 x 3 matrix: its eigenvalues are doubles
 ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
+IN_DEGREES = re.compile(r"(arc)?deg|arcmin|arcsec|°|rpm", re.IGNORECASE)  # as pint and CF conventions spell them
 MAX_CHARACTERS = 100  # characters of a value in an error, which stays on one line
 
 
@@ -42,6 +46,7 @@ def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
         raise ValueError(
             f"{name} is a masked array, whose mask would be lost; pass its filled() or compressed() values"
         )
+    in_radians(name, value)
     try:
         array = np.asarray(value)
         if array.dtype.kind not in "iuf":
@@ -53,6 +58,37 @@ def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
     if last != shape and (len(last) < len(shape) or any(map(_differs, shape, last))):
         raise ValueError(f"{name} has shape {array.shape}; its last axes must be ({_words(shape)})")
     return array
+
+
+def in_radians(name: object, value: object) -> None:
+    """ValueError if the value, an xarray.DataArray, says that its unit is a degree, or one made of degrees."""
+    units = str(getattr(value, "attrs", {}).get("units", ""))
+    if IN_DEGREES.match(units):
+        raise ValueError(f"{name} has units {units!r}; angles are in radians, rates in rad/s")
+
+
+def moderate(name: str, array: Array, least: float = 0.0, most: float = GREATEST, source: str = "") -> Array:
+    """The array, if all absolute values are between these two."""
+    size = np.abs(array)
+    bounds = f"lie between {least:g} and {most:g}" if least else f"be at most {most:g} either way"
+    require((size >= least) & (size <= most), name, array, f"{bounds}; take another unit", source)
+    return array
+
+
+def momentum(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
+    """As `real`, of at most 1e302 N m s either way."""
+    array = doubles(name, value, shape)
+    if np.count_nonzero(np.abs(array) <= GREATEST) == array.size:
+        return array
+    return moderate(name, real(name, value, shape))
+
+
+def coefficient(name: str, value: ArrayLike, source: str) -> Array:
+    """As `positive`, so near to 1 that a quotient of two squares is a double."""
+    array = doubles(name, value)
+    if np.count_nonzero((array >= 1 / LARGEST) & (array <= LARGEST)) == array.size:
+        return array
+    return moderate(name, positive(name, value, source), 1 / LARGEST, LARGEST)
 
 
 def exact(name: str, value: ArrayLike, shape: Shape) -> Array:
@@ -119,10 +155,7 @@ def acute(name: str, angle: ArrayLike) -> Array:
 def principal_moments(moments: ArrayLike) -> Array:
     """Principal moments of inertia, shape (..., 3), so near to 1 that a product of three is a double."""
     array = positive("moments", moments, "mirer2009:2.0.6", (3,))
-    within = (array > 1 / LARGEST) & (array < LARGEST)
-    bounds = f"lie between {1 / LARGEST:g} and {LARGEST:g}; take another unit"
-    require(within, "moments", array, bounds, "mirer2009:2.1")
-    return array
+    return moderate("moments", array, 1 / LARGEST, LARGEST, "mirer2009:2.1")
 
 
 def slack_of(moments: Array) -> Array:
@@ -143,9 +176,10 @@ def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:
 def orthonormal_axes(axes: ArrayLike) -> Array:
     """Three orthonormal axes as rows, shape (..., 3, 3)."""
     array = real("axes", axes, (3, 3))
-    products = array @ array.swapaxes(-1, -2)
+    with np.errstate(over="ignore", invalid="ignore"):
+        products = array @ array.swapaxes(-1, -2)
     holds = (np.abs(products - np.eye(3)) <= TOLERANCE).all(axis=(-1, -2))
-    require(holds, "axes", array, "have orthonormal rows", "mirer2009:2.7")
+    require(holds, "axes", array, f"have orthonormal rows, to {TOLERANCE:g}", "mirer2009:2.7")
     return array
 
 
@@ -155,7 +189,13 @@ def unit_axes(axes: ArrayLike, source: str, count: int | None = None) -> Array:
     square = np.einsum("...k,...k->...", array, array)
     square -= 1
     np.abs(square, out=square)
-    require(square <= TOLERANCE, "axes", array, "be finite and have the length 1; divide it by its length", source)
+    require(
+        square <= TOLERANCE,
+        "axes",
+        array,
+        f"be finite and have the length 1, to {TOLERANCE:g}; divide it by its length in double precision",
+        source,
+    )
     return array
 
 
@@ -175,9 +215,9 @@ def symmetric_matrix(name: str, matrix: ArrayLike, source: str = "") -> Array:
 
 def equatorial(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> tuple[Array, Array, Array]:
     """alpha, beta, gamma, for which the amplitude has a stationary density."""
-    noise = positive("alpha", alpha, "(3.5); without multiplicative noise the density is Rayleigh's, B.10")
-    additive = positive("beta", beta, "4.0.3; without additive noise nothing is stationary, B.11")
-    dissipation = positive("gamma", gamma, "1.1.7")
+    noise = coefficient("alpha", alpha, "(3.5); without multiplicative noise the density is Rayleigh's, B.10")
+    additive = coefficient("beta", beta, "4.0.3; without additive noise nothing is stationary, B.11")
+    dissipation = coefficient("gamma", gamma, "1.1.7")
     require(2 * dissipation > noise, "gamma", dissipation, "satisfy 4 gamma^2 > alpha^2", "4.0.3")
     return noise, additive, dissipation
 
@@ -185,11 +225,19 @@ def equatorial(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> tuple[Arr
 def axial(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> tuple[Array, Array, Array, Array]:
     """k, g_13, g_23, d_33, for which the frequency has a stationary density."""
     return (
-        positive("k", k, "(1.1)"),
-        positive("g_13", g_13, "(3.5); without multiplicative noise the density is normal"),
-        positive("g_23", g_23, "4.0.5; without additive noise nothing is stationary"),
-        positive("d_33", d_33, "4.0.5"),
+        coefficient("k", k, "(1.1)"),
+        coefficient("g_13", g_13, "(3.5); without multiplicative noise the density is normal"),
+        coefficient("g_23", g_23, "4.0.5; without additive noise nothing is stationary"),
+        coefficient("d_33", d_33, "4.0.5"),
     )
+
+
+def within(name: str, value: Array, unit: Array, words: str) -> Array:
+    """The value in a unit, of which it has no more than squares allow; `words` say what the unit is."""
+    with np.errstate(over="ignore"):
+        quotient = value / unit
+    require(np.abs(quotient) <= FARTHEST, name, value, f"be at most about {FARTHEST:g} {words}")
+    return quotient
 
 
 # --- shapes, choices and results

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.kernels.runtime import FEW
+from symcheck.numeric.domain import in_radians
 
 if TYPE_CHECKING:
     import dask.array as da
@@ -26,7 +27,6 @@ Call: TypeAlias = Callable[..., Chunk]
 Size = int | Callable[[Mapping[str, int]], int]
 Axes = tuple[str, ...]
 CHUNKED = (("dask.array", "Array"), ("xarray", "DataArray"))  # an argument is one of these only if it is loaded
-DEGREES = {"deg", "degs", "degree", "degrees", "degree_angle", "arcdeg", "°"}  # as pint and CF conventions spell them
 DESCRIBES_VALUES = ("units", "long_name", "standard_name")  # attributes that are not those of a function's value
 
 
@@ -169,8 +169,7 @@ def _named(
             raise ValueError(
                 f"an array of shape {np.shape(leaf)} together with DataArrays must be one too: name its axes"
             )
-        if str(leaf.attrs.get("units")).lower() in DEGREES:
-            raise ValueError(f"{leaf.name or 'a DataArray'} has units {leaf.attrs['units']!r}; angles are in radians")
+        in_radians(leaf.name or "a DataArray", leaf)
         names = {axis: str(dim) for axis, dim in zip(core, _last(leaf, core), strict=True)} | names
     named = xarray.apply_ufunc(
         call,

@@ -6,6 +6,7 @@ vectors and matrices are in principal axes; leading axes of all arguments broadc
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -16,6 +17,8 @@ from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     Array,
+    evaluated,
+    finite,
     not_negative,
     orthonormal_axes,
     positive,
@@ -101,7 +104,7 @@ def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -
     [0.2, 0.3, 0.4]
     """
     values = _ratio(ratio), *letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)
-    return np.stack(mirer2009.gains_in_proportion(*values), axis=-1)
+    return evaluated("a gain", lambda *x: np.stack(mirer2009.gains_in_proportion(*x), axis=-1), *values)
 
 
 @gufunc("(i),(i,k)->(k,column)", column=3)
@@ -135,7 +138,9 @@ def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
     [[1.8, 2.4, 0.0], [2.4, 3.2, 0.0], [0.0, 0.0, 0.0]]
     """
     values = letters(_gains(gains)), letters(unit_axes(axes, "mirer2009:1.0.2", 3), axes=2)
-    return np.stack(mirer2009.damping_matrix(*values[0], *values[1]), axis=-1)[..., ROWS]
+    return evaluated("the matrix", lambda *x: np.stack(mirer2009.damping_matrix(*x), axis=-1), *chain(*values))[
+        ..., ROWS
+    ]
 
 
 @gufunc("(i,j)->(i),(i,j)")
@@ -204,7 +209,8 @@ def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: Arra
     [6.0, 18.0, 18.0, 6.0]
     """
     arguments = letters(principal_moments(moments)), letters(_gains(gains)), letters(orthonormal_axes(axes), axes=2)
-    return np.stack(mirer2009.characteristic_coefficients(*arguments[0], *arguments[1], *arguments[2]), axis=-1)
+    coefficients = mirer2009.characteristic_coefficients
+    return evaluated("a coefficient", lambda *x: np.stack(coefficients(*x), axis=-1), *chain(*arguments))
 
 
 @gufunc("(i),(i,j)->(i)")
@@ -306,7 +312,7 @@ def optimal_devices(moments: ArrayLike, degree: ArrayLike) -> Devices:
     0.1
     """
     gains = gains_in_proportion(_ratio(degree, "degree"), moments, np.eye(3))
-    return Devices(gains, np.broadcast_to(np.eye(3), (*gains.shape, 3)))
+    return Devices(gains, np.tile(np.eye(3), (*gains.shape[:-1], 1, 1)))
 
 
 @gufunc("(i)->(),()")
@@ -340,7 +346,9 @@ def harmonic_mean_of_rates(rates: ArrayLike) -> HarmonicMean:
     rates = positive("rates", rates, "mirer2009:B.4", (3,))
     least = rates.min(axis=-1)
     excess = letters(rates - least[..., None])
-    return HarmonicMean(*mirer2009.gain_of_rates(least, *excess))
+    with np.errstate(all="ignore"):
+        mean, loss = mirer2009.gain_of_rates(least, *excess)
+    return HarmonicMean(finite("the mean", mean), finite("the excess", loss))
 
 
 @gufunc("(),(i),()->()")

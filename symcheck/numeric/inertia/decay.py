@@ -2,6 +2,10 @@
 
 Decision: SciPy's DOP853, all bodies as one system, and its LSODA where the fastest mode decays within a small part of
 the time. Reason: one call takes all bodies; DOP853 needs the fewest steps unless the problem is stiff.
+
+Decision: the unknowns are the amplitudes of the modes of I dw/dt = -m w, in units in which the moments, the rates and
+the time are nearly 1. Reason: a fast mode that has decayed then stays small, whatever rounding does to the others; in
+the components of w it comes and goes with every rounding, which at rates 1e9 apart took a minute.
 """
 
 from __future__ import annotations
@@ -12,9 +16,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
+from symcheck.numeric.arrays import eigensystem
 from symcheck.numeric.chunked import gufunc, pointwise
-from symcheck.numeric.domain import Array, increasing, positive, principal_moments, real, require, symmetric_matrix
-from symcheck.numeric.inertia.damping import characteristic_roots
+from symcheck.numeric.domain import (
+    Array,
+    evaluated,
+    increasing,
+    moderate,
+    positive,
+    power_of_two,
+    principal_moments,
+    real,
+    require,
+    symmetric_matrix,
+)
 
 FINEST = 100 * np.finfo(np.float64).eps  # the least relative tolerance that SciPy takes
 STIFF = 1e3  # time constants of the fastest mode in the whole time, from which LSODA is the faster one
@@ -55,7 +70,7 @@ def angular_acceleration(moments: ArrayLike, damping: ArrayLike, rate: ArrayLike
     [-3.0, 2.0, -0.5]
     """
     matrix = symmetric_matrix("damping", damping, "mirer2009:1.2.6")
-    return _acceleration(principal_moments(moments), matrix, real("rate", rate, (3,)))
+    return evaluated("an acceleration", _acceleration, principal_moments(moments), matrix, real("rate", rate, (3,)))
 
 
 @pointwise("(i),(i,j),(i),(time)->(time,i)")
@@ -104,37 +119,41 @@ def free_decay(
     [1.0, 1.0, 1.0, 1.0, 1.0]
     """
     moments, damping = principal_moments(moments), symmetric_matrix("damping", damping, "mirer2009:1.2.6")
-    rate, times = real("rate", rate, (3,)), increasing("times", times)
-    roots = characteristic_roots(moments, damping)
-    require(
-        roots[..., -1] <= np.abs(roots).max(axis=-1) * FINEST,
-        "damping",
-        damping,
-        "amplify no rotation",
-        "mirer2009:1.1",
-    )
+    rate, times = real("rate", rate, (3,)), moderate("times", increasing("times", times))
     positive("tolerance", tolerance)
-    shape = np.broadcast_shapes(moments.shape[:-1], damping.shape[:-2], rate.shape[:-1])
-    start = np.broadcast_to(rate, (*shape, 3))
+    span, turn = power_of_two(np.asarray(np.ptp(times))), power_of_two(np.abs(rate).max(axis=-1, keepdims=True))
+    size = power_of_two(moments.max(axis=-1, keepdims=True))
+    inertia, whole = moments / size, float(np.ptp(times) / span)
+    roots = np.sqrt(inertia)
+    matrix = symmetric_matrix("damping", damping * (span / size[..., None])) / (roots[..., None] * roots[..., None, :])
+    decays, modes = eigensystem(matrix)
+    undamped = decays[..., 0] >= -np.abs(decays).max(axis=-1) * FINEST
+    require(undamped, "damping", damping, "amplify no rotation", "mirer2009:1.1")
+    into, back = modes * roots[..., None, :], modes / roots[..., None, :]
+    shape = np.broadcast_shapes(decays.shape[:-1], rate.shape[:-1])
+    start = np.broadcast_to(_product(into, rate / turn), (*shape, 3))
+
+    def change(_: float, state: Array) -> Array:
+        amplitude = state.reshape(start.shape)
+        turned = _product(back.swapaxes(-1, -2), amplitude)
+        return (-decays * amplitude - turn * span * _product(back, np.cross(turned, inertia * turned))).ravel()
+
     # SciPy bounds the error of all bodies together, by its mean square: each has to keep within it.
     tolerance = max(tolerance / sqrt(max(start.size // 3, 1)), FINEST)
-    left = np.exp(np.broadcast_to(roots[..., -1], shape) * np.ptp(times)) * np.linalg.norm(start, axis=-1)
-    stiff = bool((np.abs(roots).max(initial=0) * np.ptp(times)) > STIFF)
+    left = np.exp(-decays[..., 0] * whole) * np.linalg.norm(rate / turn, axis=-1) * roots.min(axis=-1)
+    stiff = bool(np.abs(decays).max(initial=0) * whole > STIFF)
     tolerance = max(tolerance * FINER, FINEST) if stiff else tolerance
-    allowed = np.maximum(tolerance * left, SMALLEST)
+    allowed = np.broadcast_to(np.maximum(tolerance * left, SMALLEST), shape)
     solver = {"method": "LSODA", "lband": 2, "uband": 2} if stiff else {"method": "DOP853"}  # three equations of each
-    solution = solve_ivp(
-        lambda _, state: _acceleration(moments, damping, state.reshape(start.shape)).ravel(),
-        (times[0], times[-1]),
-        start.ravel(),
-        t_eval=times,
-        rtol=tolerance,
-        atol=np.repeat(allowed.ravel(), 3),
-        **solver,
-    )
-    if not solution.success:
-        raise FloatingPointError(f"no free decay up to {times[-1]} s: {solution.message}")
-    rates: Array = np.moveaxis(solution.y.reshape(*start.shape, times.size), -1, -2)
+    rates = np.empty((*shape, times.size, 3))
+    if rates.size:
+        ends, absolute = (times[0] / span, times[-1] / span), np.repeat(allowed.ravel(), 3)
+        solution = solve_ivp(change, ends, start.ravel(), t_eval=times / span, rtol=tolerance, atol=absolute, **solver)
+        if not solution.success:
+            raise FloatingPointError(f"no free decay up to {times[-1]} s: {solution.message}")
+        amplitudes = np.moveaxis(solution.y.reshape(*start.shape, times.size), -1, -2)
+        rates[...] = amplitudes @ back * turn[..., None, :]
+        rates[..., 0, :] = rate
     return rates
 
 
@@ -164,8 +183,8 @@ def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
     >>> kinetic_energy([2, 3, 4], [[1, 0, 0], [0, 2, 1]]).tolist()
     [1.0, 8.0]
     """
-    energy: Array = (principal_moments(moments)[..., None, :] * real("rates", rates, (None, 3)) ** 2).sum(axis=-1) / 2
-    return energy
+    inertia, rate = principal_moments(moments)[..., None, :], real("rates", rates, (None, 3))
+    return evaluated("an energy", lambda *x: (x[0] * x[1] ** 2).sum(axis=-1) / 2, inertia, rate)
 
 
 @gufunc("(time),(time)->()")
@@ -201,11 +220,15 @@ def decay_rate(times: ArrayLike, energy: ArrayLike) -> Array:
     """
     times = increasing("times", times)
     energy = positive("energy", energy, "else there is nothing to measure", (times.size,))
-    rate: Array = np.log(energy[..., 0] / energy[..., -1]) / (2 * np.ptp(times))
-    return rate
+    first, last = energy[..., 0], energy[..., -1]
+    return evaluated("a decay rate", lambda *x: np.log(x[0] / x[1]) / (2 * np.ptp(x[2])), first, last, times)
 
 
 def _acceleration(moments: Array, damping: Array, rate: Array) -> Array:
-    torque = np.einsum("...ij,...j->...i", damping, rate) + np.cross(rate, moments * rate)
+    torque = _product(damping, rate) + np.cross(rate, moments * rate)
     acceleration: Array = -torque / moments
     return acceleration
+
+
+def _product(matrix: Array, vector: Array) -> Array:
+    return np.asarray(np.einsum("...ij,...j->...i", matrix, vector))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
-from symcheck.numeric.arrays import letters, of_one_shape
+from symcheck.numeric.arrays import letters, results
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, orthonormal_axes, principal_moments, real, require
 
@@ -143,7 +143,7 @@ def equal_moment_angles(moments: ArrayLike) -> AttitudeAngles:
     with np.errstate(divide="ignore", invalid="ignore"):  # I_2 = I_3: the infinite tangent is meant
         pitch = mirer2009.equal_moment_pitch(*letters(moments))
     yaw, roll = np.array(np.arcsin(1 / np.sqrt(3))), np.array(np.pi / 4)
-    return AttitudeAngles(*of_one_shape(np.where(spherical, 0.0, pitch), yaw, roll))
+    return AttitudeAngles(*results(np.where(spherical, 0.0, pitch), yaw, roll))
 
 
 @gufunc("(k),(),(),()->(row,k)", row=3)

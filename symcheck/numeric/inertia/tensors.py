@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
-from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
+from symcheck.numeric.arrays import eigensystem, letters, results
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     ROUNDING,
@@ -312,9 +312,7 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
     arguments = _arguments(moments, axes)
     excess, deficit, _ = mirer2009.distances_from_bounds(*arguments)
     least, greatest, _ = mirer2009.bounds_of_products(*arguments[:3])
-    return BoundedProduct(
-        *of_one_shape(mirer2009.product_of_axial_moments(*arguments), least, greatest, excess, deficit)
-    )
+    return BoundedProduct(*results(mirer2009.product_of_axial_moments(*arguments), least, greatest, excess, deficit))
 
 
 @gufunc("(k),(i,k)->(),(),()")
@@ -349,7 +347,7 @@ def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
     arguments = _arguments(moments, axes)
     *_, excess = mirer2009.distances_from_bounds(*arguments)
     *_, least = mirer2009.bounds_of_products(*arguments[:3])
-    return BoundedSum(*of_one_shape(mirer2009.sum_of_products(*arguments), least, excess))
+    return BoundedSum(*results(mirer2009.sum_of_products(*arguments), least, excess))
 
 
 @gufunc("(k),()->()")

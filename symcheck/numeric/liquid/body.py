@@ -8,11 +8,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
-from symcheck.numeric.domain import Array, common_shape, evaluated, positive, real, require
+from symcheck.numeric.domain import Array, common_shape, evaluated, positive, power_of_two, real, require
 
 
 class Body(NamedTuple):
-    """Checked parameters, broadcast; on the last axis the inertias and frequencies of the modes, minus the residues."""
+    """Checked parameters, broadcast; on the last axis the inertias and frequencies of the modes, minus the residues.
+
+    They are in units in which A and the spin are nearly 1, so that products of them are doubles: `moment` and `rate`,
+    powers of two, by which to multiply rounds nothing.
+    """
 
     A: Array
     C: Array
@@ -20,6 +24,8 @@ class Body(NamedTuple):
     lambda_n: Array
     omega_0: Array
     R_n: Array
+    moment: Array
+    rate: Array
 
     @property
     def off_the_band(self) -> NDArray[np.bool_]:
@@ -44,5 +50,9 @@ def checked_body(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike
     require(total < whole, "sum of E_n", total, "be less than A, as the liquid is a part of the body", "N.13")
     whole, axial, spin = (np.broadcast_to(value, shape) for value in (whole, axial, spin))
     carried, natural = (np.broadcast_to(value, shape + value.shape[-1:]) for value in (carried, natural))
+    moment, rate = power_of_two(whole), power_of_two(spin)
+    with np.errstate(over="ignore"):
+        whole, axial, carried = whole / moment, axial / moment, carried / moment[..., None]
+        spin, natural = spin / rate, natural / rate[..., None]
     residue = evaluated("a residue of a mode", esenkov2006.residue_of_a_mode, carried, natural, spin[..., None])
-    return Body(whole, axial, carried, natural, spin, np.asarray(residue))
+    return Body(whole, axial, carried, natural, spin, np.asarray(residue), moment, rate)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
+from symcheck.numeric.arrays import results
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, common_shape, exact, finite, number, positive, real, require
 from symcheck.numeric.liquid.body import Body, checked_body
@@ -139,7 +140,7 @@ def boundary_of_stability(
         width = esenkov2006.width_of_the_unstable_interval(whole, carried, ratio)
         at_upper, at_lower = esenkov2006.critical_frequencies(whole, carried, ratio, spin)
         rate = np.abs(esenkov2006.greatest_growth_rate(whole, carried, ratio, spin))
-    parts = np.broadcast_arrays(lower, upper, width, at_lower, at_upper, rate)
+    parts = results(lower, upper, width, at_lower, at_upper, rate)
     return BoundaryOfStability(*(finite("a result", part) for part in parts))
 
 
@@ -183,12 +184,12 @@ def unstable_intervals(A: float, E_n: ArrayLike, lambda_n: ArrayLike, omega_0: f
     """
     whole, spin = number("A", A), number("omega_0", omega_0)
     body = checked_body(whole, whole, exact("E_n", E_n, (None,)), exact("lambda_n", lambda_n, (None,)), spin)
-    least = -whole * (1 - EPSILON)  # C is positive, and where C >= A the body is stable (N.17)
+    least = -body.A * (1 - EPSILON)  # C is positive, and where C >= A the body is stable (N.17)
     critical = np.unique(np.clip(_critical_moments(body), least, 0))
-    middles = whole + (critical[1:] + critical[:-1]) / 2
-    unstable = growth_rate(whole, middles, body.E_n, body.lambda_n, spin) > 0
+    middles = body.A + (critical[1:] + critical[:-1]) / 2
+    unstable = growth_rate(body.A, middles, body.E_n, body.lambda_n, body.omega_0) > 0
     change = np.diff(np.concatenate([[0], unstable, [0]]).astype(int))[: critical.size]
-    return np.stack([critical[change > 0], critical[change < 0]], -1)
+    return np.stack([critical[change > 0], critical[change < 0]], -1) * body.moment
 
 
 def stability_map(

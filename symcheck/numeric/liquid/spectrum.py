@@ -138,7 +138,7 @@ def stability(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike, o
     body = checked_body(A, C, E_n, lambda_n, omega_0)
     with np.errstate(all="ignore"):
         eta = _roots_of_the_quadratic(body) if _is_one_mode(body) else _eigenvalues(body)
-        eta = np.sort(finite("a frequency", eta), axis=-1)
+        eta = np.sort(finite("a frequency", eta * body.rate[..., None]), axis=-1)
         rate = np.abs(eta.imag).max(-1)
         stable = _quadratic(body).discriminant > 0 if _is_one_mode(body) else rate == 0
     return Stability(eta, np.asarray(rate), np.asarray(stable))

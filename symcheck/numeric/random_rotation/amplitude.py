@@ -11,11 +11,22 @@ All arguments broadcast; a ValueError names what does not fit.
 
 from __future__ import annotations
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, equatorial, evaluated, not_negative, probability, require, shortened
+from symcheck.numeric.domain import (
+    Array,
+    equatorial,
+    evaluated,
+    not_negative,
+    power_of_two,
+    probability,
+    require,
+    shortened,
+    within,
+)
 
 
 @gufunc("(),(),(),()->()")
@@ -48,12 +59,8 @@ def density_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma:
     >>> density_of_amplitude([0.0, 0.5, 1.0], 1.0, 3**0.5 / 2, 1.0).round(4).tolist()
     [0.0, 0.64, 0.5]
     """
-    return evaluated(
-        "density of a",
-        poloskov2004.density_of_amplitude,
-        not_negative("a", a, "(3.4)"),
-        *equatorial(alpha, beta, gamma),
-    )
+    unit, values = _scaled(not_negative("a", a, "(3.4)"), *equatorial(alpha, beta, gamma))
+    return evaluated("density of a", lambda *x: poloskov2004.density_of_amplitude(*x) / unit, *values)
 
 
 @gufunc("(),(),(),()->()")
@@ -86,7 +93,7 @@ def distribution_of_amplitude(a: ArrayLike, alpha: ArrayLike, beta: ArrayLike, g
     >>> float(distribution_of_amplitude(1.0, 1.0, 3**0.5 / 2, 1.0).round(4))
     0.5
     """
-    values = not_negative("a", a, "(3.4)"), *equatorial(alpha, beta, gamma)
+    _, values = _scaled(not_negative("a", a, "(3.4)"), *equatorial(alpha, beta, gamma))
     return evaluated("distribution of a", poloskov2004.distribution_of_amplitude, *values)
 
 
@@ -156,7 +163,8 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     [1.0, 0.6375]
     """
     power, (noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), equatorial(alpha, beta, gamma)
-    finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
+    with np.errstate(over="ignore"):
+        finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
     require(finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9")
     return evaluated("moment of a", poloskov2004.moment_of_amplitude, power, noise, additive, dissipation)
 
@@ -255,3 +263,13 @@ def logarithm_of_constant_of_amplitude(alpha: ArrayLike, beta: ArrayLike, gamma:
     2.25
     """
     return evaluated("log C_1", poloskov2004.logarithm_of_constant_of_amplitude, *equatorial(alpha, beta, gamma))
+
+
+def _scaled(a: Array, alpha: Array, beta: Array, gamma: Array) -> tuple[Array, tuple[Array, ...]]:
+    """A unit of amplitudes, and the arguments in it and in a unit of time in which beta and gamma are nearly 1.
+
+    The law is the same, squares of all arguments are doubles, and powers of two round nothing.
+    """
+    size = power_of_two(gamma)
+    unit = power_of_two(beta / size)
+    return unit, (within("a", a, unit, "beta/gamma"), alpha / size, beta / size / unit, gamma / size)

@@ -19,7 +19,18 @@ from scipy import special
 
 from symcheck.generated import poloskov2004
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, axial, evaluated, not_negative, probability, real, require, shortened
+from symcheck.numeric.domain import (
+    Array,
+    axial,
+    evaluated,
+    not_negative,
+    power_of_two,
+    probability,
+    real,
+    require,
+    shortened,
+    within,
+)
 
 
 @gufunc("(),(),(),(),()->()")
@@ -53,8 +64,9 @@ def density_of_frequency(Omega: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: 
     >>> density_of_frequency([0.0, 0.6], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [1.061, 0.2653]
     """
-    values = real("Omega", Omega), *axial(k, g_13, g_23, d_33)
-    return evaluated("density of Omega", poloskov2004.density_of_frequency, *values)
+    frequency, (unit, parameters) = real("Omega", Omega), _scaled(*axial(k, g_13, g_23, d_33))
+    in_unit = within("Omega", frequency, unit, "g_23 k/sqrt(d_33)")
+    return evaluated("density of Omega", lambda *x: poloskov2004.density_of_frequency(*x) / unit, in_unit, *parameters)
 
 
 @gufunc("(),(),(),(),()->()")
@@ -196,7 +208,9 @@ def mean_square_of_frequency(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_3
     """
     ratio, noise, additive, dissipation = axial(k, g_13, g_23, d_33)
     require(dissipation > noise**2, "d_33", dissipation, "satisfy d_33 > g_13^2", "4.0.11 for m = 2")
-    return evaluated("mean square of Omega", poloskov2004.mean_square_of_frequency, ratio, noise, additive, dissipation)
+    unit, parameters = _scaled(ratio, noise, additive, dissipation)
+    mean = poloskov2004.mean_square_of_frequency
+    return evaluated("mean square of Omega", lambda *x: mean(*x) * unit * unit, *parameters)
 
 
 @gufunc("(),(),(),()->()")
@@ -281,3 +295,13 @@ def _quantile(q: Array, k: Array, g_13: Array, g_23: Array, d_33: Array) -> Arra
     rest = special.betainccinv(0.5, delta, outside)
     value: Array = np.copysign(np.sqrt(rest / y), q - 0.5) * (g_23 * k / g_13)
     return value
+
+
+def _scaled(k: Array, g_13: Array, g_23: Array, d_33: Array) -> tuple[Array, tuple[Array, Array, Array, Array]]:
+    """A unit of frequencies, and the parameters in it and in a unit of time in which k, g_23 and d_33 are nearly 1.
+
+    The law is the same, squares of all parameters are doubles, and powers of two round nothing.
+    """
+    size, own = power_of_two(np.sqrt(d_33)), power_of_two(k)
+    noise = power_of_two(g_23 / size)
+    return own * noise, (k / own, g_13 / size, g_23 / size / noise, d_33 / size / size)

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symcheck.numeric.arrays import results
 from symcheck.numeric.chunked import gufunc, pointwise
-from symcheck.numeric.domain import Array, not_negative, positive, real, whole
+from symcheck.numeric.domain import Array, finite, not_negative, positive, real, whole
 from symcheck.numeric.random_rotation.amplitude import quantile_of_amplitude
 from symcheck.numeric.random_rotation.frequency import quantile_of_frequency
 from symcheck.numeric.random_rotation.torques import RandomTorques
@@ -69,7 +70,9 @@ def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
     """
     velocity, ratio = real("x", x, (3,)), positive("k", k, "(1.1)")
     x_1, x_2, x_3 = np.moveaxis(velocity, -1, 0)
-    return Rotation(*np.broadcast_arrays(np.hypot(x_1, x_2), np.arctan2(0.0 - x_2, x_1), ratio * x_3))
+    with np.errstate(over="ignore"):
+        parts = np.hypot(x_1, x_2), np.arctan2(0.0 - x_2, x_1), ratio * x_3
+    return Rotation(*(finite("an amplitude or a frequency", part) for part in results(*parts)))
 
 
 @gufunc("(),(),(),()->(axis)", axis=3)
@@ -103,8 +106,10 @@ def angular_velocity(a: ArrayLike, psi: ArrayLike, Omega: ArrayLike, k: ArrayLik
     [2.0, -0.0, 5.0]
     """
     amplitude, phase = not_negative("a", a, "(2.3)"), real("psi", psi)
-    parts = amplitude * np.cos(phase), -amplitude * np.sin(phase), real("Omega", Omega) / positive("k", k, "(1.1)")
-    return np.stack(np.broadcast_arrays(*parts), axis=-1)
+    frequency, ratio = real("Omega", Omega), positive("k", k, "(1.1)")
+    with np.errstate(over="ignore"):
+        parts = amplitude * np.cos(phase), -amplitude * np.sin(phase), frequency / ratio
+    return finite("an angular velocity", np.stack(np.broadcast_arrays(*parts), axis=-1))
 
 
 @pointwise("()->(realization,axis)")

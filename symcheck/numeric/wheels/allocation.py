@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, real, require
+from symcheck.numeric.domain import Array, momentum, require
 from symcheck.numeric.wheels.faces import half_spaces
 from symcheck.numeric.wheels.planes import Index, missing
 from symcheck.numeric.wheels.sets import Wheels, wheels_of
@@ -78,11 +78,10 @@ def allocate(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike = 1.0, bias: 
     wheels, offset = _one_set(axes, demand, limits, bias)
     works = wheels.limits > 0
     momenta = np.zeros((*offset.shape[:-1], len(works)))
-    momenta[..., works] = _shared(wheels.axes[works], wheels.limits[works], offset.reshape(-1, 3)).reshape(
-        *offset.shape[:-1], -1
-    )
-    gap = np.linalg.norm(momenta @ wheels.axes - offset, axis=-1)
-    reached = gap <= IN_PLANE * np.linalg.norm(offset, axis=-1)
+    shared = _shared(wheels.axes[works], wheels.limits[works], offset.reshape(-1, 3))
+    momenta[..., works] = shared.reshape(*offset.shape[:-1], shared.shape[1])
+    gap = np.abs(momenta @ wheels.axes - offset).max(axis=-1)
+    reached = gap <= IN_PLANE * np.abs(offset).max(axis=-1)
     require(
         reached, "demand", offset + wheels.centre, "lie in the plane or line of the axes of wheels that work", "(2.1)"
     )
@@ -137,7 +136,7 @@ def _one_set(axes: ArrayLike, demand: ArrayLike, limits: ArrayLike, bias: ArrayL
     """The wheels, and the demand less what their biases give."""
     wheels = wheels_of(axes, limits, bias)
     require(wheels.limits.ndim == 1, "axes", wheels.axes.shape, "be one set of wheels, of the shape (n, 3)", "(2.1)")
-    return wheels, real("demand", demand, (3,)) - wheels.centre
+    return wheels, momentum("demand", demand, (3,)) - wheels.centre
 
 
 def _load(momenta: Array, limits: Array) -> Array:
@@ -159,9 +158,13 @@ def _shared(axes: Array, limits: Array, demand: Array) -> Array:
     for rows, face, load in _towards(normals, distances, demand):
         height = axes @ normals[face]
         out = np.abs(height) > IN_PLANE
-        momenta[np.ix_(rows, out)] = load[:, None] * np.sign(height[out]) * limits[out]
+        most = np.abs(load)[:, None] * limits
+        momenta[np.ix_(rows, out)] = np.copysign(most[:, out], load[:, None] * height[out])
         rest = demand[rows] - momenta[np.ix_(rows, out)] @ axes[out]
-        momenta[np.ix_(rows, ~out)] = _shared(axes[~out], limits[~out], rest)
+        others = _shared(
+            axes[~out], limits[~out], rest
+        )  # have what rounding leaves of the great ones in the plane, too
+        momenta[np.ix_(rows, ~out)] = np.clip(others, -most[:, ~out], most[:, ~out])
     return momenta
 
 

@@ -16,6 +16,10 @@ from numpy.typing import ArrayLike
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     Array,
+    doubles,
+    finite,
+    moderate,
+    momentum,
     not_negative,
     orthonormal_axes,
     power_of_two,
@@ -62,8 +66,7 @@ def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
     >>> margin(half_spaces(np.eye(3)), [[0.75, 0, 0], [2, 0, 0]])
     array([ 0.25, -1.  ])
     """
-    offset = real("point", point, (3,)) - half_spaces.centre
-    return _least(half_spaces, offset.shape[:-1], lambda n, d, c: d - np.abs(np.einsum("...jk,...k->...j", n, offset)))
+    return _margin(_checked(half_spaces), momentum("point", point, (3,)))
 
 
 @gufunc("(p,axis),(p),(axis),(axis),(row,axis)->()")
@@ -100,7 +103,7 @@ def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayL
     >>> ellipsoid_margin(half_spaces(np.eye(3)), [0.5, 0.75, 0.25])
     array(0.25)
     """
-    reach = _reach(semi_axes, axes)
+    half_spaces, reach = _checked(half_spaces), _reach(semi_axes, axes)
     return _least(half_spaces, reach.shape[:-2], lambda n, d, c: d - c - _norm(n, reach))
 
 
@@ -136,9 +139,13 @@ def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLi
     >>> ellipsoid_scale(half_spaces(np.eye(3)), [0.5, 0.8, 0.25])
     array(1.25)
     """
-    reach = _reach(semi_axes, axes)
+    half_spaces, reach = _checked(half_spaces), _reach(semi_axes, axes)
     _holds_origin(half_spaces)
-    return _least_quotient(half_spaces, reach.shape[:-2], lambda n, d, c: d - c, lambda n, d, c: _norm(n, reach))
+    with np.errstate(over="ignore"):
+        scale = _least_quotient(half_spaces, reach.shape[:-2], lambda n, d, c: d - c, lambda n, d, c: _norm(n, reach))
+    is_point = ~reach.any(axis=(-1, -2))
+    require(np.isfinite(scale) | is_point, "the factor", scale, "be a finite double; take semi_axes in another unit")
+    return scale
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->()")
@@ -179,6 +186,7 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     require(largest[..., 0] > 0, "direction", vector, "not be zero")
     unit = vector / power_of_two(largest)  # first, as squares of it may leave the range of doubles
     unit /= np.linalg.norm(unit, axis=-1, keepdims=True)
+    half_spaces = _checked(half_spaces)
     _holds_origin(half_spaces)
 
     def along(n: Array) -> Array:
@@ -187,7 +195,9 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     def room(n: Array, d: Array, c: Array) -> Array:
         return np.asarray(d + np.sign(along(n)) * np.einsum("...jk,...k->...j", n, half_spaces.centre))
 
-    return _least_quotient(half_spaces, unit.shape[:-1], room, lambda n, d, c: np.abs(along(n)))
+    with np.errstate(over="ignore"):
+        largest = _least_quotient(half_spaces, unit.shape[:-1], room, lambda n, d, c: np.abs(along(n)))
+    return finite("the largest momentum", largest)
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->(p,axis),(p),(axis)")
@@ -221,12 +231,7 @@ def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
     >>> rates(half_spaces(np.eye(3)), [1, 2, 4]).distances
     array([0.25, 0.5 , 1.  ])
     """
-    inertia = principal_moments(moments)
-    normals = half_spaces.normals * inertia[..., None, :]
-    lengths = np.linalg.norm(normals, axis=-1)
-    parallel = lengths == 0
-    lengths = np.where(parallel, 1, lengths)  # no plane: 0 and infinity stay what they are
-    return HalfSpaces(normals / lengths[..., None], half_spaces.distances / lengths, -half_spaces.centre / inertia)
+    return _rates(_checked(half_spaces), principal_moments(moments))
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->()")
@@ -258,7 +263,31 @@ def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
     >>> guaranteed_rate(half_spaces(np.eye(3)), [1, 2, 4])
     array(0.25)
     """
-    return margin(rates(half_spaces, moments), np.zeros(3))
+    return _margin(_rates(_checked(half_spaces), principal_moments(moments)), np.zeros(3))
+
+
+def _checked(half_spaces: HalfSpaces) -> HalfSpaces:
+    """Half-spaces as arrays of doubles, none of them NaN."""
+    normals = real("normals of half_spaces", half_spaces.normals, (None, 3))
+    distances = doubles("distances of half_spaces", half_spaces.distances, (normals.shape[-2],))
+    require(distances >= 0, "distances of half_spaces", distances, "be numbers that are not negative", "(2.1)")
+    return HalfSpaces(normals, distances, momentum("centre of half_spaces", half_spaces.centre, (3,)))
+
+
+def _margin(half_spaces: HalfSpaces, point: Array) -> Array:
+    offset = point - half_spaces.centre
+    return _least(half_spaces, offset.shape[:-1], lambda n, d, c: d - np.abs(np.einsum("...jk,...k->...j", n, offset)))
+
+
+def _rates(half_spaces: HalfSpaces, moments: Array) -> HalfSpaces:
+    normals = half_spaces.normals * moments[..., None, :]
+    lengths = np.linalg.norm(normals, axis=-1)
+    parallel = lengths == 0
+    lengths = np.where(parallel, 1, lengths)  # no plane: 0 and infinity stay what they are
+    with np.errstate(over="ignore"):
+        distances, centre = half_spaces.distances / lengths, -half_spaces.centre / moments
+    moderate("a rate", np.where(half_spaces.distances == np.inf, 0, distances))
+    return HalfSpaces(normals / lengths[..., None], distances, moderate("the centre of the rates", centre))
 
 
 def _least(half_spaces: HalfSpaces, lead: tuple[int, ...], value: Value) -> Array:
@@ -300,7 +329,7 @@ def _blocks(half_spaces: HalfSpaces, lead: tuple[int, ...]) -> list[slice]:
 
 def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
     """The rows s_i u_i, shape (..., 3, 3)."""
-    lengths = not_negative("semi_axes", semi_axes, "(1.2)", (3,))
+    lengths = moderate("semi_axes", not_negative("semi_axes", semi_axes, "(1.2)", (3,)))
     directions = np.eye(3) if axes is None else orthonormal_axes(axes)
     return lengths[..., None] * directions
 
@@ -312,7 +341,11 @@ def _norm(normals: Array, reach: Array) -> Array:
 
 
 def _holds_origin(half_spaces: HalfSpaces) -> None:
-    inside = margin(half_spaces, np.zeros(3))
+    inside = _margin(half_spaces, np.zeros(3))
     condition = "not be negative: the biases take the origin out of the envelope; make them smaller"
-    rounding = NONE * (1 + np.abs(half_spaces.centre).max(axis=-1))  # each envelope's own, however many there are
+    distances = half_spaces.distances
+    size = distances.max(
+        axis=-1, where=np.isfinite(distances), initial=0
+    )  # each envelope's own, however many there are
+    rounding = NONE * (size + np.abs(half_spaces.centre).max(axis=-1))
     require(inside >= -rounding, "the margin of the origin", inside, condition)

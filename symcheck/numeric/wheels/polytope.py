@@ -137,4 +137,6 @@ def envelope(
     wheels = wheels_of(axes, limits, bias)
     require(wheels.limits.ndim == 1, "axes", wheels.axes.shape, "be one set of wheels; half_spaces takes many", "(2.1)")
     require(0 < tolerance < 1, "tolerance", tolerance, "lie between 0 and 1 rad")
-    return Envelope(wheels, tolerance)
+    return Envelope(
+        Wheels(*map(np.array, wheels)), tolerance
+    )  # vertices are found later: what then is in the arguments

@@ -18,10 +18,11 @@ from symcheck.numeric.domain import (
     acute,
     common_shape,
     evaluated,
+    moderate,
+    momentum,
     not_negative,
     one_of,
     power_of_two,
-    real,
     require,
     unit_axes,
 )
@@ -114,11 +115,12 @@ def _of_all(checked: Callable[[ArrayLike, int], Array], value: float, count: int
 
 
 def _limits(value: ArrayLike, count: int) -> Array:
-    return _per_wheel("limits", not_negative("limits", value, "(2.1); a limit of 0 stands for a failed wheel"), count)
+    limits = not_negative("limits", value, "(2.1); a limit of 0 stands for a failed wheel")
+    return _per_wheel("limits", moderate("limits", limits), count)
 
 
 def _bias(value: ArrayLike, count: int) -> Array:
-    return _per_wheel("bias", real("bias", value), count)
+    return _per_wheel("bias", momentum("bias", value), count)
 
 
 def _per_wheel(name: str, array: Array, count: int) -> Array:
@@ -195,7 +197,7 @@ def six_wheels(a: ArrayLike) -> Array:
 
 def _rows(components: tuple[Array, ...]) -> Array:
     columns = np.stack(components, axis=-1)
-    return columns.reshape(*columns.shape[:-1], -1, 3)
+    return columns.reshape(*columns.shape[:-1], len(components) // 3, 3)
 
 
 @gufunc("(n,axis),(n)->(axis)")
@@ -228,7 +230,7 @@ def total_momentum(axes: ArrayLike, momenta: ArrayLike) -> Array:
     >>> total_momentum([[1, 0, 0], [0, 0.6, 0.8]], [2, 5])
     array([2., 3., 4.])
     """
-    return wheels_of(axes, bias=momenta).centre
+    return wheels_of(axes, bias=momentum("momenta", momenta)).centre
 
 
 @gufunc("(n,axis),(n)->()")
@@ -267,7 +269,9 @@ def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
         for first in range(second):
             normal = np.cross(edges[first], edges[second])
             total += np.abs(np.einsum("...k,i...k->i...", normal, edges[second + 1 :])).sum(axis=0)
-    return evaluated("volume", lambda unit: 8 * total * unit**3, scale)
+    result = evaluated("volume", lambda unit: 8 * total * unit**3, scale)
+    require((result > 0) | (total == 0), "volume", result, "be a positive double; take limits in another unit")
+    return result
 
 
 def listed_vertices(number: int, *angles: float) -> dict[str, Array]:

@@ -1,0 +1,122 @@
+"""Kernels of numbers together with arrays, and of arrays that broadcast: the values of arrays of one shape."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+from kernel_reference import Case, cases, random_points
+
+from symcheck.generated import ignatov2005, poloskov2004
+from symcheck.kernels import runtime
+from symcheck.kernels.runtime import BLOCK, SMALL, Array
+
+CASES = cases()
+SHAPES = ((7,), (5, 3), (SMALL + 5,), (2, BLOCK + 3), (0,), (3, 0))
+
+
+def leaves(results: Any) -> list[Array]:
+    return list(results) if isinstance(results, tuple) else [results]
+
+
+def points(case: Case, shape: tuple[int, ...]) -> list[Array]:
+    size = max(1, int(np.prod(shape)))
+    columns = random_points(case.kernel, size, np.random.default_rng(5), decades=0.3)
+    return [column[: int(np.prod(shape))].reshape(shape) for column in columns]
+
+
+def mixes(values: list[Array]) -> list[list[Any]]:
+    """Some arguments made numbers, some arrays with axes of length 1; those that remain keep their shape."""
+    shape = values[0].shape
+    first = tuple([0] * len(shape))
+
+    def number(x: Array) -> float:
+        return float(x[first]) if x.size else 0.5
+
+    found: list[list[Any]] = [
+        [x if k == place else number(x) for k, x in enumerate(values)] for place in {0, len(values) - 1}
+    ]
+    found.append([x if k % 2 else number(x) for k, x in enumerate(values)])
+    found.append([np.float64(number(x)) if k % 2 else x for k, x in enumerate(values)])
+    if len(shape) > 1:
+        found.append([x[:, :1] if k % 2 else x[:1] for k, x in enumerate(values)])
+    if len(shape) > 1 and shape[0]:
+        found.append([x[0] if k % 2 else x[:, :1] for k, x in enumerate(values)])
+    return found
+
+
+def assert_close(found: Any, expected: Any) -> None:
+    for one, other in zip(leaves(found), leaves(expected), strict=True):
+        assert one.shape == other.shape
+        assert one.dtype == other.dtype
+        size = np.abs(other[np.isfinite(other)]).max(initial=0)
+        np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-11 * size)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_mixed_arguments_have_the_values_of_whole_arrays(name: str) -> None:
+    case = CASES[name]
+    for shape in SHAPES:
+        for mixed in mixes(points(case, shape)):
+            whole = [np.array(x) for x in np.broadcast_arrays(*mixed)]
+            if not whole[0].ndim:
+                continue
+            with np.errstate(all="ignore"):
+                expected, found = case.function(*whole), case.function(*mixed)
+                assert_close(found, expected)
+                out = tuple(np.empty_like(x) for x in leaves(expected))
+                given = case.function(*mixed, out=out)
+            assert all(one is other for one, other in zip(leaves(given), out, strict=True))
+            assert_close(given, expected)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_numbers_of_any_type_are_numbers(name: str) -> None:
+    case = CASES[name]
+    floats = [float(x[0]) for x in points(case, (1,))]
+    expected = case.function(*floats)
+    for kinds in ((np.float64,), (np.float64, float), (float, np.float64)):
+        found = case.function(*(kinds[k % len(kinds)](x) for k, x in enumerate(floats)))
+        for one, other in zip(leaves(found), leaves(expected), strict=True):
+            assert one == other
+            assert isinstance(one, np.float64 if len(floats) > 1 or kinds[0] is np.float64 else float)
+
+
+def test_whole_numbers_are_numbers() -> None:
+    found = poloskov2004.density_of_frequency(1, 0.5, 1, np.int64(2), 2)
+    assert found == poloskov2004.density_of_frequency(1.0, 0.5, 1.0, 2.0, 2.0)
+
+
+def test_out_may_lie_in_an_argument() -> None:
+    a, b = np.linspace(0.1, 1.4, SMALL + 9), 0.5
+    expected = ignatov2005.volume_of_four_wheels(a, b)
+    for out in (a, a[::-1]):
+        values = a.copy()
+        memory = values if out is a else values[::-1]
+        np.testing.assert_allclose(ignatov2005.volume_of_four_wheels(values, b, out=memory), expected, rtol=1e-13)
+
+
+def test_single_precision_stays_single_beside_numbers() -> None:
+    a = np.linspace(0.1, 1.4, 50, dtype=np.float32)
+    found = ignatov2005.volume_of_four_wheels(a, 0.5)
+    assert found.dtype == np.float32
+    np.testing.assert_allclose(found, ignatov2005.volume_of_four_wheels(a.astype(float), 0.5), rtol=1e-5)
+    assert ignatov2005.volume_of_four_wheels(a, np.float64(0.5)).dtype == np.float64
+
+
+def test_what_numbers_alone_make_undefined_is_what_numpy_gives() -> None:
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("always")
+        found = poloskov2004.density_of_frequency(np.linspace(0, 1, 5), 0.5, 1.0, 1.0, -1.0)
+    assert np.isnan(found).all()
+    assert seen
+
+
+def test_numbers_are_combined_once_where_that_is_worth_it() -> None:
+    density, moments = CASES["poloskov2004:density_of_frequency"], CASES["mirer2009:axial_moments"]
+    block = density.ways["_density_of_frequency"]
+    assert runtime._many_of_numbers(block, (False, True, True, True, True))
+    assert not runtime._many_of_numbers(block, (False,) * 5)
+    assert not runtime._many_of_numbers(moments.ways["_axial_moments"], (True,) * 3 + (False,) * 9)

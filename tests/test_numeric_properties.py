@@ -1,0 +1,408 @@
+"""What holds of every function of the numeric layer: whole and in pieces, whatever the arrays are, in any unit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from chunked_samples import LEAD, arguments, functions, is_long
+
+from symcheck.numeric import inertia, liquid, random_rotation, wheels
+from symcheck.numeric.domain import Array
+from symcheck.numeric.inertia import decay
+
+Call = Callable[..., Any]
+MANY = 5000
+FURTHER: dict[str, tuple[Call, Any]] = {  # functions that are not declared elementwise, but broadcast, with arguments
+    "inertia.free_decay": (
+        inertia.free_decay,
+        lambda rng: [
+            rng.uniform(2, 3, (*LEAD, 3)),
+            np.diag([0.1, 0.2, 0.3]),
+            rng.uniform(0.1, 1, (*LEAD, 3)),
+            [0, 1, 2],
+        ],
+    ),
+    "wheels.design": (
+        wheels.design,
+        lambda rng: [rng.uniform(2, 3, (*LEAD, 3)), rng.uniform(0.1, 1, (*LEAD, 3)), rng.uniform(1, 2, LEAD)],
+    ),
+    "wheels.failures": (wheels.failures, lambda rng: [wheels.four_wheels(*rng.uniform(0.5, 1, (2, *LEAD)))]),
+}
+FUNCTIONS: dict[str, tuple[Call, list[Any]]] = {
+    **{name: (function, arguments(function)) for name, function in functions()},
+    **{name: (function, sample(np.random.default_rng(3))) for name, (function, sample) in FURTHER.items()},
+}
+NOT_OF_POINTS = ("wheels", "times")  # results that no leading axis has: of failures
+
+
+def leaves(value: Any) -> list[Array]:
+    """All arrays of a result, of NamedTuples in one too."""
+    if not hasattr(value, "_fields"):
+        return list(value) if isinstance(value, tuple) else [np.asarray(value)]
+    return [
+        leaf
+        for field, each in zip(value._fields, value, strict=True)
+        if field not in NOT_OF_POINTS
+        for leaf in leaves(each)
+    ]
+
+
+def changed(values: list[Any], change: Callable[[Array], Any]) -> list[Any]:
+    """The arguments, those with the leading axes changed, fields of NamedTuples too."""
+
+    def leaf(value: Any) -> Any:
+        return change(value) if is_long(value) else value
+
+    return [type(v)(*map(leaf, v)) if hasattr(v, "_fields") else leaf(v) for v in values]
+
+
+def outcome(function: Call, values: list[Any]) -> list[Array] | str:
+    """What a function gives, or what it says instead."""
+    try:
+        return leaves(function(*values))
+    except ValueError as error:
+        return str(error)
+
+
+def assert_equal(found: Any, expected: Any, tolerance: float = 1e-12) -> None:
+    assert type(found) is type(expected)
+    if isinstance(expected, str):
+        return
+    for one, other in zip(found, expected, strict=True):
+        assert one.shape == other.shape
+        assert one.dtype == other.dtype
+        size = np.abs(other[np.isfinite(other)]).max(initial=0)
+        np.testing.assert_allclose(one, other, rtol=tolerance, atol=tolerance * size)
+
+
+# --- properties, each of a function and arguments
+
+
+def pieces_are_the_whole(function: Call, values: list[Any]) -> None:
+    slow = function in (inertia.free_decay, wheels.allocate_least_squares)
+    count = 100 if slow else MANY
+    long = changed(values, lambda array: np.resize(array.reshape(-1, *array.shape[2:]), (count, *array.shape[2:])))
+    whole = leaves(function(*long))
+    tolerance = 1e-9 if slow else 1e-12  # that of an integration, which depends on who takes part
+    for step, upto in ((1, 10), (7, 70), (4096, count)):
+        parts = [leaves(function(*_of(long, count, slice(k, min(k + step, upto))))) for k in range(0, upto, step)]
+        joined = [np.concatenate(column) for column in zip(*parts, strict=True)]
+        assert_equal(joined, [array[:upto] for array in whole], tolerance)
+
+
+def _of(values: list[Any], count: int, part: slice) -> list[Any]:
+    def leaf(value: Any) -> Any:
+        return value[part] if np.shape(value)[:1] == (count,) else value
+
+    return [type(v)(*map(leaf, v)) if hasattr(v, "_fields") else leaf(v) for v in values]
+
+
+def no_points_give_no_results(function: Call, values: list[Any]) -> None:
+    expected = [array[:0] for array in leaves(function(*values))]
+    assert_equal(leaves(function(*changed(values, lambda array: array[:0]))), expected)
+
+
+def forms_of_arrays_do_not_matter(function: Call, values: list[Any]) -> None:
+    expected = leaves(function(*values))
+    forms: list[Callable[[Array], Any]] = [
+        lambda array: array.tolist(),
+        lambda array: array.astype(">f8"),
+        np.asfortranarray,
+        lambda array: np.repeat(array, 2, axis=1)[:, ::2],
+        lambda array: array[::-1].copy()[::-1],
+        _read_only,
+    ]
+    for form in forms:
+        assert_equal(leaves(function(*changed(values, form))), expected)
+
+
+def _read_only(array: Array) -> Array:
+    array = array.copy()
+    array.flags.writeable = False
+    return array
+
+
+def other_numbers_are_taken_for_the_doubles_that_they_are(function: Call, values: list[Any]) -> None:
+    for form in (lambda array: array.astype(np.float32), _whole_numbers):
+        given, doubles = changed(values, form), changed(values, lambda array, f=form: f(array).astype(np.float64))
+        assert_equal(outcome(function, given), outcome(function, doubles))
+
+
+def _whole_numbers(array: Array) -> Any:
+    return np.rint(3 * array).astype(np.int64) if np.isfinite(array).all() else array
+
+
+def what_is_no_finite_number_is_refused(function: Call, values: list[Any]) -> None:
+    forms: list[Callable[[Array], Any]] = [
+        lambda array: np.where(np.arange(array.size).reshape(array.shape) == 5, np.nan, array),
+        lambda array: np.ma.array(array, mask=array > array.mean()),
+        lambda array: array.astype(complex),
+        lambda array: array.astype(str),
+        lambda array: array > 0,
+    ]
+    for place in range(len(values)):
+        for form in forms:
+            bad = values[:place] + changed(values[place : place + 1], form) + values[place + 1 :]
+            assert isinstance(outcome(function, bad), str) or all(map(_same, bad, values))
+
+
+def _same(one: Any, other: Any) -> bool:
+    return one is other or (hasattr(one, "_fields") and all(map(_same, one, other)))
+
+
+def results_have_memory_of_their_own(function: Call, values: list[Any]) -> None:
+    given = [leaf for value in values for leaf in leaves(value)]
+    for arguments_ in (values, _crossed(values)):
+        found = leaves(function(*arguments_))
+        for result in found:
+            result[...] = result  # is not read-only
+            assert not any(np.may_share_memory(result, each) for each in given)
+        assert not any(np.may_share_memory(one, other) for one, other in combinations(found, 2))
+
+
+def _crossed(values: list[Any]) -> list[Any]:
+    """Some arguments along the one leading axis only, some along the other."""
+    rest: Iterator[int] = iter(range(100))
+    return changed(values, lambda array: array[:, :1] if next(rest) % 2 else array[:1])
+
+
+def arguments_broadcast(function: Call, values: list[Any]) -> None:
+    crossed = _crossed(values)
+    spread = [type(v)(*map(_spread, v)) if hasattr(v, "_fields") else _spread(v) for v in crossed]
+    found, expected = leaves(function(*crossed)), leaves(function(*spread))
+    assert_equal([np.broadcast_to(one, other.shape) for one, other in zip(found, expected, strict=True)], expected)
+
+
+def _spread(value: Any) -> Any:
+    shape = np.shape(value)
+    return np.broadcast_to(value, (*LEAD, *shape[2:])).copy() if shape[:2] in ((LEAD[0], 1), (1, LEAD[1])) else value
+
+
+PROPERTIES: list[Callable[[Call, list[Any]], None]] = [
+    pieces_are_the_whole,
+    no_points_give_no_results,
+    forms_of_arrays_do_not_matter,
+    other_numbers_are_taken_for_the_doubles_that_they_are,
+    what_is_no_finite_number_is_refused,
+    results_have_memory_of_their_own,
+    arguments_broadcast,
+]
+
+
+@pytest.mark.parametrize("holds", PROPERTIES, ids=lambda holds: holds.__name__)
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_every_function(name: str, holds: Callable[[Call, list[Any]], None]) -> None:
+    holds(*FUNCTIONS[name])
+
+
+# --- units
+
+
+AXES = np.linalg.qr(np.random.default_rng(4).normal(size=(3, 3)))[0]
+WHEELS = np.vstack([AXES, wheels.six_wheels(0.9)[:2]])
+LIMITS, BIAS = np.array([1.0, 2.0, 0.5, 1.5, 0.7]), np.array([0.1, -0.1, 0.05, 0.0, 0.02])
+MOMENTUM, SEMI_AXES, MOMENTS = np.array([0.7, -0.4, 0.3]), np.array([0.3, 0.2, 0.1]), np.array([2.0, 3.0, 4.0])
+DAMPING, RATE, TIMES = AXES.T @ np.diag([0.2, 0.3, 0.4]) @ AXES, np.array([0.1, 0.2, 0.3]), np.linspace(0, 3, 4)
+
+
+def _bounds(s: float) -> wheels.HalfSpaces:
+    return wheels.half_spaces(WHEELS, LIMITS * s, BIAS * s)
+
+
+def _flat(s: float) -> wheels.HalfSpaces:
+    return wheels.half_spaces(WHEELS[:2], LIMITS[:2] * s, BIAS[:2] * s, complete=True)
+
+
+IN_UNITS: dict[str, Callable[[float], Any]] = {  # what does not depend on the unit, of which a quantity has s
+    "half_spaces": lambda s: (_bounds(s).distances / s, _bounds(s).centre / s, _flat(s).distances / s),
+    "face_distances": lambda s: wheels.face_distances(WHEELS, LIMITS * s) / s,
+    "failures": lambda s: wheels.failures(WHEELS, LIMITS * s, BIAS * s, count=2).half_spaces.distances / s,
+    "envelope": lambda s: wheels.envelope(WHEELS, LIMITS * s, BIAS * s).vertices / s,
+    "envelope in a plane": lambda s: wheels.envelope(WHEELS[:2], LIMITS[:2] * s, BIAS[:2] * s).vertices / s,
+    "total_momentum": lambda s: wheels.total_momentum(WHEELS, LIMITS * s) / s,
+    "volume": lambda s: np.cbrt(wheels.volume(WHEELS, LIMITS * s)) / s,
+    "margin": lambda s: wheels.margin(_bounds(s), MOMENTUM * s) / s,
+    "ellipsoid_margin": lambda s: wheels.ellipsoid_margin(_bounds(s), SEMI_AXES * s, AXES) / s,
+    "ellipsoid_scale": lambda s: wheels.ellipsoid_scale(_bounds(s), SEMI_AXES * s, AXES),
+    "ellipsoid_scale of semi-axes": lambda s: wheels.ellipsoid_scale(_bounds(1), SEMI_AXES * s) * s,
+    "largest_momentum": lambda s: wheels.largest_momentum(_bounds(s), MOMENTUM) / s,
+    "largest_momentum in a plane": lambda s: wheels.largest_momentum(_flat(s), WHEELS[0] + WHEELS[1]) / s,
+    "largest_momentum of a direction": lambda s: wheels.largest_momentum(_bounds(1), MOMENTUM * s * s),
+    "guaranteed_rate": lambda s: wheels.guaranteed_rate(_bounds(s), MOMENTS) / s,
+    "rates": lambda s: wheels.rates(_bounds(1), MOMENTS * s).distances * s,
+    "allocate": lambda s: wheels.allocate(WHEELS, MOMENTUM * s, LIMITS * s, BIAS * s).momenta / s,
+    "allocate_least_squares": lambda s: (
+        wheels.allocate_least_squares(WHEELS, MOMENTUM * s, LIMITS * s, BIAS * s).momenta / s
+    ),
+    "best_angles_of_four_wheels": lambda s: wheels.best_angles_of_four_wheels(MOMENTS * s),
+    "best_angle_of_six_wheels": lambda s: wheels.best_angle_of_six_wheels(MOMENTS * s),
+    "equal_rates_of_four_wheels": lambda s: wheels.equal_rates_of_four_wheels(MOMENTS * s),
+    "equal_rates_of_six_wheels": lambda s: wheels.equal_rates_of_six_wheels(MOMENTS * s),
+    "principal_inertia": lambda s: inertia.principal_inertia(DAMPING * s * s).moments / s / s,
+    "characteristic_roots": lambda s: inertia.characteristic_roots(MOMENTS, DAMPING * s * s) / s / s,
+    "equal_moment_axes": lambda s: inertia.equal_moment_axes(MOMENTS * s, 0.3),
+    "equal_moment_angles": lambda s: inertia.equal_moment_angles(MOMENTS * s),
+    "bound_at_given_moment": lambda s: np.cbrt(inertia.bound_at_given_moment(MOMENTS * s, 3 * s)) / s,
+    "product_of_axial_moments": lambda s: np.cbrt(inertia.product_of_axial_moments(MOMENTS * s, AXES)) / s,
+    "stability_degree_in_pitch": lambda s: inertia.stability_degree_in_pitch(1.0, MOMENTS * s, 0.3),
+    "free_decay of masses": lambda s: inertia.free_decay(MOMENTS * s, DAMPING * s, RATE, TIMES),
+    "free_decay of times": lambda s: inertia.free_decay(MOMENTS, DAMPING / s / s, RATE / s / s, TIMES * s * s) * s * s,
+    "stability of masses": lambda s: liquid.stability(s, 0.5 * s, [0.2 * s, 0.01 * s], [0.5, -0.3], 1.0).frequencies,
+    "stability of rates": lambda s: (
+        liquid.stability(s, 0.5 * s, [0.2 * s, 0.01 * s], [0.5 * s, -0.3 * s], s).frequencies / s
+    ),
+    "stability of one mode": lambda s: liquid.stability(s, 0.5 * s, [0.2 * s], [0.5 * s], s).frequencies / s,
+    "is_stable": lambda s: liquid.is_stable(s, [0.5 * s, 1.5 * s], [0.2 * s], [0.5 * s], s),
+    "unstable_intervals": lambda s: liquid.unstable_intervals(s, [0.01 * s, 0.002 * s], [0.2 * s, 0.8 * s], s) / s,
+    "boundary_of_stability": lambda s: liquid.boundary_of_stability(s, 0.2 * s, 0.3).width / s,
+    "mean_square_of_amplitude": lambda s: np.sqrt(random_rotation.mean_square_of_amplitude(0.1, s, 0.3)) / s,
+    "mean_square_of_frequency": lambda s: np.sqrt(random_rotation.mean_square_of_frequency(0.6, 0.5, s, 1.5)) / s,
+    "density_of_amplitude": lambda s: random_rotation.density_of_amplitude(0.7 * s * s, 0.1 / s, s, 0.3 / s) * s * s,
+    "density_of_frequency": lambda s: random_rotation.density_of_frequency(0.3 * s * s, 0.6 * s, 0.5, s, 1.5) * s * s,
+}
+
+
+@pytest.mark.parametrize("name", IN_UNITS)
+def test_values_do_not_depend_on_the_unit_over_200_decades(name: str) -> None:
+    expected = leaves(IN_UNITS[name](1.0))
+    for exponent in (-325, -250, -34, 34, 250, 325):  # 1e-98 to 1e98
+        assert_equal(leaves(IN_UNITS[name](2.0**exponent)), expected, 1e-10)
+
+
+@pytest.mark.parametrize("unit", [1e-300, 1e-98, 1e-20, 1.0, 1e20, 1e98])
+def test_the_origin_outside_is_noticed_in_any_unit(unit: float) -> None:
+    outside = wheels.half_spaces(np.eye(3), unit, [5 * unit, 0, 0])
+    for call in (wheels.largest_momentum, wheels.ellipsoid_scale):
+        with pytest.raises(ValueError, match="margin of the origin"):
+            call(outside, [1, 0, 0])
+
+
+HUGE = {
+    "half-spaces": lambda: wheels.half_spaces(np.eye(3), 1e308),
+    "total momentum": lambda: wheels.total_momentum(np.eye(3), [1e308, 0, 0]),
+    "demand": lambda: wheels.allocate(np.eye(3), [1e308, 0, 0]),
+    "volume that is no double": lambda: wheels.volume(np.eye(3), 1e-200),
+    "factor of growth": lambda: wheels.ellipsoid_scale(wheels.half_spaces(np.eye(3), 1e200), [1e-200, 0, 0]),
+    "rates": lambda: wheels.rates(wheels.half_spaces(np.eye(3), 1e300), [1e-99, 1e-99, 1e-99]),
+    "axes": lambda: inertia.axial_moments([2, 3, 4], 1e200 * np.eye(3)),
+    "coefficients": lambda: inertia.characteristic_coefficients([2, 3, 4], [1e200, 1e200, 1e200], np.eye(3)),
+    "gains": lambda: inertia.gains_in_proportion(1e308, [2, 3, 4], np.eye(3)),
+    "devices": lambda: inertia.optimal_devices([2, 3, 4], 1e308),
+    "mean": lambda: inertia.harmonic_mean_of_rates([1e-320, 1e-320, 1e300]),
+    "acceleration": lambda: inertia.angular_acceleration([2, 3, 4], np.eye(3), [1e200, 1e200, 1e200]),
+    "energy": lambda: inertia.kinetic_energy([2, 3, 4], [[1e200, 0, 0]]),
+    "decay": lambda: inertia.decay_rate([0, 1e-320], [2, 1]),
+    "velocity": lambda: random_rotation.angular_velocity(1, 0, 1e200, 1e-200),
+    "mode": lambda: random_rotation.mode_of_amplitude(0.1, 1, 1e200),
+    "far away": lambda: random_rotation.density_of_frequency(1e200, 0.6, 1.0, 1.0, 1.5),
+}
+
+
+@pytest.mark.parametrize("name", HUGE)
+def test_what_leaves_the_doubles_is_said(name: str) -> None:
+    with pytest.raises(ValueError, match=r"must (be|lie|have)"):
+        HUGE[name]()
+
+
+# --- laws and loads whose arguments differ by many decades
+
+
+def amplitude_exceeded(a: Any, alpha: Any, beta: Any, gamma: Any) -> tuple[Any, Any]:
+    """The probability of a greater amplitude, and the exponent of its power law."""
+    power = (4 * gamma**2 - alpha**2) / (3 * alpha**2)
+    return (1 + 3 * (alpha * a / beta) ** 2 / 4) ** -power, power
+
+
+def test_laws_of_amplitude_and_frequency_hold_whatever_the_sizes_of_their_coefficients() -> None:
+    rng = np.random.default_rng(8)
+    with mpmath.workdps(60):
+        for _ in range(200):
+            alpha, beta = 10 ** rng.uniform(-90, 90, 2)
+            gamma = alpha * 10 ** rng.uniform(-0.2, 2)
+            a = beta / gamma * 10 ** rng.uniform(-2, 1)
+            values = [mpmath.mpf(float(x)) for x in (a, alpha, beta, gamma)]
+            exceeded, power = amplitude_exceeded(*values)
+            slope = exceeded * 2 * power * 3 * values[1] ** 2 * values[0] / (4 * values[2] ** 2)
+            slope /= 1 + 3 * (values[1] * values[0] / values[2]) ** 2 / 4
+            found = random_rotation.distribution_of_amplitude(a, alpha, beta, gamma)
+            assert float(found) == pytest.approx(float(1 - exceeded), rel=1e-11)
+            if slope * values[2] / values[3] > 1e-290 and slope < 1e290:
+                found = random_rotation.density_of_amplitude(a, alpha, beta, gamma)
+                assert float(found) == pytest.approx(float(slope), rel=1e-11)
+
+            g_13, g_23, k = 10 ** rng.uniform(-45, 45), *10 ** rng.uniform(-90, 90, 2)
+            d_33 = g_13**2 * 10 ** rng.uniform(0.1, 2)
+            Omega = k * g_23 / np.sqrt(d_33) * 10 ** rng.uniform(-2, 1)
+            values = [mpmath.mpf(float(x)) for x in (Omega, k, g_13, g_23, d_33)]
+            unit = values[3] * values[1] / mpmath.sqrt(2 * values[4])
+            freedom, t = 2 * values[4] / values[2] ** 2, values[0] / unit
+            student = mpmath.gamma((freedom + 1) / 2) / mpmath.gamma(freedom / 2) / mpmath.sqrt(mpmath.pi * freedom)
+            density = student * (1 + t**2 / freedom) ** (-(freedom + 1) / 2) / unit
+            if density * unit > 1e-290 and 1e-290 < density < 1e290:
+                found = random_rotation.density_of_frequency(Omega, k, g_13, g_23, d_33)
+                assert float(found) == pytest.approx(float(density), rel=1e-11)
+            square = unit**2 * freedom / (freedom - 2)
+            if 1e-290 < square < 1e290:
+                found = random_rotation.mean_square_of_frequency(k, g_13, g_23, d_33)
+                assert float(found) == pytest.approx(float(square), rel=1e-12)
+
+
+def exact_load(axes: Array, demand: Array, limits: Array) -> tuple[Fraction, float]:
+    """The least load of a demand, by exact half-spaces; and the distance of the nearest face."""
+    rows, target, most = ([Fraction(float(x)) for x in np.ravel(part)] for part in (axes, demand, limits))
+    vectors = [rows[k : k + 3] for k in range(0, len(rows), 3)]
+    load, nearest = Fraction(0), np.inf
+    for u, v in combinations(vectors, 2):
+        normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        distance = sum(h * abs(sum(map(_times, normal, axis))) for h, axis in zip(most, vectors, strict=True))
+        load = max(load, abs(sum(map(_times, normal, target))) / distance)
+        nearest = min(nearest, float(distance) / float(sum(map(_times, normal, normal))) ** 0.5)
+    return load, nearest
+
+
+def _times(x: Fraction, y: Fraction) -> Fraction:
+    return x * y
+
+
+def test_limits_that_differ_by_many_decades_are_shared_as_exact_numbers_say() -> None:
+    rng = np.random.default_rng(1)
+    whole = np.vstack([np.eye(3), [[0.6, 0.8, 0], [0, 0.6, -0.8], [0.8, 0, 0.6]]])
+    for case in range(120):
+        count = int(rng.integers(3, 7))
+        axes = whole[rng.permutation(count)] if case % 2 else rng.normal(size=(count, 3))
+        axes = axes / np.linalg.norm(axes, axis=1)[:, None]
+        if np.linalg.matrix_rank(axes) < 3:
+            continue
+        limits = 10.0 ** rng.choice([-12, -9, -6, 0, 5, 9, 12], count)
+        demand = rng.normal(size=3) * 10 ** rng.uniform(-10, 10)
+        expected, nearest = exact_load(axes, demand, limits)
+        found = wheels.allocate(axes, demand, limits)
+        rounding = 1e-14 * np.linalg.norm(demand)  # of the demand itself, as a load of the smallest wheels
+        assert float(found.load) == pytest.approx(float(expected), rel=1e-9, abs=rounding / nearest)
+        assert np.abs(found.momenta @ axes - demand).max() <= 1e-12 * np.abs(demand).max()
+
+
+# --- fast and slow modes
+
+
+def test_rates_far_apart_take_no_more_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    counts, ends = [], []
+    solve = decay.solve_ivp
+
+    def counted(*args: Any, **options: Any) -> Any:
+        solution = solve(*args, **options)
+        counts.append(solution.nfev)
+        return solution
+
+    monkeypatch.setattr(decay, "solve_ivp", counted)
+    for fast in (1e4, 1e8, 1e9, 1e12):
+        damping = AXES.T @ np.diag([fast, 0.3, 0.4]) @ AXES
+        ends.append(inertia.free_decay(MOMENTS, (damping + damping.T) / 2, RATE, [0, 20])[-1])
+    assert max(counts) < 2 * counts[0]
+    np.testing.assert_allclose(ends[1], ends[2], rtol=1e-5)  # the slow modes do not feel how fast the fast one is
