@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import click
 
-from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say
+from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say, writing
 from symcheck.cli.records import progress
 
 
@@ -23,7 +23,8 @@ def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
         with progress(name) as move, needing("notebooks"):
             found = committed.executed(name, kernel, move)
         if write:
-            committed.write(name, found)
+            with writing(committed.folder(), "make the folder writable, or leave --write out"):
+                committed.write(name, found)
         differences = committed.differences(name, found)
         differing += differences
         click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(differences)} differ")
