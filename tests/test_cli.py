@@ -199,6 +199,8 @@ BAD_INPUT = {
     "an unknown command": (["chek"], "chek"),
     "a negative number of jobs": (["check", "--jobs=-1"], "--jobs"),
     "no number of jobs": (["check", "--jobs=two"], "two"),
+    "a time that is no number": (["check", "--timeout=nan"], "nan is not a finite number"),
+    "endless time": (["decide", "x = x", "--timeout=inf"], "inf is not a finite number"),
     "no time at all": (["check", "--timeout=0"], "--timeout"),
     "too many arguments": (["papers", "toy"], "toy"),
 }
