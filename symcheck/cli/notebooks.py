@@ -6,12 +6,19 @@ from collections.abc import Sequence
 
 import click
 
+from symcheck.cli.completion import notebooks as names
 from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say, writing
 from symcheck.cli.records import progress
 
 
 @click.command()
-@click.option("--only", multiple=True, metavar="NAME", help="A notebook, 6_errata, or the beginning of its name.")
+@click.option(
+    "--only",
+    multiple=True,
+    metavar="NAME",
+    shell_complete=names,
+    help="A notebook, 6_errata, or the beginning of its name.",
+)
 @click.option("--kernel", is_flag=True, help="Run through a Jupyter kernel instead of in this process.")
 @click.option("--write", is_flag=True, help="Accept what comes out: write notebooks/ anew.")
 def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:

@@ -12,6 +12,8 @@ from typing import Any
 
 import click
 
+from symcheck.cli.completion import relations
+
 
 def keyed(
     context: click.Context, parameter: click.Parameter, selection: str | tuple[str, ...]
@@ -51,7 +53,9 @@ class _Positive(click.FloatRange):
 
 
 POSITIVE = _Positive()
-SELECTION = click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed)
+SELECTION = click.argument(
+    "selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed, shell_complete=relations
+)
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,11 @@ import io
 import sys
 
 import click
+from click.shell_completion import add_completion_class
 
 from symcheck import __version__
 from symcheck.cli.check import check
+from symcheck.cli.completion import Bash
 from symcheck.cli.decide import decide
 from symcheck.cli.errata import errata
 from symcheck.cli.errors import one_line_errors, output_fails
@@ -73,6 +75,7 @@ for command in (
     export,
 ):
     cli.add_command(command)
+add_completion_class(Bash)
 
 
 def main() -> None:
