@@ -67,11 +67,14 @@ def errata(
 def _list(records: Sequence[Record]) -> None:
     from symcheck.core.verdicts import Group
     from symcheck.views import terminal
+    from symcheck.views.model import blame, erring
 
     out = terminal.console()
     terminal.errata(out, records)
     damaged = sum(record.group is Group.DAMAGED for record in records)
-    out.print(f"{len(records) - damaged} errata; {damaged} places of damaged text")
+    out.print(f"{erring(records)}; {damaged} places of damaged text", soft_wrap=True)
+    if blamed := blame(records):
+        out.print(f"Refuted: {blamed}", soft_wrap=True)
 
 
 def _write_letter(records: Sequence[Record], form: str | None, output: Path | None) -> None:

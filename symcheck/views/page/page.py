@@ -14,10 +14,10 @@ from markupsafe import Markup
 
 from symcheck.coq.confirmed import CONFIRMED, confirmed
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import Group, Reading, Role, Verdict
+from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.ledger.selftested import evidence, rows
-from symcheck.views.model import Relation, blame, errata
+from symcheck.views.model import Relation, blame, errata, erring, origins
 from symcheck.views.page import entry as entries
 from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
@@ -27,12 +27,6 @@ from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
 from symcheck.views.page.sources import Excerpt, Publication, of_record
 
-_ORIGINS = (
-    "read as they are printed",
-    "read otherwise where the text is damaged",
-    "put into formulas by us from the words",
-    "added by us",
-)
 ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
 STATES = (*Verdict, *ROLES)
 FONT = "stix-two-math.woff2"
@@ -106,8 +100,9 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     parts = {
         "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
         "counts": _counts(records),
-        "origins": _origins(records),
+        "origins": origins(records),
         "blame": blame(records),
+        "erring": erring(records),
         "coq": Counter(said == CONFIRMED for record in records for said in confirmed(record).values()),
         "table": {paper.key: Counter(Relation(r).state for r in records if r.paper == paper.key) for paper in papers},
         "states": [str(each) for each in STATES],
@@ -196,19 +191,6 @@ def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[obj
 def _counts(records: Iterable[Record]) -> dict[str, int]:
     found = Counter(str(record.verdict) for record in records if record.verdict)
     return {"relations": found.total(), **{str(verdict): found[str(verdict)] for verdict in Verdict}}
-
-
-def _origins(records: Iterable[Record]) -> str:
-    """How many of the relations come from formulas, from words and from us."""
-    found = Counter(map(_origin, (record for record in records if record.verdict)))
-    return ", ".join(f"{found[origin]:,} {origin}" for origin in _ORIGINS if found[origin])
-
-
-def _origin(record: Record) -> str:
-    printed, damaged, words, ours = _ORIGINS
-    if record.printed:
-        return damaged if record.reading is Reading.DAMAGED else printed
-    return ours if record.role is Role.OURS else words
 
 
 def _hypotheses(records: Iterable[Record]) -> list[_Hypothesis]:
