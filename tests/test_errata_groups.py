@@ -13,7 +13,7 @@ from stand_in import correction
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.views import terminal
-from symcheck.views.model import Fault, Relation, erring
+from symcheck.views.model import Fault, Relation, errata, erring
 
 WRONG = Record(
     id="toy:2.1",
@@ -117,6 +117,19 @@ def test_the_weightiest_come_first() -> None:
     text = told(*reversed(GROUPS.values()))
     places = [text.index(group.upper()) for group in Group]
     assert places == sorted(places)
+
+
+def test_the_authors_own_come_first_and_of_these_that_on_which_most_rests() -> None:
+    used = replace(WRONG, id="other:2.9", paper="other", kind="number", used_by=("other:3.1",))
+    unsure = replace(WRONG, id="toy:2.0", kind="letter", origin=Origin.UNCERTAIN, used_by=("toy:2.1", "toy:2.2"))
+    [(_, lists)] = errata([unsure, WRONG, used])
+    assert [relation.record.id for each in lists for relation in each.relations] == ["other:2.9", "toy:2.1", "toy:2.0"]
+
+
+def test_rows_stay_in_printed_order() -> None:
+    later = replace(ROW, id="toy:2.1V.4a", printed="V_4 : [1, -1]", used_by=("toy:3.1",))
+    [(_, lists)] = errata([ROW, later])
+    assert [fault.number for each in lists for fault in each.faults] == ["2.1V.3a", "2.1V.4a"]
 
 
 def test_a_group_without_members_is_left_out() -> None:

@@ -33,6 +33,7 @@ _ORIGINS = (
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
+_BLAMED = (Origin.PAPER, Origin.UNCERTAIN, Origin.OCR)
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
 _MARKUP = re.compile(r"\\(?:(?:left|right|cdot|q?quad)(?![A-Za-z])|[\\,;:! ])|[\s{}&$]")  # what is a space at most
 _ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record writes the conditions of a corrected formula
@@ -343,11 +344,18 @@ def _signs(latex: str) -> str:
 
 
 def errata(records: Iterable[Record]) -> Iterator[tuple[Group, tuple[FaultList, ...]]]:
-    """The groups that have errata, the weightiest first."""
-    wrong = [Relation(record) for record in records if record.is_erratum]
+    """The groups that have errata, the weightiest first; in each first the authors' own, on which most rests."""
+    wrong = sorted((Relation(record) for record in records if record.is_erratum), key=_lightness)
     for group in Group:
         if members := [each for each in wrong if each.record.group is group]:
             yield group, tuple(_lists(members))
+
+
+def _lightness(relation: Relation) -> tuple[int, int]:
+    """By what errata of a group are ordered: whose they are, then how many relations use a statement."""
+    record = relation.record
+    used = len(record.used_by) if record.group is Group.STATEMENT else 0
+    return _BLAMED.index(record.origin or Origin.UNCERTAIN), -used
 
 
 def _lists(relations: Sequence[Relation]) -> Iterator[FaultList]:
