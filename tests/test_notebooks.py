@@ -17,6 +17,7 @@ from click.testing import CliRunner, Result
 from declarations import formulas
 from limits import interruptible
 from nbformat.v4 import new_code_cell, new_notebook, new_output
+from optimized import about_docstrings
 from warm_cache import warm_cache
 
 from symcheck.cli import cli
@@ -40,6 +41,7 @@ def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.T
     monkeypatch.setenv("SYMCHECK_CACHE", warm_cache(tmp_path_factory.getbasetemp() / "notebooks"))
 
 
+@about_docstrings  # a figure says what it shows in its docstring
 @pytest.mark.parametrize("name", NAMES)
 def test_executed_in_this_process_a_notebook_shows_what_is_committed(name: str) -> None:
     assert committed.differences(name, committed.executed(name)) == []

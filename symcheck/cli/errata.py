@@ -65,16 +65,11 @@ def errata(
 
 
 def _list(records: Sequence[Record]) -> None:
-    from symcheck.core.verdicts import Group
     from symcheck.views import terminal
-    from symcheck.views.model import blame, erring
 
     out = terminal.console()
     terminal.errata(out, records)
-    damaged = sum(record.group is Group.DAMAGED for record in records)
-    out.print(f"{erring(records)}; {damaged} places of damaged text", soft_wrap=True)
-    if blamed := blame(records):
-        out.print(f"Refuted: {blamed}", soft_wrap=True)
+    terminal.counted_errata(out, records)
 
 
 def _write_letter(records: Sequence[Record], form: str | None, output: Path | None) -> None:

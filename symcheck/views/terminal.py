@@ -230,6 +230,14 @@ def errata(out: Console, records: Iterable[Record]) -> None:
                 _table(out, faults)
 
 
+def counted_errata(out: Console, records: Sequence[Record]) -> None:
+    """How many errata there are, what they are, and whose."""
+    damaged = sum(record.group is Group.DAMAGED for record in records)
+    _wrapped(out, f"{model.erring(records)}; {damaged} places of damaged text")
+    if blamed := model.blame(records):
+        _wrapped(out, f"Refuted: {blamed}")
+
+
 def _table(out: Console, faults: FaultList) -> None:
     """Errata of one kind: where, as printed, what is right, and why where that is not the reason of most of them."""
     out.print(Text(faults.title, style="bold"))
