@@ -206,6 +206,12 @@ def neighbour(page: Page) -> str:
     return page.url.rpartition(":")[2]
 
 
+def test_a_claim_says_what_its_letters_mean(opened: Callable[..., Page]) -> None:
+    said = opened("#mirer2009:2.12").locator(".letters li").all_inner_texts()
+    assert len(said) == 3
+    assert any("principal central moments of inertia, kg m" in each for each in said)
+
+
 def test_every_view_has_one_heading_of_the_first_level(opened: Callable[..., Page]) -> None:
     for place in VIEWS:
         page = opened(place)

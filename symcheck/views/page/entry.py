@@ -11,16 +11,17 @@ from symcheck.ledger import Record
 from symcheck.views.latex import formulas_of
 from symcheck.views.model import Fault, Relation
 from symcheck.views.page.formulas import Formulas
-from symcheck.views.page.sources import Excerpt, Publication
+from symcheck.views.page.sources import Excerpt, Meaning, Publication
 
 
 @dataclass(frozen=True)
 class Entry(Relation):
-    """A record with its paper, its kernels, and the notebook cells that show it."""
+    """A record with its paper, its kernels, the notebook cells that show it, and what its letters mean."""
 
     paper: Publication
     kernels: Sequence[Excerpt]
     cells: Sequence[Excerpt]
+    letters: Sequence[Meaning] = ()
 
     @property
     def section(self) -> str:

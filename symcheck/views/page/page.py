@@ -12,6 +12,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from symcheck import __version__
 from symcheck.coq.confirmed import CONFIRMED, confirmed
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
@@ -25,7 +26,7 @@ from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
-from symcheck.views.page.sources import Excerpt, Publication, of_record
+from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
 
 ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
 STATES = (*Verdict, *ROLES)
@@ -36,7 +37,8 @@ FONT = "stix-two-math.woff2"
 class Extras:
     """What the page shows apart from the records.
 
-    Kernels and notebook cells by claim, pictures as `symcheck.views.pictures` has them, the result of the self-test.
+    Kernels, notebook cells and meanings of letters by claim, pictures as `symcheck.views.pictures` has them, the result
+    of the self-test.
     """
 
     kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
@@ -45,6 +47,7 @@ class Extras:
     densities: Sequence[Mapping[str, Any]] = ()
     stability: Mapping[str, Any] | None = None
     selftest: Mapping[str, Any] | None = None
+    letters: Mapping[str, Sequence[Meaning]] = field(default_factory=dict)
 
 
 class _Numbered:
@@ -71,11 +74,17 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     """The audit as one HTML file that needs nothing else: records and papers in the order in which they are shown."""
     extras = extras or Extras()
     tested = extras.selftest or {}
-    formulas, excerpts, strings = Formulas(entries.texts(records)), _Numbered(), _Numbered()
+    letters = (each.latex for said in extras.letters.values() for each in said)
+    formulas = Formulas((*entries.texts(records), *letters))
+    excerpts, strings, tables = _Numbered(), _Numbered(), _Numbered()
     known = {paper.key: paper for paper in papers}
     shown = {
         each.id: Entry(
-            each, known[each.paper], *(of_record(found, each.id) for found in (extras.kernels, extras.cells))
+            each,
+            known[each.paper],
+            of_record(extras.kernels, each.id),
+            of_record(extras.cells, each.id),
+            extras.letters.get(each.id, ()),
         )
         for each in records
     }
@@ -91,6 +100,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "formulas": formulas,
         "excerpts": excerpts,
         "strings": strings,
+        "tables": tables,
         "difference": entries.difference,
         "entries": shown,
     }
@@ -117,6 +127,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "map": coloured(extras.stability) if extras.stability else None,
         "graphs": graphs,
         "font": address("font/woff2", (files(__package__) / "vendor" / FONT).read_bytes()),
+        "version": __version__,
         "style": _asset("style.css"),
         "script": _asset("page.js") + _asset("polytope.js"),
     }
@@ -128,6 +139,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "claims": claims,
         "math": formulas.numbered,
         "strings": list(strings.numbers),
+        "tables": list(tables.numbers),
         "excerpts": list(excerpts.numbers),
         "roles": [str(role) for role in ROLES],
     }

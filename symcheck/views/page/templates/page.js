@@ -318,6 +318,7 @@ function light(event) {
   byId = new Map(entries.map((entry) => [entry.id, entry]));
   makeLedger();
   filter();
+  all("[data-t]").forEach((place) => { place.innerHTML = data.tables[place.dataset.t]; });
   setFormulas(one("#view-errata"));
   setProse(one("#view-errata"));
   setProse(one("#view-checks"));
