@@ -6,11 +6,11 @@ STAMP := $(VENV)/.stamp
 DEV := $(VENV)/.dev
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
 
-# The newest Python that the quick tests run on too; with pyenv its name is there whichever version is current.
-NEWEST := python3.13
+# The newest of these Pythons that is there, which the quick tests run on too; pyenv has it whichever is current.
+NEWEST := $(firstword $(foreach version,3.14 3.13,$(shell PYENV_VERSION=$(version) python$(version) -c 'print("python$(version)")' 2>/dev/null)))
 NEWEST_VENV := .venv-newest
 
-.PHONY: audit test test-full test-newest quick gates notebooks docs bench bench-gpu selftest browser coq coq-check install-coq clean
+.PHONY: audit test test-full test-newest quick stripped gates notebooks docs bench bench-gpu selftest browser coq coq-check install-coq clean
 
 audit: $(STAMP)
 	$(BIN)/symcheck check
@@ -20,13 +20,18 @@ test: gates quick
 test-full: gates
 	$(BIN)/python -m pytest -n 2 -q
 
-# Where there is no such Python it says so, which is no failure.
+# As they are, and without docstrings, as -OO leaves them out. Where there is no such Python it says so, which is no failure.
 test-newest:
-	@if PYENV_VERSION=$(NEWEST:python%=%) $(NEWEST) -c '' 2>/dev/null; then \
-		PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) quick; \
-	else \
-		echo "no $(NEWEST): the quick tests on it are skipped"; \
-	fi
+ifeq ($(NEWEST),)
+	@echo "no Python newer than 3.12: the quick tests on it are skipped"
+else
+	PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) quick
+	PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) stripped
+endif
+
+# Without docstrings; pytest says that the assertions of its helpers are left out, too.
+stripped: $(DEV)
+	PYTHONOPTIMIZE=2 $(BIN)/python -m pytest -n 2 -q -m "not slow" -W ignore::pytest.PytestConfigWarning
 
 quick: $(DEV)
 	$(BIN)/python -m pytest -n 2 -q -m "not slow"

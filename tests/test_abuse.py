@@ -128,6 +128,17 @@ def test_a_read_only_cache_is_read_and_its_refusal_said_once(tmp_path: Path, mon
     assert "readonly" in said[0]
 
 
+def test_what_is_compiled_works_where_no_folder_may_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    caching = pytest.importorskip("numba.core.caching")
+    monkeypatch.setattr(caching.CompileResultCacheImpl, "_locator_classes", [])
+    from symcheck.numeric.compiled import compiled
+
+    def successor(number: int) -> int:
+        return number + 1
+
+    assert compiled(successor)(1) == 2
+
+
 WORDS = [
     *("check", "show", "errata", "papers", "generate", "selftest", "plot", "toy", "toy:1.1", "toy:", ":", "other:1"),
     *(

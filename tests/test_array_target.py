@@ -33,6 +33,7 @@ import numpy as np
 import pytest
 from kernel_reference import Case, Truth, cases, crowded_points, in_range, inside, random_points, worst
 from mpmath import mp
+from optimized import about_docstrings
 from test_kernels import EXTREMES, generator, short, tuple_of, within_or_at_infinity
 
 from symcheck.core.verdicts import SymcheckError
@@ -447,6 +448,7 @@ def test_the_text_has_the_helpers_that_it_calls_and_no_others() -> None:
         assert defined == called & {*array_target.HELPERS, "_arrays"}
 
 
+@about_docstrings
 def test_the_docstring_says_how_to_call_and_how_accurate_it_is() -> None:
     for case in CASES.values():
         said = function(case).__doc__ or ""

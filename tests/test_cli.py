@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 import stand_in
 from click.testing import Result
+from rich.cells import cell_len
 
 from symcheck.cli import cli
 from symcheck.ledger import Record, digest_of
@@ -42,6 +43,38 @@ def test_the_ledger_has_a_row_per_relation_and_a_summary(recorded: Run) -> None:
         assert all(word in rows[number] for word in words)
     assert "6 relations: 4 proved, 1 refuted, 1 undecided; 1 of role definition" in result.stdout
     assert "All verdicts are those recorded." in result.stdout
+
+
+def test_the_findings_come_last_and_then_the_next_commands(recorded: Run) -> None:
+    lines = recorded("check", "toy").stdout.splitlines()
+    end = lines[lines.index("Not decided: 1") :]
+    assert end[:5] == [
+        "Not decided: 1",
+        " toy:1.4  out of reach",
+        "Wrong as printed: 1",
+        " toy:1.3  sign, the paper's own",
+        "",
+    ]
+    assert end[-2] == "Next: `symcheck show toy:1.3`, `symcheck errata toy`, `symcheck report toy --open`"
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 120, 200])
+def test_no_line_of_a_ledger_is_wider_than_the_terminal(
+    width: int, recorded: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(width))
+    lines = recorded("check", "toy").stdout.splitlines()
+    assert max(map(cell_len, lines)) <= width
+    assert sum(line.strip().startswith("1.") for line in lines) == len(ROWS)  # a row is a line
+
+
+def test_words_are_whole_on_a_narrow_terminal(recorded: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = recorded("show", "toy:1.1").stdout
+    monkeypatch.setenv("COLUMNS", "60")
+    wrapped = recorded("show", "toy:1.1").stdout
+    assert max(map(len, whole.splitlines())) > 60
+    assert wrapped.split() == whole.split()
+    assert max(map(len, wrapped.splitlines())) <= 60
 
 
 def test_without_a_selection_all_papers_are_checked(recorded: Run) -> None:
@@ -157,7 +190,7 @@ def test_errata_are_bundles(recorded: Run) -> None:
     ):
         assert words in result.stdout, words
     assert "toy:1.1" not in result.stdout
-    assert "1 errata" in result.stdout
+    assert "1 erratum, refuted; 0 places of damaged text" in result.stdout
     assert [item["id"] for item in json.loads(recorded("errata", "--json").stdout)["items"]] == ["toy:1.3"]
 
 
@@ -199,6 +232,8 @@ BAD_INPUT = {
     "an unknown command": (["chek"], "chek"),
     "a negative number of jobs": (["check", "--jobs=-1"], "--jobs"),
     "no number of jobs": (["check", "--jobs=two"], "two"),
+    "a time that is no number": (["check", "--timeout=nan"], "nan is not a finite number"),
+    "endless time": (["decide", "x = x", "--timeout=inf"], "inf is not a finite number"),
     "no time at all": (["check", "--timeout=0"], "--timeout"),
     "too many arguments": (["papers", "toy"], "toy"),
 }

@@ -8,6 +8,7 @@ from inspect import Parameter, signature
 from typing import Any
 
 import pytest
+from optimized import about_docstrings
 
 from symcheck import papers
 from symcheck.core.claims import Declaration, Ours
@@ -80,6 +81,7 @@ def test_nothing_of_ours_is_printed() -> None:
                 assert item.statement.states
 
 
+@about_docstrings
 def test_the_example_runs() -> None:
     failed, attempted = doctest.testmod(vocabulary)
     assert attempted

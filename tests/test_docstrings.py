@@ -14,7 +14,9 @@ import pytest
 from build_docs import PACKAGES
 from numpydoc.docscrape import get_doc_object
 from numpydoc.validate import ERROR_MSGS, validate
+from optimized import about_docstrings
 
+pytestmark = about_docstrings
 LEFT_OUT = {
     "ES01",  # an extended summary, where one line says all
     "EX01",  # examples, where a call says nothing that the summary does not

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from typing import Any
 
 import pytest
 from msgspec.structs import replace
@@ -12,6 +13,7 @@ from stand_in import correction
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.views import terminal
+from symcheck.views.model import Fault, Relation, errata, erring
 
 WRONG = Record(
     id="toy:2.1",
@@ -51,6 +53,50 @@ def test_each_erratum_has_its_group(group: Group) -> None:
     assert GROUPS[group].to_json()["group"] == group
 
 
+INSTEAD = r"4 \sqrt{1 + 3 x}"
+CELL = {"read": r"r_7 = 4 \sqrt{1 + 15 x}", "corrected": r"r_7 = 4 \sqrt{1 + 3 x}"}
+BESIDE: dict[str, tuple[dict[str, Any], tuple[str, str, str], str]] = {
+    "a formula": ({"printed": "x =-x", "read": "x = -x"}, ("printed", "x = -x", "x = x"), "x = -x"),
+    "a link of a chain": (
+        {"id": "toy:2.1b", "printed": r"y &= \quad x = -\,x, \\"},
+        ("printed", "x = -x", "x = x"),
+        "x = -x",
+    ),
+    "letters that stand nowhere": ({"printed": "(р = IT}", "read": "F = x"}, ("read as", "F = x", "x = x"), "(р = IT}"),
+    "words": ({"words": "x is odd", "place": "line 7: so … odd"}, ("read as", "x = -x", "x = x"), ""),
+    "a cell": (
+        {"printed": r"4 \sqrt{1 + 15 x}", **CELL, "erratum": correction(instead=f"${INSTEAD}$")},
+        ("printed", r"4 \sqrt{1 + 15 x}", INSTEAD),
+        r"4 \sqrt{1 + 15 x}",
+    ),
+    "a row": (
+        {"printed": "V_3 : [1, -1]", "corrected": "V_3 : [1, 1]", "erratum": correction(row=True)},
+        ("printed", "V_3 : [1, -1]", "V_3 : [1, 1]"),
+        "V_3 : [1, -1]",
+    ),
+}
+
+
+@pytest.mark.parametrize("kind", BESIDE)
+def test_what_stands_beside_the_right_form_is_called_printed_where_it_is(kind: str) -> None:
+    fields, compared, printed = BESIDE[kind]
+    fault = Fault((Relation(replace(WRONG, **fields)),))
+    assert fault.compared == compared
+    facts = [(fact.label, fact.text) for fact in fault.facts if fact.text]
+    assert [text for label, text in facts if label == "printed"] == [printed] * bool(printed)
+    assert (compared[0], compared[1]) in facts
+    assert ("correct", compared[2]) in facts
+
+
+def test_the_errata_are_counted_with_what_they_are() -> None:
+    empty = replace(WRONG, id="toy:2.9", verdict=Verdict.PROVED)
+    said = "2 errata: 1 refuted, 1 that say nothing or are read as they must be meant"
+    assert erring([WRONG, empty, GROUPS[Group.DAMAGED]]) == said
+    assert erring([WRONG]) == "1 erratum, refuted"
+    assert erring([WRONG, ROW]) == "2 errata, all refuted"
+    assert erring([]) == "no errata"
+
+
 def test_what_is_right_has_no_group() -> None:
     right = replace(WRONG, corrected="", reading=Reading.AS_PRINTED, verdict=Verdict.PROVED)
     assert right.group is None
@@ -71,6 +117,19 @@ def test_the_weightiest_come_first() -> None:
     text = told(*reversed(GROUPS.values()))
     places = [text.index(group.upper()) for group in Group]
     assert places == sorted(places)
+
+
+def test_the_authors_own_come_first_and_of_these_that_on_which_most_rests() -> None:
+    used = replace(WRONG, id="other:2.9", paper="other", kind="number", used_by=("other:3.1",))
+    unsure = replace(WRONG, id="toy:2.0", kind="letter", origin=Origin.UNCERTAIN, used_by=("toy:2.1", "toy:2.2"))
+    [(_, lists)] = errata([unsure, WRONG, used])
+    assert [relation.record.id for each in lists for relation in each.relations] == ["other:2.9", "toy:2.1", "toy:2.0"]
+
+
+def test_rows_stay_in_printed_order() -> None:
+    later = replace(ROW, id="toy:2.1V.4a", printed="V_4 : [1, -1]", used_by=("toy:3.1",))
+    [(_, lists)] = errata([ROW, later])
+    assert [fault.number for each in lists for fault in each.faults] == ["2.1V.3a", "2.1V.4a"]
 
 
 def test_a_group_without_members_is_left_out() -> None:

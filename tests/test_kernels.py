@@ -39,6 +39,7 @@ from kernel_reference import (
     random_points,
     worst,
 )
+from optimized import about_docstrings
 
 from symcheck import kernels
 from symcheck.audit import kernels as evidence
@@ -597,6 +598,7 @@ def test_the_text_names_no_version_and_no_place(case: Case) -> None:
     )
 
 
+@about_docstrings
 @every_kernel
 def test_the_docstring_says_what_goes_in_and_comes_out(case: Case) -> None:
     text = inspect.cleandoc(case.function.__doc__ or "")
@@ -612,6 +614,7 @@ def test_the_docstring_says_what_goes_in_and_comes_out(case: Case) -> None:
     assert f"Accuracy: {case.kernel.ulp} ulp" in text
 
 
+@about_docstrings
 @every_kernel
 def test_the_example_of_a_docstring_is_right(case: Case) -> None:
     [example] = doctest.DocTestFinder(recurse=False).find(case.function, case.name, globs={})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -23,7 +24,7 @@ from symcheck.checker.__main__ import main
 from symcheck.core.verdicts import Loss, Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.ledger import Record, line
 from symcheck.selftest.statements import unguarded
-from symcheck.views.model import condition
+from symcheck.views.model import Fault, Relation, condition
 
 IDS = [obligation.id for paper in papers.load().values() for obligation in expand(paper)]
 
@@ -66,6 +67,38 @@ def test_what_is_refuted_or_misprinted_has_an_erratum_and_nothing_else_has_one()
     meaningless = {r.id for r in claims() if r.reading is Reading.MISPRINT and r.verdict is Verdict.PROVED}
     assert accused == {record.id for record in errata()} | meaningless
     assert all(r.corrected and r.kind and r.origin and r.reason for r in claims() if r.reading is Reading.DAMAGED)
+
+
+def test_what_is_called_printed_is_printed() -> None:
+    for record in errata():
+        label, before, _ = Fault((Relation(record),)).compared
+        if label == "printed":
+            assert bare(before) in bare(record.printed), record.id
+
+
+def bare(latex: str) -> str:
+    """The letters and numbers of a formula."""
+    return "".join(re.findall(r"\w", re.sub(r"\\(?:left|right|cdot|quad)(?![A-Za-z])", "", latex)))
+
+
+def test_the_readme_counts_what_is_there() -> None:
+    text = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+    relations = [record for record in records() if record.verdict]
+    refuted = Counter(record.origin for record in relations if record.verdict is Verdict.REFUTED)
+    printed = [record for record in relations if record.printed]
+    ours = sum(record.role is Role.OURS for record in relations)
+    damaged = sum(record.reading is Reading.DAMAGED for record in printed)
+    words = len(relations) - len(printed) - ours
+    for said in (
+        f"but for {damaged} in damaged text",
+        f"{len(relations):,} relations",
+        f"{len(printed):,} of them are printed as formulas; {words} are sentences",
+        f"{ours} are our own",
+        f"{refuted.total()} that are refuted, {refuted[Origin.PAPER]} are errors of the papers",
+        f"{refuted[Origin.OCR]} of the digitised text",
+        f"of {refuted[Origin.UNCERTAIN]} nobody can tell",
+    ):
+        assert said in " ".join(text.split()), said
 
 
 def test_every_erratum_is_a_whole_bundle() -> None:

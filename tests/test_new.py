@@ -502,7 +502,7 @@ def test_a_misprint_passes_through_the_rules(tmp_path: Path) -> None:
     assert (item["verdict"], item["reading"]) == ("refuted", "rewritten")
     assert item["reason"].endswith(r"rewritten by \fun{B}{X} -> X")
     listed = run("errata", audit, "--jobs", 0).stdout
-    assert "1 errata" in listed
+    assert "1 erratum, refuted" in listed
     assert re.search(r"^printed +2 \\fun\{B\}\{E\} = m v\^3$", listed, re.MULTILINE)
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from copy import deepcopy
 from pathlib import Path
@@ -12,7 +15,9 @@ import nbformat
 import pytest
 from click.testing import CliRunner, Result
 from declarations import formulas
+from limits import interruptible
 from nbformat.v4 import new_code_cell, new_notebook, new_output
+from optimized import about_docstrings
 from warm_cache import warm_cache
 
 from symcheck.cli import cli
@@ -36,6 +41,7 @@ def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.T
     monkeypatch.setenv("SYMCHECK_CACHE", warm_cache(tmp_path_factory.getbasetemp() / "notebooks"))
 
 
+@about_docstrings  # a figure says what it shows in its docstring
 @pytest.mark.parametrize("name", NAMES)
 def test_executed_in_this_process_a_notebook_shows_what_is_committed(name: str) -> None:
     assert committed.differences(name, committed.executed(name)) == []
@@ -230,6 +236,45 @@ def test_process_and_kernel_fill_in_the_same_outputs(tmp_path: Path) -> None:
     fast, real = in_process(a_notebook(*cells)), in_kernel(a_notebook(*cells), tmp_path)
     assert [cell.outputs for cell in fast.cells] == [cell.outputs for cell in real.cells]
     assert list(compare.differences(fast, fast)) == []
+
+
+INTERRUPTED = """
+import os, signal, sys
+from pathlib import Path
+from nbformat.v4 import new_code_cell, new_notebook
+from symcheck.views.notebook import committed
+interrupt = f"import os, signal, time; os.kill({os.getpid()}, signal.SIGINT); time.sleep(60)"
+committed.built = lambda name: new_notebook(cells=[new_code_cell(interrupt, id="c-0")])
+committed.names = lambda only: ["one"]
+from symcheck.cli import main
+sys.argv = ["symcheck", "notebooks", "--kernel"]
+main()
+"""
+
+
+def test_an_interrupted_kernel_is_one_line(root: Path) -> None:
+    found = subprocess.run(
+        [sys.executable, "-c", INTERRUPTED],
+        env={**os.environ, "PYTHONPATH": str(root)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        preexec_fn=interruptible,
+    )
+    assert (found.stderr, found.returncode) == ("symcheck: interrupted\n", 130)
+
+
+def test_a_folder_that_cannot_be_written_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(name: str, executed: Any) -> None:
+        raise PermissionError(13, "Permission denied")  # permissions mean nothing to root
+
+    monkeypatch.setattr(committed, "names", lambda only: ["one"])
+    monkeypatch.setattr(committed, "executed", lambda *_: a_notebook())
+    monkeypatch.setattr(committed, "write", refused)
+    result = CliRunner().invoke(cli, ["notebooks", "--write"], prog_name="symcheck")
+    said = "cannot be written (Permission denied); make the folder writable, or leave --write out\n"
+    assert (result.exit_code, result.stderr) == (2, f"symcheck: {committed.folder()} {said}")
 
 
 @pytest.mark.parametrize(

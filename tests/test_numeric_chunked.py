@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from chunked_samples import LEAD, arguments, functions, is_long
+from optimized import about_docstrings
 
 from symcheck import kernels
 from symcheck.numeric import chunked, wheels
@@ -169,6 +170,7 @@ def test_neither_dask_nor_xarray_is_loaded_for_ordinary_arrays() -> None:
     assert done.stdout == "[]\n"
 
 
+@about_docstrings
 @pytest.mark.parametrize("module", [chunked, chunked_arrays, chunked_kernels])
 def test_examples_hold(module: Any) -> None:
     assert doctest.testmod(module).failed == 0

@@ -12,6 +12,7 @@ import matplotlib as mpl
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from optimized import about_docstrings
 
 from symcheck import numeric
 from symcheck.numeric import figures
@@ -39,6 +40,7 @@ def is_labelled(ax: Axes) -> bool:
     return all(labels(ax, direction) for direction in ("xyz" if hasattr(ax, "get_zlabel") else "xy"))
 
 
+@about_docstrings
 @pytest.mark.parametrize("name", figures.figures())
 def test_the_figure_has_labelled_axes_and_is_drawn(name: str, tmp_path: Path) -> None:
     drawn = figures.figure(name)
@@ -63,6 +65,7 @@ def a_figure(monkeypatch: pytest.MonkeyPatch) -> str:
     return "stand-in"
 
 
+@about_docstrings
 def test_a_module_that_declares_a_figure_is_enough(a_figure: str) -> None:
     assert list(figures.figures()) == sorted(figures.figures())
     assert figures.figures()[a_figure] is stand_in

@@ -275,7 +275,9 @@ ERRORS = {
     "truth": (DISTANCES.replace("{ start = 0.1, stop = 1.5, count = 60 }", "true"), "a = True must be"),
     "infinite": (DISTANCES.replace("0.1", "inf"), "a.start = inf must be a finite number"),
     "no count": (DISTANCES.replace(", count = 60", ""), "a = {'start': 0.1, 'stop': 1.5} must be"),
-    "count": (DISTANCES.replace("60", "0"), "a.count = 0 must be a whole number from 1 on"),
+    "count": (DISTANCES.replace("60", "0"), "a.count = 0 must be a whole number from 1 to 1e+08"),
+    "a huge count": (DISTANCES.replace("60", "1_000_000_000_000_000"), "a.count = 1000000000000000 must be"),
+    "a huge ensemble": (TOLERANCES.replace("9000", "1_000_000_000"), "realizations = 1000000000 must be"),
     "range": (DISTANCES.replace("stop = 1.5", "end = 1.5"), "a has no 'end'"),
     "scale": (GROWTH.replace("log", "cubic"), "omega_0.scale = 'cubic' must be"),
     "logarithm": (GROWTH.replace("start = 0.5", "start = 0.0"), "must have the same sign and not be 0"),
@@ -295,7 +297,7 @@ ERRORS = {
         "start.torques must be the result of a function",
     ),
     "seed": (TOLERANCES.replace("seed = 3", ""), "both a seed and a number of realizations"),
-    "realizations": (TOLERANCES.replace("9000", "0"), "realizations = 0 must be a whole number from 1 on"),
+    "realizations": (TOLERANCES.replace("9000", "0"), "realizations = 0 must be a whole number from 1 to 1e+08"),
     "own seed": (ENSEMBLE.replace("step = 2.0", "step = 2.0\nseed = 1"), "seed is given by the sweep"),
     "no ensemble": (re.sub("(seed|realizations) = .*", "", ENSEMBLE), "what is random needs a seed"),
     "not random": ("seed = 1\nrealizations = 2\n" + DISTANCES, "nothing is random"),
@@ -328,6 +330,9 @@ OPTIONS = {
         ("--scheduler", "tcp://127.0.0.1:9", "--wait", "0.5"),
         "no scheduler answers at tcp://127",
     ),
+    "no address": ("out.zarr", ("--scheduler", " "), "it is empty; give tcp://HOST:8786, or leave --scheduler out"),
+    "memory": ("out.zarr", ("--chunk-memory", "nan"), "nan is not a finite number"),
+    "no end": ("out.zarr", ("--wait", "inf"), "inf is not a finite number"),
     "address": ("out.zarr", ("--scheduler", "ftp://x", "--wait", "0.5"), "no scheduler answers at ftp://x"),
 }
 
@@ -342,13 +347,31 @@ def test_options_that_do_not_fit_are_reported_in_one_line(tmp_path: Path, name: 
     assert said.count("\n") == 1
 
 
+def test_more_chunks_than_can_be_kept_are_refused(tmp_path: Path) -> None:
+    text = re.sub("count = [0-9]+", "count = 10_000_000", DISTANCES)
+    exit_code, said = run(tmp_path, text, "out.zarr", "--chunk", "a=1")
+    assert exit_code == 2
+    assert re.search("the sweep has [0-9,]+ chunks, more than 1,000,000", said)
+    assert [path.name for path in tmp_path.iterdir()] == ["sweep.toml"]
+
+
+def test_an_address_that_is_none_is_one_line_to_the_end_of_the_process(tmp_path: Path) -> None:
+    pytest.importorskip("distributed")
+    process = command(tmp_path, "out.zarr", "--scheduler", "garbage", "--wait", "0.5", text=DISTANCES)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 2
+    assert said.splitlines() == [
+        "symcheck: no scheduler answers at garbage within 0.5 s (missing port number in address 'garbage')"
+    ]
+
+
 def test_what_is_missing_is_named_with_the_command_that_installs_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("symcheck.numeric.sweep.find_spec", lambda name: None if name == "zarr" else object())
     assert run(tmp_path, DISTANCES, "out.zarr") == (
         2,
-        "symcheck: a sweep needs zarr; run `pip install 'symcheck[sweep]'`\n",
+        f"symcheck: a sweep needs zarr; run `{sys.executable} -m pip install 'symcheck[sweep]'`\n",
     )
 
 
@@ -471,6 +494,14 @@ def test_a_sweep_that_was_changed_does_not_go_on(
         exit_code, said = run(tmp_path, text, "out.zarr", *options)
     assert (exit_code, computed) == (2, [])
     assert expected in said
+
+
+def test_a_sweep_of_which_nothing_is_computed_stands_in_the_way_of_none(tmp_path: Path) -> None:
+    wrong = GROWTH.replace("start = 0.1, stop = 2.0, count = 12", "start = 1.0, stop = -1.0, count = 12")
+    exit_code, said = run(tmp_path, wrong, "out.zarr")
+    assert (exit_code, "no chunk is finished" in said) == (2, True)
+    assert swept(tmp_path, GROWTH, "out.zarr").identical(swept(tmp_path, GROWTH, "whole.zarr"))
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out.zarr", "sweep.toml", "whole.zarr"]
 
 
 def test_a_sweep_of_another_version_does_not_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -635,7 +666,7 @@ def test_a_full_disk_is_reported_and_the_sweep_goes_on_when_there_is_room(tmp_pa
     process = command(tmp_path, "out.zarr", "--chunk", "realization=40000", text=text, preexec_fn=limited)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 2
-    assert "cannot be written: File too large; 0 of 1 chunks are done and kept" in said
+    assert "cannot be written: File too large; no chunk is finished" in said
     assert swept(tmp_path, text, "out.zarr").identical(
         swept(tmp_path, text, "whole.zarr", "--chunk", "realization=4000")
     )

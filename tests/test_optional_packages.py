@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from symcheck.core.extras import installing
+
 # As if these were not installed: neither imported nor found.
 HIDING = """
 import sys
@@ -57,11 +59,12 @@ def run(root: Path, folder: Path, *arguments: str, main: str = "") -> subprocess
     )
 
 
+PIP = f"{sys.executable} -m pip install"
 NEEDS = {
-    ("plot", "liquid-frequencies"): "matplotlib is not installed; run `pip install 'symcheck[plots]'`",
+    ("plot", "liquid-frequencies"): f"matplotlib is not installed; run `{PIP} 'symcheck[plots]'`",
     ("sweep", "spec.toml", "--out", "out.nc"): "a sweep needs xarray, zarr, filelock, dask, h5netcdf, h5py; "
-    "run `pip install 'symcheck[sweep]'`",
-    ("notebooks", "--only", "1"): "jupytext is not installed; run `pip install 'symcheck[notebooks]'`",
+    f"run `{PIP} 'symcheck[sweep]'`",
+    ("notebooks", "--only", "1"): f"jupytext is not installed; run `{PIP} 'symcheck[notebooks]'`",
 }
 
 
@@ -80,6 +83,26 @@ def test_figures_are_listed_all_the_same(root: Path, tmp_path: Path) -> None:
     assert "liquid-frequencies" in found.stdout
 
 
+def test_a_figure_drawn_in_python_says_what_to_install(root: Path, tmp_path: Path) -> None:
+    code = """
+from symcheck.numeric import wheels
+try:
+    wheels.plot_envelope(wheels.envelope(wheels.four_wheels(1.0, 0.5), 1.0))
+except ModuleNotFoundError as error:
+    print(error)
+"""
+    found = run(root, tmp_path, main=code)
+    assert found.stdout == f"figures need matplotlib; run `{PIP} 'symcheck[plots]'`\n", found.stderr
+
+
+def test_the_python_of_a_checkout_is_named_as_it_is_called_from_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "executable", str(tmp_path / ".venv" / "bin" / "python"))
+    assert installing("plots") == ".venv/bin/python -m pip install 'symcheck[plots]'"
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -96,7 +119,9 @@ except ImportError as error:
     print(error)
 """
     found = run(root, tmp_path, main=code)
-    assert found.stdout == "engine='numba' needs numba: pip install numba, or leave engine='numpy'\n", found.stderr
+    assert found.stdout == f"engine='numba' needs numba; run `{PIP} 'symcheck[numba]'`, or leave engine='numpy'\n", (
+        found.stderr
+    )
 
 
 def test_a_sweep_with_an_engine_that_is_missing_is_one_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -117,4 +142,4 @@ def test_a_sweep_with_an_engine_that_is_missing_is_one_line(tmp_path: Path, monk
     result = CliRunner().invoke(cli, ["sweep", str(spec), "--out", str(tmp_path / "out.zarr")], prog_name="symcheck")
     assert result.exit_code == 2
     assert result.stderr.count("\n") == 1
-    assert "engine='numba' needs numba: pip install numba" in result.stderr
+    assert "engine='numba' needs numba; run " in result.stderr

@@ -99,7 +99,7 @@ def test_other_commands_take_it_alike(folder: Path, tmp_path: Path) -> None:
     assert run("report", folder, "--output", tmp_path / "page.html", "--jobs", 0).exit_code == 0
     listed = run("errata", folder, "--jobs", 0)
     assert "my_notes:3  wrong" in listed.stdout
-    assert "1 errata" in listed.stdout
+    assert "1 erratum, refuted" in listed.stdout
 
 
 def test_workers_know_it(folder: Path) -> None:

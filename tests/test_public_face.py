@@ -13,6 +13,7 @@ from pathlib import Path
 from pkgutil import iter_modules
 
 import pytest
+from optimized import about_docstrings
 
 import symcheck
 
@@ -27,6 +28,7 @@ def homes(package: str) -> dict[str, str]:
     return {name: f"{package}.{module}" for module, names in import_module(package)._HOMES.items() for name in names}
 
 
+@about_docstrings
 @pytest.mark.parametrize("package", PACKAGES)
 def test_a_package_says_in_one_line_what_it_is_for(package: str) -> None:
     first = (import_module(package).__doc__ or "").partition("\n")[0]
@@ -91,6 +93,7 @@ def test_an_unknown_name_is_an_attribute_error() -> None:
         symcheck.chekc  # noqa: B018
 
 
+@about_docstrings
 def test_the_examples_of_the_audit_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("SYMCHECK_CACHE", str(tmp_path / "cache"))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))

@@ -18,8 +18,9 @@ from msgspec.structs import replace
 from stand_in import correction, hypothesis
 from unpacked import unpacked
 
-from symcheck import kernels, papers
+from symcheck import __version__, kernels, papers
 from symcheck.audit import expand
+from symcheck.audit.decide import decide
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.ledger import Need, Record
 from symcheck.ledger.selftested import evidence
@@ -31,7 +32,7 @@ from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
 from symcheck.views.page.page import Extras, page
 from symcheck.views.page.plots import colour, coloured, curves, png
-from symcheck.views.page.sources import Excerpt, Publication
+from symcheck.views.page.sources import Excerpt, Publication, meanings
 from symcheck.views.page.typeset import typeset
 from symcheck.views.steps import steps
 
@@ -76,6 +77,17 @@ def printed_texts() -> Iterator[str]:
     for paper in papers.load().values():
         for obligation in expand(paper):
             yield from (*obligation.item.source.printed, *obligation.item.stated)
+
+
+def test_the_page_says_which_version_wrote_it() -> None:
+    assert f"symcheck report</code>, version {__version__}, from" in page([], [])
+
+
+def test_letters_of_ours_are_told_from_those_that_are_printed() -> None:
+    [found] = meanings({"esenkov2006": papers.load()["esenkov2006"]}, decide("esenkov2006:2.1.4")).values()
+    ours = [each.latex for each in found if each.is_ours]
+    assert ours == ["F", "G", "H"]
+    assert {"A": "transverse moment of inertia, kg m^2"}.items() <= {each.latex: each.says for each in found}.items()
 
 
 def test_every_formula_of_the_papers_is_typeset_and_nothing_else() -> None:

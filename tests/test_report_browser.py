@@ -23,7 +23,6 @@ CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", 
 SELECTION = ("mirer2009", "ignatov2005:2.1V", "ignatov2005:2.1E")
 VIEWS = ("#errata", "#ledger", "#pictures", "#checks", "#mirer2009:2.12", "#mirer2009:2.17", "#ignatov2005:2.1V.2d")
 WIDE, NARROW = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
-SERIOUS = ("serious", "critical")
 PATIENCE = 10_000  # milliseconds
 CANVAS = "document.querySelector('#canvas').toDataURL()"
 
@@ -103,12 +102,12 @@ def test_nothing_reaches_beyond_the_window(opened: Callable[..., Page], place: s
 
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("place", VIEWS)
-def test_there_is_no_serious_obstacle_for_anybody(opened: Callable[..., Page], place: str, scheme: str) -> None:
+def test_there_is_no_obstacle_for_anybody(opened: Callable[..., Page], place: str, scheme: str) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
     page = opened(place, color_scheme=scheme, bypass_csp=True)
     found = Axe().run(page).response["violations"]
-    assert [(each["id"], each["nodes"][0]["html"]) for each in found if each["impact"] in SERIOUS] == []
+    assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
 
 
 def test_the_counts_are_those_of_the_ledger(opened: Callable[..., Page]) -> None:
@@ -134,6 +133,91 @@ def test_the_search_finds_numbers_words_and_latex(opened: Callable[..., Page]) -
     page.get_by_role("button", name="Clear").click()
     page.wait_for_timeout(50)
     assert shown(page) == everything
+
+
+def test_the_search_puts_first_what_is_asked_for(opened: Callable[..., Page]) -> None:
+    page = opened("#ledger")
+    order = shown(page)
+    for text, first in (
+        ("(2.12)", ["2.12"]),
+        ("eq. 2.12", ["2.12"]),
+        ("Eqs. (2.1)", ["2.1a", "2.1b"]),
+        ("mirer2009:2.17", ["2.17"]),
+        ("2.1", ["2.1a", "2.1b"]),
+    ):
+        page.get_by_label("Search").fill(text)
+        assert shown(page)[: len(first)] == first, text
+    page.get_by_label("Search").fill("refuted")
+    refuted = page.locator("#rows li:visible .badge.refuted").count()
+    assert page.locator("#best li:visible .badge").all_inner_texts() in ([], ["refuted"] * refuted)
+    page.get_by_label("Search").fill("sign error")
+    assert "2.1.1" not in shown(page)
+    assert all("sign" in kind for kind in page.locator("#best li:visible .end div").all_inner_texts())
+    page.get_by_label("Search").fill("J_1 J_3")
+    assert "2.12" in shown(page)
+    page.get_by_label("Search").fill("")
+    assert shown(page) == order
+
+
+def test_an_unknown_place_is_said_with_the_nearest(opened: Callable[..., Page]) -> None:
+    for place, nearest in (
+        ("#mirer2009:2.71", "mirer2009:2.7"),
+        ("#mirer209:2.12", "mirer2009:2.12"),
+        ("#%", "errata"),
+    ):
+        page = opened(place)
+        notice = page.get_by_role("status").filter(has_text="There is no")
+        assert place.removeprefix("#") in notice.inner_text()
+        near = notice.get_by_role("link").all_inner_texts()
+        assert any(each.startswith(nearest) for each in near) or nearest == "errata", near
+        notice.get_by_role("link").first.click()
+        notice.wait_for(state="hidden")
+
+
+def test_single_keys_search_walk_and_can_be_switched_off(opened: Callable[..., Page]) -> None:
+    page = opened("#errata")
+    page.keyboard.press("/")
+    page.locator("[name=text]:focus").wait_for()
+    page.keyboard.type("2.12/?")
+    assert page.locator("[name=text]").input_value() == "2.12/?"
+    page.keyboard.press("Control+A")
+    page.keyboard.type("2.12")
+    page.locator("#ledger-title").click()
+    page.keyboard.press("j")
+    page.keyboard.press("j")
+    page.keyboard.press("k")
+    page.keyboard.press("Enter")
+    title(page, "mirer2009:2.12")
+    page.keyboard.press("n")
+    title(page, "mirer2009:2.13.1c")
+    page.keyboard.press("p")
+    page.keyboard.press("k")
+    title(page, f"mirer2009:{neighbour(page)}")
+    page.keyboard.press("?")
+    page.get_by_role("dialog").get_by_label("single keys do this").uncheck()
+    page.get_by_role("button", name="Close").click()
+    before = page.locator("#claim-title").inner_text()
+    page.keyboard.press("j")
+    assert page.locator("#claim-title").inner_text() == before
+
+
+def neighbour(page: Page) -> str:
+    """The place of the claim that is shown."""
+    return page.url.rpartition(":")[2]
+
+
+def test_a_claim_says_what_its_letters_mean(opened: Callable[..., Page]) -> None:
+    said = opened("#mirer2009:2.12").locator(".letters li").all_inner_texts()
+    assert len(said) == 3
+    assert any("principal central moments of inertia, kg m" in each for each in said)
+
+
+def test_every_view_has_one_heading_of_the_first_level(opened: Callable[..., Page]) -> None:
+    for place in VIEWS:
+        page = opened(place)
+        levels = page.locator("h1:visible,h2:visible,h3:visible").evaluate_all("all => all.map((each) => each.tagName)")
+        assert levels.count("H1") == 1, place
+        assert levels[0] == "H1", place
 
 
 def test_filters_narrow_together_and_stay_when_one_comes_back(opened: Callable[..., Page]) -> None:
@@ -280,7 +364,7 @@ def test_everything_is_reached_with_the_keyboard_alone(opened: Callable[..., Pag
 def test_errata_are_legible_without_a_program(opened: Callable[..., Page]) -> None:
     page = opened("#errata", java_script_enabled=False)
     assert page.locator(".fault").first.is_visible()
-    assert r"\omega_s" in page.locator(".fault .diff").all_inner_texts()[1]
+    assert any(r"\omega_s" in text for text in page.locator(".fault .diff").all_inner_texts())
     assert page.locator("#view-pictures").is_visible()
     assert page.locator("#filters").is_hidden()
 

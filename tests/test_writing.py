@@ -73,6 +73,40 @@ def test_a_full_device_is_one_line_and_stays_a_device(ending: str, symcheck: Com
     assert not list(tmp_path.glob(".*"))
 
 
+STAND_IN = [sys.executable, str(Path(__file__).with_name("stand_in.py"))]
+PRINTING = ("check toy", "check toy --json", "show toy:1.1", "errata toy", "papers", "--help")
+
+
+def at(output: str, *arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """A command of the toy paper with its standard output redirected by a shell."""
+    env = {**os.environ, "SYMCHECK_CACHE": str(folder / "cache"), "STAND_IN_LOG": str(folder / "decided")}
+    command = ["sh", "-c", f'exec "$@" {output}', "sh", *STAND_IN, *arguments]
+    return subprocess.run(command, env=env, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+
+
+@full
+@pytest.mark.parametrize("arguments", PRINTING)
+def test_a_full_standard_output_is_one_line(arguments: str, tmp_path: Path) -> None:
+    found = at(">/dev/full", *arguments.split(), *["--jobs", "0"] * ("toy" in arguments), folder=tmp_path)
+    said = "the standard output cannot be written (No space left on device); what was printed is not whole"
+    assert (found.stderr.splitlines()[-1], found.stderr.count("Traceback")) == (f"symcheck: {said}", 0)
+    assert found.returncode == 2
+
+
+def test_what_nobody_wants_to_read_is_not_printed(tmp_path: Path) -> None:
+    assert (found := at(">&-", "papers", folder=tmp_path)).returncode == 0, found.stderr
+
+
+@full
+def test_a_batch_goes_on_with_a_file_only(tmp_path: Path) -> None:
+    batch = tmp_path / "batch.jsonl"
+    batch.write_text('{"id": 1, "relation": "x = x"}\n', encoding="utf-8")
+    for _ in range(2):
+        arguments = ["decide", "--batch", str(batch), "--output", os.devnull, "--resume", "--jobs", "1"]
+        result = CliRunner().invoke(cli, arguments, prog_name="symcheck")
+        assert (result.exit_code, result.stderr) == (0, "symcheck: 1 records: 1 proved\n")
+
+
 def test_a_circle_of_links_is_one_line(symcheck: Command, tmp_path: Path) -> None:
     link = tmp_path / "circle.html"
     link.symlink_to(link.name)

@@ -59,6 +59,7 @@ def _print_ledger(records: Sequence[Record], form: str, verdict: str | None, par
 
         click.echo(diagnostics.FORMATS[form](selected))
         return
+    from symcheck import papers
     from symcheck.ledger import by_paper
     from symcheck.views import terminal
 
@@ -67,7 +68,9 @@ def _print_ledger(records: Sequence[Record], form: str, verdict: str | None, par
     out.print(note, end="\n" * partial)
     for key, rows in by_paper(selected).items():
         terminal.ledger(out, key, rows)
+    terminal.findings(out, selected)
     terminal.summary(out, records)
+    terminal.next_steps(out, selected, papers.load().folders)
     out.print(note, end="\n" * partial)
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import os
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import click
 
 from symcheck.cli.errors import BAD_INPUT, say, writing
-from symcheck.cli.options import cores
+from symcheck.cli.options import POSITIVE, cores
 from symcheck.core.verdicts import SymcheckError
 
 EXIT = {"proved": 0, "refuted": 1, "unreadable": BAD_INPUT}
@@ -47,7 +48,7 @@ UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
 )
 @click.option(
     "--timeout",
-    type=click.FloatRange(0, min_open=True),
+    type=POSITIVE,
     default=20.0,
     show_default=True,
     help="Seconds of processor time for each formula.",
@@ -108,7 +109,7 @@ def _batch(file: Path, as_json: bool, output: Path | None, resume: bool, jobs: i
     done = 0
     if resume and output is None:
         raise click.UsageError("--resume goes on with the file of --output")
-    if resume and output is not None and output.exists():
+    if resume and output is not None and output.is_file():
         with output.open(encoding="utf-8") as written:
             done = resumed(records, written)
         _cut(output, done)
@@ -119,7 +120,7 @@ def _batch(file: Path, as_json: bool, output: Path | None, resume: bool, jobs: i
         if tty:
             click.echo(f"\r{done + count} of {len(records)}", err=True, nl=False)
 
-    with writing(output or Path("-")):
+    with writing(output) if output else nullcontext():
         stream = output.open("a" if done else "w", encoding="utf-8") if output else sys.stdout
         try:
             for record, answer in zip(todo, answers(todo, executor(jobs, ()), timeout, progress), strict=True):

@@ -65,13 +65,11 @@ def errata(
 
 
 def _list(records: Sequence[Record]) -> None:
-    from symcheck.core.verdicts import Group
     from symcheck.views import terminal
 
     out = terminal.console()
     terminal.errata(out, records)
-    damaged = sum(record.group is Group.DAMAGED for record in records)
-    out.print(f"{len(records) - damaged} errata; {damaged} places of damaged text")
+    terminal.counted_errata(out, records)
 
 
 def _write_letter(records: Sequence[Record], form: str | None, output: Path | None) -> None:

@@ -6,12 +6,19 @@ from collections.abc import Sequence
 
 import click
 
-from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say
+from symcheck.cli.completion import notebooks as names
+from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say, writing
 from symcheck.cli.records import progress
 
 
 @click.command()
-@click.option("--only", multiple=True, metavar="NAME", help="A notebook, 6_errata, or the beginning of its name.")
+@click.option(
+    "--only",
+    multiple=True,
+    metavar="NAME",
+    shell_complete=names,
+    help="A notebook, 6_errata, or the beginning of its name.",
+)
 @click.option("--kernel", is_flag=True, help="Run through a Jupyter kernel instead of in this process.")
 @click.option("--write", is_flag=True, help="Accept what comes out: write notebooks/ anew.")
 def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
@@ -23,7 +30,8 @@ def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
         with progress(name) as move, needing("notebooks"):
             found = committed.executed(name, kernel, move)
         if write:
-            committed.write(name, found)
+            with writing(committed.folder(), "make the folder writable, or leave --write out"):
+                committed.write(name, found)
         differences = committed.differences(name, found)
         differing += differences
         click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(differences)} differ")

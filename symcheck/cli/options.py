@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
+from typing import Any
 
 import click
+
+from symcheck.cli.completion import relations
 
 
 def keyed(
@@ -35,7 +39,23 @@ def _exists(path: str) -> bool:
         return False
 
 
-SELECTION = click.argument("selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed)
+class _Positive(click.FloatRange):
+    """A finite number above 0; a range lets NaN through, which compares with nothing."""
+
+    def __init__(self) -> None:
+        super().__init__(0, min_open=True)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        number = float(super().convert(value, param, ctx))
+        if not math.isfinite(number):
+            self.fail(f"{number} is not a finite number.", param, ctx)
+        return number
+
+
+POSITIVE = _Positive()
+SELECTION = click.argument(
+    "selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed, shell_complete=relations
+)
 
 
 @dataclass(frozen=True)
@@ -64,7 +84,7 @@ def audit_options(command: Callable[..., None]) -> Callable[..., None]:
     )
     @click.option(
         "--timeout",
-        type=click.FloatRange(0, min_open=True),
+        type=POSITIVE,
         default=60.0,
         show_default=True,
         help="Seconds that one declaration may take.",

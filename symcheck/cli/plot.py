@@ -6,12 +6,13 @@ from pathlib import Path
 
 import click
 
+from symcheck.cli.completion import figures
 from symcheck.cli.errors import needing, writing
 from symcheck.core.verdicts import SymcheckError
 
 
 @click.command()
-@click.argument("name", required=False)
+@click.argument("name", required=False, shell_complete=figures)
 @click.option(
     "--output",
     type=click.Path(dir_okay=False, readable=False, path_type=Path),
@@ -20,19 +21,19 @@ from symcheck.core.verdicts import SymcheckError
 @click.option("--show", is_flag=True, help="Open the file in the viewer of this system.")
 def plot(name: str | None, output: Path | None, show: bool) -> None:
     """Draw a figure of the numeric layer to a file. Without NAME: list the figures."""
-    from symcheck.numeric import figures
+    from symcheck.numeric import figures as drawn
 
     if name is None:
         if output or show:
             raise SymcheckError("which figure? `symcheck plot` lists them")
-        names = list(figures.figures())
+        names = list(drawn.figures())
         for each in names:
-            click.echo(f"{each:{max(map(len, names))}}  {figures.summary(each)}")
+            click.echo(f"{each:{max(map(len, names))}}  {drawn.summary(each)}")
         return
     path = output or Path(f"{name}.png")
     with writing(path), needing("plots"):
         try:
-            figures.draw(name, path)
+            drawn.draw(name, path)
         except ValueError as error:
             raise SymcheckError(str(error)) from error
     click.echo(str(path))

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import io
 import sys
 
 import click
+from click.shell_completion import add_completion_class
 
 from symcheck import __version__
 from symcheck.cli.check import check
+from symcheck.cli.completion import Bash
 from symcheck.cli.decide import decide
 from symcheck.cli.errata import errata
-from symcheck.cli.errors import one_line_errors
+from symcheck.cli.errors import one_line_errors, output_fails
 from symcheck.cli.export import export
 from symcheck.cli.generate import generate
 from symcheck.cli.lint import lint
@@ -72,16 +75,25 @@ for command in (
     export,
 ):
     cli.add_command(command)
+add_completion_class(Bash)
 
 
 def main() -> None:
     """The entry point `symcheck`."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:  # closed by whoever started this
+            setattr(sys, name, io.StringIO())
+        elif hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
     try:
-        cli(prog_name="symcheck")
+        try:
+            cli(prog_name="symcheck")
+        finally:
+            sys.stdout.flush()
     except SystemExit as stop:
         if stop.code == INTERRUPTED:
             leave()
         raise
+    except OSError as error:
+        sys.exit(output_fails(error))

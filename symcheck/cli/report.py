@@ -45,6 +45,7 @@ def report(selection: Sequence[str], output: Path, show: bool, options: AuditOpt
         pictures.densities(),
         pictures.stability(),
         selftested.recorded(kernels.folder()),
+        sources.meanings(known, records),
     )
     text = page(records, sources.publications(known), extras).encode()
     with writing(output):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import click
 
+from symcheck.cli.completion import relations_and_kernels
 from symcheck.cli.options import AuditOptions, audit_options, keyed
 from symcheck.cli.records import audited
 
 
 @click.command()
-@click.argument("name", metavar="PAPER:NUMBER|KERNEL", callback=keyed)
+@click.argument("name", metavar="PAPER:NUMBER|KERNEL", callback=keyed, shell_complete=relations_and_kernels)
 @click.option("--certificate", is_flag=True, help="Print the whole certificate.")
 @audit_options
 def show(name: str, certificate: bool, options: AuditOptions) -> None:

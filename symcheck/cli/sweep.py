@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from symcheck.cli.options import cores
+from symcheck.cli.options import POSITIVE, cores
 from symcheck.cli.records import progress
 from symcheck.core.verdicts import SymcheckError
 
@@ -24,29 +24,34 @@ def _chunks(context: click.Context, option: click.Parameter, given: Sequence[str
     return {axis: int(points) for axis, _, points in pairs}
 
 
+def _address(context: click.Context, option: click.Parameter, given: str | None) -> str | None:
+    if given is not None and not given.strip():
+        raise click.BadParameter("it is empty; give tcp://HOST:8786, or leave --scheduler out to compute here")
+    return given
+
+
 @click.command()
 @click.argument("spec", type=click.Path(path_type=Path))
 @click.option(
     "--out", required=True, type=click.Path(path_type=Path), help="FILE.zarr or FILE.nc, written when all is done."
 )
 @click.option(
-    "--scheduler", metavar="ADDRESS", help="A dask.distributed scheduler, as tcp://HOST:8786; default threads."
+    "--scheduler",
+    metavar="ADDRESS",
+    callback=_address,
+    help="A dask.distributed scheduler, as tcp://HOST:8786; default threads.",
 )
 @click.option("--threads", type=click.IntRange(1), default=cores, show_default="cores", help="Threads of this process.")
 @click.option("--chunk", "chunks", multiple=True, metavar="AXIS=POINTS", callback=_chunks, help="Length of a chunk.")
 @click.option(
     "--chunk-memory",
-    type=click.FloatRange(0, min_open=True),
+    type=POSITIVE,
     default=32.0,
     show_default=True,
     help="Megabytes of results in a chunk, along the axes whose length is not given.",
 )
 @click.option(
-    "--wait",
-    type=click.FloatRange(0, min_open=True),
-    default=10.0,
-    show_default=True,
-    help="Seconds to wait for the scheduler and for workers.",
+    "--wait", type=POSITIVE, default=10.0, show_default=True, help="Seconds to wait for the scheduler and for workers."
 )
 def sweep(
     spec: Path,

@@ -12,7 +12,13 @@ T = TypeVar("T")
 
 
 def compiled(function: Callable[P, T]) -> Callable[P, T]:
-    """Compiled without the interpreter's lock and checks of division, with fused products and sums; kept on disk."""
-    options = numba.njit(nogil=True, cache=True, error_model="numpy", fastmath={"contract"})
-    fast: Callable[P, T] = options(function)
+    """Compiled without the interpreter's lock and checks of division, with fused products and sums.
+
+    Kept on disk; where no folder for that may be written, as for a user without a home, compiled in each process.
+    """
+    options = {"nogil": True, "error_model": "numpy", "fastmath": {"contract"}}
+    try:
+        fast: Callable[P, T] = numba.njit(cache=True, **options)(function)
+    except RuntimeError:  # Numba finds no folder
+        fast = numba.njit(**options)(function)
     return fast

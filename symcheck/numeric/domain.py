@@ -15,6 +15,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from symcheck.core.extras import installing
+
 Array = NDArray[np.float64]
 Result = TypeVar("Result", Array, NDArray[np.complex128])
 Truth = bool | np.bool_ | NDArray[np.bool_]
@@ -277,7 +279,7 @@ def engine_module(engine: str, module: str) -> ModuleType:
         if error.name != engine:
             raise
         raise ImportError(
-            f"engine={engine!r} needs {engine}: pip install {engine}, or leave engine='numpy'", name=engine
+            f"engine={engine!r} needs {engine}; run `{installing(engine)}`, or leave engine='numpy'", name=engine
         ) from error
 
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 
+from symcheck.core.extras import installing
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -32,7 +34,10 @@ def figure_of(axes: Any) -> Figure:
 def new_figure(
     size: tuple[float, float] | None = None, layout: Literal["constrained"] | None = "constrained"
 ) -> Figure:
-    """A figure that is on no screen and that no window keeps."""
-    from matplotlib.figure import Figure
+    """A figure that is on no screen and that no window keeps; ModuleNotFoundError says what to install for it."""
+    try:
+        from matplotlib.figure import Figure
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(f"figures need {error.name}; run `{installing('plots')}`", name=error.name) from error
 
     return Figure(figsize=size, layout=layout)

@@ -57,6 +57,16 @@ def split_at_formulas(sentence: str) -> list[str]:
     return _WITHIN.split(sentence)
 
 
+def only_formula(sentence: str) -> str:
+    """The formula of a sentence that is nothing but one formula between dollar signs, else the empty text.
+
+    >>> only_formula("$k = 1$"), only_formula("for $k = 1$ only")
+    ('k = 1', '')
+    """
+    before, *rest = split_at_formulas(sentence)
+    return rest[0] if len(rest) == 2 and before == rest[1] == "" else ""
+
+
 def sentence(text: str, words: Callable[[str], str]) -> str:
     """A sentence on one line, its formulas between dollars as they are, its words as another markup writes them."""
     pieces = enumerate(split_at_formulas(" ".join(text.split())))

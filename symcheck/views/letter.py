@@ -19,7 +19,7 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Origin, SymcheckError
 from symcheck.ledger import Record
 from symcheck.papers import load
-from symcheck.views.latex import formulas_of, is_formula, split_at_formulas, standing_alone
+from symcheck.views.latex import formulas_of, is_formula, only_formula, split_at_formulas, standing_alone
 from symcheck.views.model import Fault, errata
 
 _EQUATION = re.compile(r"\d+\.\d+")  # the number of a declaration that is printed as a tag: 2.18
@@ -156,7 +156,7 @@ def _printed(record: Record, fault: Fault, lines: Mapping[str, int]) -> str:
         words = plain(_first_sentence(record.words), lines)
         return words if _MARKUP.search(sentence) else f"“{sentence}” ({words})"
     is_one_link = record.link and record.erratum
-    return _as_text(fault.printed if is_one_link else record.printed or fault.printed)
+    return _as_text(record.read if is_one_link else record.printed or record.read or record.words)
 
 
 def _first_sentence(words: str) -> str:
@@ -231,12 +231,6 @@ def _parts(text: str, formula: Callable[[str], str], words: Callable[[str], str]
     return "".join(formula(piece) if n % 2 else words(piece) for n, piece in enumerate(pieces))
 
 
-def _displayed(text: str) -> str:
-    """The formula of a text that is one formula, else the empty text."""
-    before, *rest = split_at_formulas(text)
-    return rest[0] if len(rest) == 2 and before == rest[1] == "" else ""
-
-
 def _capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
@@ -255,7 +249,7 @@ def _markdown_lines(content: Letter) -> Iterator[str]:
     for number, each in enumerate(content.corrections, 1):
         yield from (f"**{number}.** {_capital(each.where)}.", "")
         for label, text in (("Printed", each.printed), ("Correct", each.correct)):
-            shown = _displayed(text)
+            shown = only_formula(text)
             yield from (f"{label}:", "", f"$${shown}$$", "") if shown else (f"{label}: {_marked(text)}", "")
         yield from (_marked(each.reason), "")
         if each.evidence:
@@ -345,7 +339,7 @@ def _latex_lines(content: Letter) -> Iterator[str]:
     for correction in content.corrections:
         yield rf"\item {_words(_capital(correction.where))}."
         for label, text in (("Printed", correction.printed), ("Correct", correction.correct)):
-            shown = _displayed(text)
+            shown = only_formula(text)
             yield rf"\par {label}: \displayed{{{shown}}}" if shown else rf"\par {label}: {_sentence(text)}"
         yield rf"\par {_sentence(correction.reason)}"
         if correction.evidence:
@@ -388,7 +382,7 @@ def _math(texts: Iterable[str]) -> Mapping[str, str | None]:
 
 def _html_lines(content: Letter, math: Mapping[str, str | None]) -> Iterator[str]:
     def markup(text: str) -> str:
-        shown = _displayed(text)
+        shown = only_formula(text)
         whole = _parts(
             text, lambda latex: math[latex] or f"<code>{escape(latex)}</code>", lambda words: str(escape(words))
         )

@@ -16,15 +16,26 @@ from typing import NamedTuple
 from symcheck.coq.confirmed import summary
 from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import Group, Loss, Origin, Verdict
+from symcheck.core.verdicts import Group, Loss, Origin, Reading, Role, Verdict
 from symcheck.core.words import term
 from symcheck.ledger import HypothesisRow, Record
+from symcheck.views.latex import is_formula, only_formula
 from symcheck.views.steps import compared, coordinates, point, proof_lines, sides
 
+_ORIGINS = (
+    "read as they are printed",
+    "read otherwise where the text is damaged",
+    "read with what the auditor rewrote",
+    "stated by the auditor",
+    "put into formulas by us from the words",
+    "added by us",
+)
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
 _NEEDED = {True: "needed", False: "not needed", None: "need not known"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
+_BLAMED = (Origin.PAPER, Origin.UNCERTAIN, Origin.OCR)
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
+_MARKUP = re.compile(r"\\(?:(?:left|right|cdot|q?quad)(?![A-Za-z])|[\\,;:! ])|[\s{}&$]")  # what is a space at most
 _ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record writes the conditions of a corrected formula
 
 
@@ -179,6 +190,11 @@ class Relation:
         return _WHOSE.get(self.record.origin or Origin.UNCERTAIN, "whose it is cannot be told")
 
     @property
+    def fault(self) -> str:
+        """What is wrong with it, in a line: its name, the kind of fault, whose it is."""
+        return ": ".join(filter(None, (self.name, ", ".join(filter(None, (self.record.kind, self.whose))))))
+
+    @property
     def added(self) -> tuple[str, ...]:
         """The hypotheses that the paper forgot, in words."""
         return self.record.erratum.added if self.record.erratum else ()
@@ -202,6 +218,14 @@ class Relation:
         """What was found of the correction."""
         erratum = self.record.erratum
         return f"{erratum.verdict} {erratum.reason}".rstrip() if erratum else ""
+
+
+class Compared(NamedTuple):
+    """Two formulas side by side: what the first one is, that one, and what is right instead."""
+
+    label: str
+    before: str
+    after: str
 
 
 class Fact(NamedTuple):
@@ -231,10 +255,15 @@ class Fault:
 
     @property
     def printed(self) -> str:
-        """The row as printed; of a statement in several links the one link."""
+        """What is printed, or of it the link that is wrong, if that stands there as it is read; "" of mere words."""
         record = self.first.record
-        link = "" if record.is_row or record.group is Group.DAMAGED else record.read
-        return link or record.printed or record.words
+        is_part = not self._is_whole and bool(record.read) and _signs(record.read) in _signs(record.printed)
+        return record.read if is_part else record.printed
+
+    @property
+    def _is_whole(self) -> bool:
+        """Whether what is right replaces all that is printed: a row, or what is damaged."""
+        return self.first.record.is_row or self.first.record.group is Group.DAMAGED
 
     @property
     def correct(self) -> str:
@@ -242,13 +271,32 @@ class Fault:
         return _ADDED.sub("", self.first.record.corrected)
 
     @property
+    def compared(self) -> Compared:
+        """What is wrong beside what is right: as printed where that has the same form, else as it was read."""
+        record, printed = self.first.record, self.printed
+        if self._is_whole or not record.read or printed == record.read:
+            return Compared("printed" if printed else "words", printed or record.words, self.correct)
+        instead = only_formula(record.erratum.instead) if record.erratum and is_formula(printed) else ""
+        if instead and not record.link:
+            return Compared("printed", printed, instead)
+        return Compared("read as", record.read, self.correct)
+
+    @property
+    def instead(self) -> str:
+        """What to print, for the authors, where that is not what is right itself."""
+        instead = self.first.record.erratum.instead if self.first.record.erratum else ""
+        return "" if only_formula(instead) == self.compared.after else instead
+
+    @property
     def facts(self) -> Iterator[Fact]:
         """What is printed, where it fails, what is right."""
-        record = self.first.record
-        yield Fact("words", record.words if self.printed != record.words else "")
+        record, compared = self.first.record, self.compared
+        yield Fact("words", record.words if compared.label != "words" else "")
         yield Fact("stands on", record.place)
-        yield Fact("printed", self.printed, True)
-        yield Fact("correct", self.correct, True)
+        yield Fact("printed", self.printed if compared.label != "printed" else "", is_formula=True)
+        yield Fact(*compared[:2], is_formula=True)
+        yield Fact("correct", compared.after, is_formula=True)
+        yield Fact("to print", self.instead, is_ours=True)
         yield Fact("given", "; ".join(self.first.added))
         yield Fact("fails at", "" if record.is_row else self.first.fails_at)
         yield Fact("why", record.reason, is_ours=True)
@@ -286,12 +334,28 @@ class FaultList:
         ]
 
 
+def _signs(latex: str) -> str:
+    r"""A formula without what is seen as a space at most.
+
+    >>> _signs(r"\left( x_{1} \right) \cdot a") == _signs("(x_1)a")
+    True
+    """
+    return _MARKUP.sub("", latex)
+
+
 def errata(records: Iterable[Record]) -> Iterator[tuple[Group, tuple[FaultList, ...]]]:
-    """The groups that have errata, the weightiest first."""
-    wrong = [Relation(record) for record in records if record.is_erratum]
+    """The groups that have errata, the weightiest first; in each first the authors' own, on which most rests."""
+    wrong = sorted((Relation(record) for record in records if record.is_erratum), key=_lightness)
     for group in Group:
         if members := [each for each in wrong if each.record.group is group]:
             yield group, tuple(_lists(members))
+
+
+def _lightness(relation: Relation) -> tuple[int, int]:
+    """By what errata of a group are ordered: whose they are, then how many relations use a statement."""
+    record = relation.record
+    used = len(record.used_by) if record.group is Group.STATEMENT else 0
+    return _BLAMED.index(record.origin or Origin.UNCERTAIN), -used
 
 
 def _lists(relations: Sequence[Relation]) -> Iterator[FaultList]:
@@ -327,6 +391,42 @@ def counted(records: Iterable[Record]) -> str:
     """How many relations have which verdict."""
     found = Counter(record.verdict for record in records if record.verdict)
     return f"{found.total()} relations: {', '.join(f'{found[verdict]} {verdict}' for verdict in Verdict)}"
+
+
+def headline(records: Sequence[Record]) -> Iterator[str]:
+    """How many relations have which verdict, where they come from, and whose errors are refuted: a line each."""
+    yield counted(records)
+    if "," in (said := origins(records)):  # nothing is to be told apart where all have one origin
+        yield f"Of these: {said}"
+    if blamed := blame(records):
+        yield f"Refuted: {blamed}"
+
+
+def origins(records: Iterable[Record]) -> str:
+    """How many of the relations come from formulas, from words and from us."""
+    found = Counter(map(_origin, (record for record in records if record.verdict)))
+    return ", ".join(f"{found[origin]:,} {origin}" for origin in _ORIGINS if found[origin])
+
+
+def _origin(record: Record) -> str:
+    printed, damaged, rewritten, stated, words, ours = _ORIGINS
+    if record.role is Role.OURS:
+        return ours
+    if not record.printed:
+        return words
+    return {Reading.DAMAGED: damaged, Reading.REWRITTEN: rewritten, Reading.STATED: stated}.get(record.reading, printed)
+
+
+def erring(records: Iterable[Record]) -> str:
+    """What is counted as an erratum: refutations of what is printed, and what is proved although it is misprinted."""
+    wrong = [record for record in records if record.is_erratum and record.group is not Group.DAMAGED]
+    if not wrong:
+        return "no errata"
+    refuted = sum(record.verdict is Verdict.REFUTED for record in wrong)
+    said = f"{len(wrong):,} errat{'a' if len(wrong) > 1 else 'um'}"
+    if refuted == len(wrong):
+        return f"{said}, {'all ' if len(wrong) > 1 else ''}refuted"
+    return f"{said}: {refuted:,} refuted, {len(wrong) - refuted:,} that say nothing or are read as they must be meant"
 
 
 def blame(records: Iterable[Record]) -> str:

@@ -8,6 +8,7 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 
 from rich import box
 from rich.cells import cell_len, set_cell_size
@@ -21,12 +22,15 @@ from symcheck.core.verdicts import Group, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
 from symcheck.views import model
-from symcheck.views.model import FaultList, Relation, blame, counted
+from symcheck.views.diagnostics import near
+from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
-_METHOD, _STATEMENT = 28, 20  # columns of the ledger: the method at most, the statement at least
+_METHOD, _STATEMENT = 28, 30  # columns of the ledger: the method at most, the statement at least
+_LISTED = 40  # faults, or reasons why nothing is decided, at the end of a ledger: about a screen
 _REPAIRS = 3  # edits that repair a relation, listed one by one; a longer list says nothing new
+_ALWAYS = 3  # the columns of a ledger that are never left out: number, statement, verdict
 _INDENT = 14  # of the values beside their labels
 _WIDTH = 150  # of a ledger that goes to a file or a pipe
 
@@ -55,7 +59,7 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
 
 
 def ledger(out: Console, paper: str, records: Iterable[Record]) -> None:
-    """One row per relation of a paper: number, statement, verdict, reading, method, time.
+    """One row per relation of a paper: number, statement, verdict, and what has room of reading, method, time.
 
     Written line by line: a library's table takes a second to lay out two thousand rows that need no wrapping.
     """
@@ -66,17 +70,25 @@ def ledger(out: Console, paper: str, records: Iterable[Record]) -> None:
         rows += [(record.number, statement(relation), relation.state, record.reading, record.method, seconds)]
     widths = [max(map(cell_len, column)) for column in zip(*rows, strict=True)]
     widths[4] = min(widths[4], _METHOD)
-    widths[1] = max(out.width - sum(widths[:1] + widths[2:]) - 2 * len(widths), _STATEMENT)
+    while len(widths) > _ALWAYS and (room := _room(out.width, widths)) < _STATEMENT:
+        widths.pop()
+    widths[1] = max(room, 1)
     out.print(Text(paper, style="bold"))
     for n, row in enumerate(rows):
-        number, said, verdict, reading, method, seconds = map(_fitted, row, widths)
+        number, said, verdict, *others = map(_fitted, row, widths)
+        if len(widths) == len(row):
+            others[-1] = others[-1].strip().rjust(widths[-1])
         style = _STYLES.get(row[2], "dim") if n else "bold"  # type: ignore[call-overload]
-        line = Text.assemble(f" {number}  {said}  ", (verdict, style), f"  {reading}  {method}  ")
-        line.append(seconds.strip().rjust(widths[5]))
+        line = Text.assemble(f" {number}  {said}  ", (verdict, style), *(f"  {each}" for each in others))
         out.print(line, style="bold" if not n else "", soft_wrap=True)
         if not n:
             out.print(Text(" " + "─" * (out.width - 2)), soft_wrap=True)
     out.print()
+
+
+def _room(width: int, widths: Sequence[int]) -> int:
+    """The columns that are left for the statement."""
+    return width - sum(widths) + widths[1] - 2 * len(widths)
 
 
 def _fitted(text: str, width: int) -> str:
@@ -84,13 +96,56 @@ def _fitted(text: str, width: int) -> str:
     return set_cell_size(text, width) if cell_len(text) <= width else set_cell_size(text, width - 1) + "…"
 
 
+def findings(out: Console, records: Sequence[Record]) -> None:
+    """What is not decided, with the reason, then what is wrong: the serious faults by name, the others counted."""
+    undecided = [record for record in records if record.verdict is Verdict.UNDECIDED]
+    _listed(out, "Not decided", ((record.id, record.reason or "no reason is known") for record in undecided))
+    faults = [(fault, group) for group, lists in model.errata(records) for each in lists for fault in each.faults]
+    serious = [fault for fault, group in faults if group is Group.STATEMENT]
+    _listed(out, "Wrong as printed", ((each.first.record.id, each.first.fault) for each in serious))
+    others = Counter(group for fault, group in faults if group is not Group.STATEMENT for _ in fault.relations)
+    if others:
+        counted = "; ".join(f"{group}: {count}" for group, count in others.items())
+        _wrapped(out, f"{'And' if serious else 'Wrong as printed:'} {counted}")
+    kinds = Counter(record.kind for record in records if record.verdict is Verdict.REFUTED and record.kind)
+    if kinds.total() > 1:
+        _wrapped(out, f"Causes: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}")
+    if undecided or faults:
+        out.print()
+
+
+def _listed(out: Console, title: str, rows: Iterable[tuple[str, str]]) -> None:
+    """Ids with what is said of each, as many as are read at once."""
+    listed = list(rows)
+    if not listed:
+        return
+    out.print(Text(f"{title}: {len(listed)}", style="bold"))
+    width = max(cell_len(id) for id, _ in listed[:_LISTED])
+    for id, said in listed[:_LISTED]:
+        _wrapped(out, said.replace("$", ""), Text(f" {id.ljust(width)}  "))
+    if len(listed) > _LISTED:
+        out.print(f" and {len(listed) - _LISTED} more")
+
+
+def next_steps(out: Console, records: Sequence[Record], folders: Mapping[str, Path]) -> None:
+    """Commands that show more of what was found; a paper of a folder is called by its folder."""
+    wrong = (fault.first.record for _, lists in model.errata(records) for each in lists for fault in each.faults)
+    undecided = (record for record in records if record.verdict is Verdict.UNDECIDED)
+    example = next(wrong, None) or next(undecided, None)
+    if example:
+        name = near(folders[example.paper]) + os.sep if example.paper in folders else example.paper
+        errata = [f"symcheck errata {name}"] if example.is_erratum else []
+        commands = [f"symcheck show {name}:{example.number}", *errata, f"symcheck report {name} --open"]
+        _wrapped(out, "Next: " + ", ".join(f"`{each}`" for each in commands))
+
+
 def summary(out: Console, records: Sequence[Record]) -> None:
     """How many of each verdict, and how many declarations that claim nothing."""
     others = Counter(record.role for record in records if not record.verdict)
     rest = "".join(f"; {count} of role {role}" for role, count in sorted(others.items()))
-    out.print(f"{counted(records)}{rest}")
-    if blamed := blame(records):
-        out.print(f"Refuted: {blamed}")
+    first, *more = model.headline(records)
+    for line in (f"{first}{rest}", *more):
+        _wrapped(out, line)
 
 
 def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
@@ -175,6 +230,14 @@ def errata(out: Console, records: Iterable[Record]) -> None:
                 _table(out, faults)
 
 
+def counted_errata(out: Console, records: Sequence[Record]) -> None:
+    """How many errata there are, what they are, and whose."""
+    damaged = sum(record.group is Group.DAMAGED for record in records)
+    _wrapped(out, f"{model.erring(records)}; {damaged} places of damaged text")
+    if blamed := model.blame(records):
+        _wrapped(out, f"Refuted: {blamed}")
+
+
 def _table(out: Console, faults: FaultList) -> None:
     """Errata of one kind: where, as printed, what is right, and why where that is not the reason of most of them."""
     out.print(Text(faults.title, style="bold"))
@@ -186,7 +249,7 @@ def _table(out: Console, faults: FaultList) -> None:
         table.add_column("why")
     for fault in faults.faults:
         record = fault.first.record
-        cells = [fault.number, str(record.line), fault.printed, fault.correct]
+        cells = [fault.number, str(record.line), *fault.compared[1:]]
         why = [record.reason if record.reason != common else ""] if others else []
         table.add_row(*(Text(" ".join(cell.split())) for cell in (*cells, *why)))
     out.print(table)
@@ -212,11 +275,21 @@ def _verdict(relation: Relation) -> Text:
 
 
 def _print(out: Console, fields: Iterable[tuple[str, str | Text]]) -> None:
-    """Labelled values, whole: a long line is left to the terminal to wrap. Nothing for an empty value."""
+    """Labelled values, each beside its label. Nothing for an empty value."""
     for label, value in fields:
         if value:
-            text = value if isinstance(value, Text) else Text(value.replace("\n", "\n" + " " * _INDENT))
-            out.print(Text(label.ljust(_INDENT), style="cyan"), text, sep="", soft_wrap=True)
+            _wrapped(out, value, Text(label.ljust(_INDENT), style="cyan"))
+
+
+def _wrapped(out: Console, value: str | Text, before: Text | None = None) -> None:
+    """Words on as many lines of the terminal as they need, none torn; whole lines for a file or a pipe."""
+    before = before or Text()
+    text = value if isinstance(value, Text) else Text(value)
+    on_screen = out.is_terminal or "COLUMNS" in os.environ
+    lines = text.wrap(out, max(out.width - before.cell_len, 1)) if on_screen else text.split("\n")
+    for n, line in enumerate(lines):
+        line.rstrip()
+        out.print(Text.assemble(before if n == 0 else " " * before.cell_len, line), soft_wrap=True)
 
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:

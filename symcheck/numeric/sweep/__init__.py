@@ -24,9 +24,11 @@ from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from importlib.util import find_spec
+from math import prod
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from symcheck.core.extras import installing
 from symcheck.numeric.sweep.functions import SweepError, code
 
 if TYPE_CHECKING:
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
 __all__ = ["SweepError", "sweep"]
 
 NEEDED = {".zarr": ("xarray", "zarr", "filelock"), ".nc": ("xarray", "zarr", "filelock", "dask", "h5netcdf", "h5py")}
+MOST = 10**6  # chunks: each is a file, and all of them are counted before the first is computed
 Progress = Callable[[int, int], None]
 
 
@@ -131,7 +134,7 @@ def _prepare(text: str, swept: Plan, store: Store, asked: Mapping[str, int], mem
     if is_complex and store.out.suffix == ".nc":
         raise SweepError(f"{is_complex[0]} is complex, and netCDF has no complex numbers; take --out FILE.zarr")
     begun = store.begun()
-    if begun is None:
+    if begun is None or not store.has_chunks():
         lengths = _lengths(swept.sizes, asked, memory // max(1, sum(array.nbytes for array in results.values())))
         identity = Identity(json.loads(text), code(), lengths)
         store.begin(swept, results, identity)
@@ -147,6 +150,8 @@ def _lengths(sizes: dict[str, int], asked: Mapping[str, int], room: float) -> di
     for axis, size in reversed(sizes.items()):
         lengths[axis] = asked.get(axis, max(1, min(size, int(room))))
         room //= lengths[axis]
+    if (count := prod(-(-size // lengths[axis]) for axis, size in sizes.items())) > MOST:
+        raise SweepError(f"the sweep has {count:,} chunks, more than {MOST:,}; take larger ones, or fewer points")
     return {axis: lengths[axis] for axis in sizes}
 
 
@@ -202,4 +207,4 @@ def _require(out: Path, scheduler: str | None) -> None:
     needed = (*NEEDED[out.suffix], *(("distributed",) if scheduler else ()))
     missing = [name for name in needed if find_spec(name) is None]
     if missing:
-        raise SweepError(f"a sweep needs {', '.join(missing)}; run `pip install 'symcheck[sweep]'`")
+        raise SweepError(f"a sweep needs {', '.join(missing)}; run `{installing('sweep')}`")

@@ -30,6 +30,7 @@ TOP = {"function", "parameters", "failures", "seed", "realizations"}
 FORMS = "a number, a list, {start, stop, count}, {normal = [mean, deviation]} or {uniform = [low, high]}"
 SCALES: dict[str, Callable[[float, float, int], Array]] = {"linear": np.linspace, "log": np.geomspace}
 DISTRIBUTIONS = {"normal": ("mean", "deviation"), "uniform": ("low", "high")}
+LONGEST = 10**8  # points of an axis: its coordinates are in memory, and written, as a whole
 DRAWS = 4096  # random numbers that share a generator
 
 
@@ -97,7 +98,7 @@ class _Reader:
         self.sizes: dict[str, int] = {}
         self.coordinates: dict[str, Coordinate] = {}
         self.random_numbers = 0
-        self.count = whole("realizations", spec["realizations"], 1) if "realizations" in spec else 0
+        self.count = whole("realizations", spec["realizations"], 1, LONGEST) if "realizations" in spec else 0
         self.seed = whole("seed", spec["seed"], 0) if "seed" in spec else 0
         if ("seed" in spec) != ("realizations" in spec):
             raise SweepError("an ensemble has both a seed and a number of realizations")
@@ -179,7 +180,7 @@ class _Reader:
         if not {"start", "stop", "count"} <= set(value):
             raise SweepError(f"{where} = {value} must be {FORMS}")
         start, stop = (number(f"{where}.{end}", value[end], f", or {FORMS}") for end in ("start", "stop"))
-        count, scale = whole(f"{where}.count", value["count"], 1), value.get("scale", "linear")
+        count, scale = whole(f"{where}.count", value["count"], 1, LONGEST), value.get("scale", "linear")
         if scale not in SCALES:
             raise SweepError(f'{where}.scale = {scale!r} must be "linear" or "log"')
         if scale == "log" and start * stop <= 0:

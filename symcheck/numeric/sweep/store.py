@@ -81,6 +81,10 @@ class Store:
         with self._foreign("a"):
             return _identity(self._group().attrs)
 
+    def has_chunks(self) -> bool:
+        """Whether a chunk of what has begun is finished."""
+        return bool(LINE.search(self._journal()))
+
     def begin(self, plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity) -> None:
         """Create all arrays, empty, with coordinates and units."""
         new = self.partial.with_name(f"{self.partial.name}.new")
@@ -95,6 +99,7 @@ class Store:
                 dims, units = results[name].dims, results[name].attrs
                 options = {"compressors": COMPRESSION, "dimension_names": dims, "attributes": units}
                 group.create_array(name, shape=shape, chunks=chunks, dtype=dtype, **options)
+            shutil.rmtree(self.partial, ignore_errors=True)  # a beginning of which no chunk is finished
             new.rename(self.partial)
 
     def open(self, plan: Plan, results: Mapping[str, xarray.DataArray], identity: Identity) -> None:
@@ -108,8 +113,7 @@ class Store:
             steps = {axis: range(0, size, identity.chunks[axis]) for axis, size in plan.sizes.items()}
         ends = {axis: [slice(k, min(k + step.step, step.stop)) for k in step] for axis, step in steps.items()}
         self.parts = [dict(zip(steps, places, strict=True)) for places in product(*ends.values())]
-        text = self.journal.read_text(encoding="utf-8", errors="replace") if self.journal.exists() else ""
-        for number, not_finite, digest in re.findall(LINE, text):
+        for number, not_finite, digest in re.findall(LINE, self._journal()):
             if int(number) < len(self.parts) and _digest(self._read(self.parts[int(number)])) == digest:
                 self.done[int(number)] = int(not_finite)
 
@@ -125,7 +129,8 @@ class Store:
 
     def progress(self) -> str:
         """How much is done, for whoever starts it again."""
-        return f"{len(self.done)} of {len(self.parts)} chunks are done and kept; the same command goes on from there"
+        kept = f"{len(self.done)} of {len(self.parts)} chunks are done and kept"
+        return f"{kept}; the same command goes on from there" if self.done else "no chunk is finished"
 
     def finish(self) -> None:
         """Make it the file OUT, whole or not at all."""
@@ -140,6 +145,9 @@ class Store:
                 _sync(self.partial)
                 self.partial.rename(self.out)
             self.journal.unlink(missing_ok=True)
+
+    def _journal(self) -> str:
+        return self.journal.read_text(encoding="utf-8", errors="replace") if self.journal.exists() else ""
 
     def _group(self, mode: str = "r") -> zarr.Group:
         return zarr.open_group(self.partial, mode=mode, zarr_format=3, use_consolidated=False)

@@ -84,11 +84,13 @@ def threads(count: int) -> Iterator[Workers]:
 def cluster(address: str, patience: float) -> Iterator[Workers]:
     """The workers of a scheduler; SweepError if there are none, now or later, for so many seconds."""
     from distributed import Client
+    from distributed.comm import resolve_address
     from distributed.scheduler import KilledWorker
 
     for library in ("distributed", "tornado"):  # the error says what goes wrong
         logging.getLogger(library).setLevel(logging.CRITICAL)
     try:
+        resolve_address(address)  # a client that cannot read its address tells of that again when it is closed
         client = Client(address, timeout=patience, set_as_default=False)
     except (OSError, ValueError) as error:
         reason = "" if isinstance(error, TimeoutError) else f" ({error})"

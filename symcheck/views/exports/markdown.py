@@ -9,7 +9,7 @@ from symcheck.core.verdicts import Group
 from symcheck.ledger import Record, by_paper
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, sentence, standing_alone
-from symcheck.views.model import Fact, Fault, FaultList, Relation, counted, errata
+from symcheck.views.model import Fact, Fault, FaultList, Relation, errata, headline
 
 _MARKUP = re.compile(r"([\\`*_{}\[\]<>#|$])")  # signs that mean something in Markdown
 
@@ -20,7 +20,8 @@ def text(records: Sequence[Record]) -> str:
 
 
 def _lines(records: Sequence[Record]) -> Iterator[str]:
-    yield f"# Audit of printed equations\n\n{counted(records)}."
+    said = " ".join(f"{_plain(line)}." for line in headline(records))
+    yield f"# Audit of printed equations\n\n{said}"
     for group, lists in errata(records):
         yield f"\n## {str(group).capitalize()}"
         for each in lists:
@@ -49,7 +50,7 @@ def _table(faults: FaultList) -> Iterator[str]:
     yield f"\n### {_plain(faults.title)}\n\n| number | line | printed | correct |\n|---|---|---|---|"
     for fault in faults.faults:
         line = fault.first.record.line
-        yield f"| {fault.number} | {line} | {_formula(fault.printed)} | {_formula(fault.correct)} |"
+        yield f"| {fault.number} | {line} | {' | '.join(map(_formula, fault.compared[1:]))} |"
 
 
 def _formula(text: str) -> str:

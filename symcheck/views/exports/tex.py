@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from symcheck.ledger import Record, by_paper
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, sentence, standing_alone
-from symcheck.views.model import Fact, Fault, Relation, counted, errata
+from symcheck.views.model import Fact, Fault, Relation, errata, headline
 
 HEAD = r"""\documentclass[10pt,a4paper]{article}
 \usepackage[utf8]{inputenc}
@@ -28,7 +28,8 @@ _ESCAPED = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\texta
 
 def text(records: Sequence[Record]) -> str:
     """The document."""
-    title = rf"\section*{{Audit of printed equations}}{counted(records)}."
+    said = " ".join(f"{_plain(line)}." for line in headline(records))
+    title = rf"\section*{{Audit of printed equations}}{said}"
     body = "\n".join((title, *_lines(records)))
     letters = "\n".join(
         rf"\DeclareUnicodeCharacter{{{ord(c):04X}}}{{{LATIN.get(c, '?')}}}"

@@ -50,7 +50,7 @@ def _run(id: str, source: str, namespace: dict[str, object]) -> dict[str, str]:
 def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda done, total: None) -> NotebookNode:
     """The same through a Jupyter kernel of this Python, which runs in `folder`."""
     from nbclient import NotebookClient
-    from nbclient.exceptions import CellExecutionError
+    from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 
     total, metadata = sum(cell.cell_type == "code" for cell in notebook.cells), notebook.metadata.copy()
     client = NotebookClient(
@@ -58,6 +58,7 @@ def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda 
         kernel_name="python3",
         timeout=TIMEOUT,
         extra_arguments=["--log-level=ERROR"],
+        shutdown_kernel="immediate",  # a kernel that is asked to end, and given time, tells of what it was at
         resources={"metadata": {"path": str(folder)}},
         record_timing=False,
         on_cell_executed=lambda cell, cell_index, execute_reply: progress(cell.get("execution_count") or 0, total),
@@ -66,6 +67,14 @@ def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda 
         client.execute()
     except CellExecutionError as error:
         raise SymcheckError(f"a cell fails in the kernel with {error.ename}: {error.evalue}") from error
+    except Exception as error:
+        if hasattr(client, "_async_cleanup_kernel_future"):  # where nbclient takes Ctrl-C itself, and ends the kernel
+            raise KeyboardInterrupt from None
+        if isinstance(error, CellTimeoutError):
+            raise SymcheckError(f"a cell takes more than {TIMEOUT} s in the kernel; run without --kernel") from error
+        if isinstance(error, DeadKernelError):
+            raise SymcheckError("the kernel has died; run without --kernel") from error
+        raise
     notebook.metadata = metadata  # the kernel has put its version there
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):

@@ -11,16 +11,17 @@ from symcheck.ledger import Record
 from symcheck.views.latex import formulas_of
 from symcheck.views.model import Fault, Relation
 from symcheck.views.page.formulas import Formulas
-from symcheck.views.page.sources import Excerpt, Publication
+from symcheck.views.page.sources import Excerpt, Meaning, Publication
 
 
 @dataclass(frozen=True)
 class Entry(Relation):
-    """A record with its paper, its kernels, and the notebook cells that show it."""
+    """A record with its paper, its kernels, the notebook cells that show it, and what its letters mean."""
 
     paper: Publication
     kernels: Sequence[Excerpt]
     cells: Sequence[Excerpt]
+    letters: Sequence[Meaning] = ()
 
     @property
     def section(self) -> str:
@@ -31,7 +32,7 @@ class Entry(Relation):
 def texts(records: Iterable[Record]) -> Iterator[str]:
     """All that may be typeset."""
     for record in records:
-        yield from (record.printed, record.read, Fault((Relation(record),)).correct)
+        yield from (record.printed, record.read, *Fault((Relation(record),)).compared[1:])
         yield from formulas_of(record.reason)
         yield from (hypothesis.states for hypothesis in record.hypotheses)
         yield from (each.relation for each in (record.erratum and record.erratum.repairs) or ())
@@ -39,7 +40,7 @@ def texts(records: Iterable[Record]) -> Iterator[str]:
             yield from formulas_of(f"{record.erratum.summary} {record.erratum.instead}")
 
 
-def difference(relation: Relation, formulas: Formulas, fallback: bool = False) -> tuple[Markup, Markup]:
-    """What is printed and what is right, with the differences marked; of a chain the one link."""
-    fault = Fault((relation,))
-    return formulas.pair(fault.printed, fault.correct, fallback)
+def difference(relation: Relation, formulas: Formulas, fallback: bool = False) -> tuple[str, Markup, Markup]:
+    """What is wrong, with its label, beside what is right, the differences marked; of a chain the one link."""
+    label, before, after = Fault((relation,)).compared
+    return label, *formulas.pair(before, after, fallback)

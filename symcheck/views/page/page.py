@@ -12,12 +12,13 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from symcheck import __version__
 from symcheck.coq.confirmed import CONFIRMED, confirmed
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import Group, Reading, Role, Verdict
+from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.ledger.selftested import evidence, rows
-from symcheck.views.model import Relation, blame, errata
+from symcheck.views.model import Relation, blame, errata, erring, origins
 from symcheck.views.page import entry as entries
 from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
@@ -25,14 +26,8 @@ from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
-from symcheck.views.page.sources import Excerpt, Publication, of_record
+from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
 
-_ORIGINS = (
-    "read as they are printed",
-    "read otherwise where the text is damaged",
-    "put into formulas by us from the words",
-    "added by us",
-)
 ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
 STATES = (*Verdict, *ROLES)
 FONT = "stix-two-math.woff2"
@@ -42,7 +37,8 @@ FONT = "stix-two-math.woff2"
 class Extras:
     """What the page shows apart from the records.
 
-    Kernels and notebook cells by claim, pictures as `symcheck.views.pictures` has them, the result of the self-test.
+    Kernels, notebook cells and meanings of letters by claim, pictures as `symcheck.views.pictures` has them, the result
+    of the self-test.
     """
 
     kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
@@ -51,6 +47,7 @@ class Extras:
     densities: Sequence[Mapping[str, Any]] = ()
     stability: Mapping[str, Any] | None = None
     selftest: Mapping[str, Any] | None = None
+    letters: Mapping[str, Sequence[Meaning]] = field(default_factory=dict)
 
 
 class _Numbered:
@@ -77,11 +74,17 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     """The audit as one HTML file that needs nothing else: records and papers in the order in which they are shown."""
     extras = extras or Extras()
     tested = extras.selftest or {}
-    formulas, excerpts, strings = Formulas(entries.texts(records)), _Numbered(), _Numbered()
+    letters = (each.latex for said in extras.letters.values() for each in said)
+    formulas = Formulas((*entries.texts(records), *letters))
+    excerpts, strings, tables = _Numbered(), _Numbered(), _Numbered()
     known = {paper.key: paper for paper in papers}
     shown = {
         each.id: Entry(
-            each, known[each.paper], *(of_record(found, each.id) for found in (extras.kernels, extras.cells))
+            each,
+            known[each.paper],
+            of_record(extras.kernels, each.id),
+            of_record(extras.cells, each.id),
+            extras.letters.get(each.id, ()),
         )
         for each in records
     }
@@ -97,6 +100,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "formulas": formulas,
         "excerpts": excerpts,
         "strings": strings,
+        "tables": tables,
         "difference": entries.difference,
         "entries": shown,
     }
@@ -106,8 +110,9 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     parts = {
         "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
         "counts": _counts(records),
-        "origins": _origins(records),
+        "origins": origins(records),
         "blame": blame(records),
+        "erring": erring(records),
         "coq": Counter(said == CONFIRMED for record in records for said in confirmed(record).values()),
         "table": {paper.key: Counter(Relation(r).state for r in records if r.paper == paper.key) for paper in papers},
         "states": [str(each) for each in STATES],
@@ -122,6 +127,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "map": coloured(extras.stability) if extras.stability else None,
         "graphs": graphs,
         "font": address("font/woff2", (files(__package__) / "vendor" / FONT).read_bytes()),
+        "version": __version__,
         "style": _asset("style.css"),
         "script": _asset("page.js") + _asset("polytope.js"),
     }
@@ -133,6 +139,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "claims": claims,
         "math": formulas.numbered,
         "strings": list(strings.numbers),
+        "tables": list(tables.numbers),
         "excerpts": list(excerpts.numbers),
         "roles": [str(role) for role in ROLES],
     }
@@ -196,19 +203,6 @@ def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[obj
 def _counts(records: Iterable[Record]) -> dict[str, int]:
     found = Counter(str(record.verdict) for record in records if record.verdict)
     return {"relations": found.total(), **{str(verdict): found[str(verdict)] for verdict in Verdict}}
-
-
-def _origins(records: Iterable[Record]) -> str:
-    """How many of the relations come from formulas, from words and from us."""
-    found = Counter(map(_origin, (record for record in records if record.verdict)))
-    return ", ".join(f"{found[origin]:,} {origin}" for origin in _ORIGINS if found[origin])
-
-
-def _origin(record: Record) -> str:
-    printed, damaged, words, ours = _ORIGINS
-    if record.printed:
-        return damaged if record.reading is Reading.DAMAGED else printed
-    return ours if record.role is Role.OURS else words
 
 
 def _hypotheses(records: Iterable[Record]) -> list[_Hypothesis]:

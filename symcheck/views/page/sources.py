@@ -1,12 +1,12 @@
-"""What else shows a claim: its paper, the kernels that rest on it, and cells of notebooks."""
+"""What else shows a claim: its paper, what its letters mean, the kernels that rest on it, and cells of notebooks."""
 
 from __future__ import annotations
 
 import ast
 import json
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
 from pathlib import Path
 
 from symcheck.audit import kernels as declared
@@ -14,6 +14,10 @@ from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
+from symcheck.ledger import Record
+from symcheck.reading import Notation, read
+from symcheck.reading.tree import Name
+from symcheck.views.model import Fault, Relation
 
 _ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")  # an id of a claim: "mirer2009:2.1a"
 
@@ -35,6 +39,53 @@ class Publication:
     title: str
     source: str
     sections: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a letter of a formula stands for, and whether it is one of ours, which the paper does not print."""
+
+    latex: str
+    says: str
+    is_ours: bool
+
+
+def meanings(papers: Mapping[str, Paper], records: Iterable[Record]) -> dict[str, tuple[Meaning, ...]]:
+    """By relation ("mirer2009:2.12") what is said of the letters of its formula, in the order in which they stand."""
+    items = {key: {item.number: item for _, _, item in paper.items()} for key, paper in papers.items()}
+    found = {}
+    for record in records:
+        paper = papers[record.paper]
+        item = items[record.paper].get(Id.parse(record.id).declaration.place)
+        letters = (item.notation if item else None) or paper.notation
+        if letters:
+            shown = (record.read, Fault((Relation(record),)).correct)
+            said = (each for latex in shown if latex for each in _meanings(latex, letters, paper.notation))
+            found[record.id] = tuple(dict.fromkeys(said))
+    return found
+
+
+def _meanings(latex: str, letters: Notation, printed: Notation) -> Iterator[Meaning]:
+    try:
+        tree = read(latex, letters)
+    except SymcheckError:  # a row of a list is no formula, nor need that be one which an auditor rewrote
+        return
+    for name, indices in dict.fromkeys(_names(tree)):
+        letter = letters.find(name, indices)
+        if letter and letter.meaning:
+            index = f"_{{{'ijkl'[:indices]}}}" if indices else ""
+            says = ", ".join(filter(None, (letter.meaning, letter.unit)))
+            yield Meaning(f"{letter.latex}{index}", says, printed.find(name, indices) is None)
+
+
+def _names(part: object) -> Iterator[tuple[str, int]]:
+    """The letters of a tree, each with the number of its indices."""
+    if isinstance(part, Name):
+        yield part.letter, len(part.subscripts)
+    if is_dataclass(part):
+        yield from _names([getattr(part, field.name) for field in fields(part)])
+    elif isinstance(part, tuple | list):
+        yield from (name for each in part for name in _names(each))
 
 
 def publications(papers: Mapping[str, Paper]) -> tuple[Publication, ...]:

@@ -78,6 +78,7 @@ const near = new IntersectionObserver((seen) => seen.forEach((each) => {
 
 function makeLedger() {
   const lists = new Map();
+  one("#rows").append(made("section", {id: "best"}, made("h2", {textContent: "Best matches"}), made("ol")));
   for (const entry of entries) {
     if (!lists.has(entry.paper)) {
       const list = made("ol");
@@ -93,7 +94,8 @@ function makeLedger() {
     const badge = made("span", {className: `badge ${entry.role ? "role" : entry.state}`, textContent: entry.state});
     entry.row = made("li", {}, made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place}), said,
       made("div", {className: "end"}, badge, entry.kind ? made("div", {textContent: entry.kind}) : ""));
-    lists.get(entry.paper).append(entry.row);
+    entry.home = lists.get(entry.paper);
+    entry.home.append(entry.row);
   }
   for (const field of FIELDS) {
     for (const value of new Set(entries.map((entry) => entry[field]).filter(Boolean))) {
@@ -103,13 +105,43 @@ function makeLedger() {
   entries.forEach((entry) => near.observe(entry.row));
 }
 
+// A number as people write it, "(2.12)", "eq. 2.12", "Eqs. (2.1)", without what is around it.
+const NUMBER = /^(?:(?:eqs?|equations?|formulas?|no)\b\.?\s*)?\(?((?:[a-z]+\d{4}:)?[a-z]?\.?\d[\w.]*)\)?$/i;
+// How well an entry fits what is sought: 0 it is its number, verdict or kind; 1 it holds it as typed; 2 word by word; else null.
+function fit(entry, sought) {
+  if (entry.names.includes(sought.name)) return 0;
+  if (entry.text.includes(sought.phrase)) return 1;
+  return sought.words.every((word) => entry.text.includes(word)) ? 2 : null;
+}
+function soughtIn(text) {
+  const typed = text.trim(), bare = NUMBER.exec(typed)?.[1] ?? typed;
+  return {name: bare.toLowerCase(), phrase: plain(bare), words: bare.split(/\s+/).filter(Boolean).map(plain)};
+}
+// Rows that fit best stand before all papers; those of the last search go home, the last first, each before the next.
+let best = [];
+function setBest(fitting) {
+  for (const entry of [...best].reverse()) {
+    const next = entries[entry.number + 1];
+    entry.home.insertBefore(entry.row, next?.home === entry.home ? next.row : null);
+  }
+  best = fitting;
+  one("#best ol").append(...best.map((entry) => entry.row));
+}
+
 const chosen = () => Object.fromEntries([...new FormData(one("#filters"))].filter(([, value]) => value));
 let shown = [];
 function filter() {
   const {text = "", ...fields} = chosen();
-  const words = text.trim().split(/\s+/).filter(Boolean).map(plain);
-  shown = entries.filter((entry) => Object.entries(fields).every(([name, value]) => entry[name] === value)
-    && words.every((word) => entry.text.includes(word)));
+  const sought = soughtIn(text), fits = new Map();
+  for (const entry of entries) {
+    if (!Object.entries(fields).every(([name, value]) => entry[name] === value)) continue;
+    const how = text.trim() ? fit(entry, sought) : 2;
+    if (how !== null) fits.set(entry, how);
+  }
+  const first = Math.min(...fits.values());
+  const fitting = first < 2 ? [...fits.keys()].filter((entry) => fits.get(entry) === first) : [];
+  setBest(fitting.length < fits.size ? fitting : []);
+  shown = [...fits.keys()].sort((a, b) => (fits.get(a) > first) - (fits.get(b) > first));
   const kept = new Set(shown);
   entries.forEach((entry) => { entry.row.hidden = !kept.has(entry); });
   all("#rows section").forEach((section) => { section.hidden = !one("li:not([hidden])", section); });
@@ -157,7 +189,7 @@ async function proofsOf(paper) {
 }
 async function showProof(fold, id, n) {
   const {steps, certificate} = (await proofsOf(partsOf(id).paper)).filter((proof) => proof.certificate.id === id)[n];
-  const shown = (title, text) => text ? [made("h4", {textContent: title}), made("pre", {textContent: text, tabIndex: 0})] : [];
+  const shown = (title, text) => text ? [made("h3", {textContent: title}), made("pre", {textContent: text, tabIndex: 0})] : [];
   const lines = Object.entries(certificate).map(([name, value]) => ` ${JSON.stringify(name)}: ${JSON.stringify(value)}`);
   fold.append(...shown("Derivation", steps), ...shown("Certificate", `{\n${lines.join(",\n")}\n}`));
 }
@@ -176,9 +208,11 @@ const places = {};
 let here = "";
 function go() {
   places[here] = scrollY;
-  const [name, query = ""] = decodeURIComponent(location.hash.slice(1)).split("?");
+  const [name, query = ""] = decoded(location.hash.slice(1)).split("?");
   const claim = byId.get(name) ?? byId.get(`${name}a`);
-  const view = claim ? "claim" : one(`#view-${name}`) && name !== "claim" ? name : "errata";
+  const view = claim ? "claim" : VIEWS.includes(name) ? name : "errata";
+  one("#unknown").hidden = Boolean(claim) || name === "" || name === "main" || VIEWS.includes(name);
+  if (!one("#unknown").hidden) tellNearest(name);
   if (view === "ledger") {
     const asked = new URLSearchParams(query);
     all("#filters [name]").forEach((field) => { field.value = asked.get(field.name) ?? ""; });
@@ -192,6 +226,63 @@ function go() {
   here = location.hash;
   scrollTo(0, claim ? 0 : places[here] ?? 0);
   if (claim && moved) one("#claim-title").focus({preventScroll: true});
+}
+
+function decoded(text) {
+  try { return decodeURIComponent(text); } catch { return text; }
+}
+const VIEWS = ["errata", "ledger", "pictures", "checks"];
+const NEAREST = 3;
+function tellNearest(name) {
+  const known = [...VIEWS, ...entries.map((entry) => entry.id)].map((each) => [distance(name.toLowerCase(), each.toLowerCase()), each]);
+  const near = known.sort((a, b) => a[0] - b[0]).slice(0, NEAREST).flatMap(([, id]) => [made("a", {href: `#${id}`, textContent: id}), " "]);
+  one("#unknown").replaceChildren("There is no ", made("code", {textContent: name}), " in this audit; the nearest are ", ...near);
+}
+// How many letters are to be put in, left out or changed to make one word of the other.
+function distance(a, b) {
+  let before = Array.from({length: b.length + 1}, (_, k) => k);
+  for (let n = 1; n <= a.length; n++) {
+    const row = [n];
+    for (let k = 1; k <= b.length; k++) row.push(Math.min(before[k] + 1, row[k - 1] + 1, before[k - 1] + (a[n - 1] !== b[k - 1])));
+    before = row;
+  }
+  return before[b.length];
+}
+
+// Single keys: from claim to claim, or from row to row of what is shown.
+function pressed(event) {
+  const typing = event.target.closest("input,select,textarea,dialog");
+  if (typing || event.ctrlKey || event.metaKey || event.altKey || !one("#keys").checked) return;
+  const does = {"/": search, "?": () => one("#help").showModal(), j: () => move(1), k: () => move(-1),
+    n: () => toErratum(1), p: () => toErratum(-1)}[event.key];
+  if (!does) return;
+  event.preventDefault();
+  does();
+}
+function search() {
+  if (one("#view-ledger").hidden) { history.pushState(null, "", "#ledger"); go(); }
+  one("#filters [name=text]").focus();
+}
+// The claim that is shown, or whose link has the focus.
+function current() {
+  const row = document.activeElement.closest("#rows li,.fault");
+  const id = decoded((one("#view-claim").hidden ? row ? one("a", row).hash : "" : location.hash).slice(1));
+  return byId.get(id) ?? byId.get(`${id}a`);
+}
+function move(step) {
+  if (!one("#view-claim").hidden) {
+    const next = neighbour(current().id, step);
+    if (next) location.hash = `#${next.id}`;
+    return;
+  }
+  const links = all(one("#view-ledger").hidden ? ".view:not([hidden]) .fault h3 a" : "#rows li:not([hidden]) > a");
+  const place = links.indexOf(document.activeElement);
+  links[place < 0 ? 0 : Math.min(Math.max(place + step, 0), links.length - 1)]?.focus();
+}
+function toErratum(step) {
+  const wrong = entries.filter((entry) => entry.kind), number = current()?.number ?? (step > 0 ? -1 : entries.length);
+  const next = step > 0 ? wrong.find((entry) => entry.number > number) : wrong.findLast((entry) => entry.number < number);
+  if (next) location.hash = `#${next.id}`;
 }
 
 // Light, dark, or as the system has it.
@@ -219,12 +310,15 @@ function light(event) {
   data = await unfold("ledger");
   entries = data.rows.map((row, number) => {
     const entry = Object.fromEntries(HEAD.map((name, k) => [name, row[k]]));
-    return {...entry, words: data.strings[entry.words], coq: data.strings[entry.coq], number, whole: partsOf(entry.id).whole, role: data.roles.includes(entry.state),
-      text: plain([entry.id, data.strings[entry.words], ...row[HEAD.length].map((k) => data.strings[k])].join("\n"))};
+    const {place, whole} = partsOf(entry.id), error = entry.kind && `${entry.kind} error`;
+    const names = [entry.id, whole, place, whole.split(":")[1], entry.state, entry.kind, error].map((name) => name.toLowerCase());
+    return {...entry, names, words: data.strings[entry.words], coq: data.strings[entry.coq], number, whole, role: data.roles.includes(entry.state),
+      text: plain([entry.id, entry.state, error, data.strings[entry.words], ...row[HEAD.length].map((k) => data.strings[k])].join("\n"))};
   });
   byId = new Map(entries.map((entry) => [entry.id, entry]));
   makeLedger();
   filter();
+  all("[data-t]").forEach((place) => { place.innerHTML = data.tables[place.dataset.t]; });
   setFormulas(one("#view-errata"));
   setProse(one("#view-errata"));
   setProse(one("#view-checks"));
@@ -232,6 +326,8 @@ function light(event) {
   one("#filters").addEventListener("reset", () => setTimeout(filtered));
   one("#filters").addEventListener("submit", (event) => event.preventDefault());
   one("#theme").addEventListener("click", () => theme(1));
+  one("#ask").addEventListener("click", () => one("#help").showModal());
+  addEventListener("keydown", pressed);
   const graphs = await unfold("graphs");
   all(".arcs").forEach((place, k) => {
     place.innerHTML = graphs[k];
