@@ -145,6 +145,46 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
             (16, "", "", "h = i"),
         ],
     ),
+    "formulas between tags of HTML, and none in comments": (
+        "a.md",
+        "<div class='box'>\n  The <b>period</b>:\n  $$T = 2 \\pi / n$$\n</div>\n\n<!-- $$a = 1$$ -->\n\n"
+        "<table><tr><td>$x < y$</td></tr></table>\n",
+        [(3, "", "", r"T = 2 \pi / n"), (8, "", "", "x < y")],
+    ),
+    "the equations of a derivation on one line, and implications of values and of inequalities": (
+        "a.md",
+        "$$a^2 + b^2 = c^2 \\quad\\Longrightarrow\\quad b^2 = c^2 - a^2$$\n\n"
+        "$$x = 2 \\quad\\implies\\quad f(x) = 4$$\n\n"
+        "$$a x - b = 0 \\quad\\Rightarrow\\quad x = b / a$$\n\n$$x > 0 \\quad\\Rightarrow\\quad x + 1 > 1$$\n\n"
+        "$$a + b = c \\Rightarrow b = c - a$$\n",
+        [
+            (1, "", "", "a^2 + b^2 = c^2"),
+            (1, "", "", "b^2 = c^2 - a^2"),
+            (3, "", "", r"x = 2 \quad\implies\quad f(x) = 4"),
+            (5, "", "", r"a x - b = 0 \quad\Rightarrow\quad x = b / a"),
+            (7, "", "", r"x > 0 \quad\Rightarrow\quad x + 1 > 1"),
+            (9, "", "", r"a + b = c \Rightarrow b = c - a"),
+        ],
+    ),
+    "macros that a notebook prints": (
+        "a.ipynb",
+        json.dumps(
+            {
+                "cells": [
+                    {
+                        "cell_type": "code",
+                        "source": "show()",
+                        "outputs": [
+                            {"data": {"text/markdown": ["$\\def\\mf{\\mathbf}$ ", "$$z = 1$$"]}},
+                            {"text": "x"},
+                        ],
+                    },
+                    {"cell_type": "markdown", "source": "$$\\mf a = \\mf b$$"},
+                ]
+            }
+        ),
+        [(1, "", "", r"\mathbf a = \mathbf b")],
+    ),
     "a notebook": (
         "a.ipynb",
         json.dumps(

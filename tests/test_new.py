@@ -512,7 +512,7 @@ def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     found = verdicts(audit)
     assert {number for number, verdict in found.items() if verdict == "proved"} == {"2", "7", "9"}
     assert "refuted" not in found.values()
-    told = run("show", f"{audit}:16b", "--jobs", 0).stdout
+    told = " ".join(run("show", f"{audit}:16b", "--jobs", 0).stdout.split())
     open_ = "it fails, but perhaps not where u = w (line 35); a condition may be printed elsewhere"
     assert open_ in told
     assert f"paper.tex:34: 16b: {open_}" in run("lint", audit, "--jobs", 0).stdout

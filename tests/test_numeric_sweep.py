@@ -22,6 +22,7 @@ from limits import interruptible
 
 from symcheck import kernels
 from symcheck.cli import cli
+from symcheck.core.extras import installing
 from symcheck.numeric import liquid, random_rotation, wheels
 from symcheck.numeric.sweep import workers as sweep_workers
 from symcheck.numeric.sweep.functions import SweepError, code, known
@@ -371,7 +372,7 @@ def test_what_is_missing_is_named_with_the_command_that_installs_it(
     monkeypatch.setattr("symcheck.numeric.sweep.find_spec", lambda name: None if name == "zarr" else object())
     assert run(tmp_path, DISTANCES, "out.zarr") == (
         2,
-        f"symcheck: a sweep needs zarr; run `{sys.executable} -m pip install 'symcheck[sweep]'`\n",
+        f"symcheck: a sweep needs zarr; run `{installing('sweep')}`\n",
     )
 
 

@@ -99,7 +99,9 @@ def _with_derivations(
     sure = {m for k, each in enumerate(found) if _claims(each) and k not in questions for m in (k, *each.follows)}
     wrong, unlike = blamed(sets, [each for every in own.values() for each in every], sure, work)
     for m, question in wrong.items():
-        found[m] = Guess("claim", tuple(sorted({*question.sources} - {m})))
+        heads = [each.link for each in sets.usable[m] if each.link.head and each.link.latex != question.relation]
+        imposed = "".join(chr(ord("a") + link.place) for link in heads)
+        found[m] = Guess("claim", tuple(sorted({*question.sources} - {m})), imposed)
     return found, unlike
 
 

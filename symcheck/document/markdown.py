@@ -23,12 +23,13 @@ _FENCED = re.compile(r"\{math\}|math")  # the language of a fence that is a form
 _OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top of a fence
 _LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
 _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
-# `\_` before a subscript; in words, which come first, it is the sign itself
+# a macro is defined, in what the code of a notebook prints
 _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMathOperator)(?![A-Za-z])")
+# `\_` before a subscript; in words, which come first, it is the sign itself
 _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
 
 _HIDDEN = re.compile(r"\s*<(?:!|\?|script|style|pre)", re.I)  # HTML of which a reader sees no formula
-_TAG = re.compile(r"</?[A-Za-z][^<>$]*>")
+_TAG = re.compile(r"</?[A-Za-z][^<>$]*>")  # and no sign of order between formulas
 
 # an environment of displays between double dollars, as MathJax wants it: the dollars say nothing more
 _ENVIRONMENT = re.compile(

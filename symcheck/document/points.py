@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
 ENOUGH = 2  # of these, those at which something does not hold by accident
-STEPS = 25
+STEPS = 25  # of the method; those that end at all end in ten
 LONGEST = 0.5  # change of a logarithm in one step
 FAR = 8.0  # logarithm beyond which letters have run away to zero or infinity
 SMALL = 1e-9  # what is left of an equation that holds

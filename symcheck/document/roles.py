@@ -137,7 +137,7 @@ class Roles:
             same = [x.names[0] == x.names[1] and min(x.sizes) >= SMALLEST for x in seen.links]
             return bool(same) and all(same)
         return not seen.links or any(
-            link.names[1] if link.head else link.chained or link.names[0] == link.names[1] or seen.names & known.keys()
+            link.names[1] if link.head else link.chained or seen.names & known.keys() or seen.is_of_same_letters(link)
             for link in seen.links
         )
 

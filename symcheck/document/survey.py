@@ -15,7 +15,7 @@ from symcheck.reading.guesses import ECCENTRICITY, Guess
 from symcheck.reading.inference import Inference, inferred
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
-from symcheck.reading.tree import Chain, Derivative, Name, children, walk
+from symcheck.reading.tree import Chain, Derivative, Integral, Name, children, walk
 
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
 Said = tuple[tuple[str, str], ...]  # letters with what they are, as `decide` takes it
@@ -89,6 +89,10 @@ class Seen:
     def heads(self) -> dict[str, Link]:
         """The letters that it may define, each with the equation that does."""
         return {link.head: link for link in self.links if link.head}
+
+    def is_of_same_letters(self, link: Link) -> bool:
+        """Do the same letters stand on both sides of an equation, but for those that are bound there?"""
+        return link.names[0] & self.names == link.names[1] & self.names
 
     @property
     def names(self) -> frozenset[str]:
@@ -196,11 +200,12 @@ _SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar"})
 
 
 def _names(tree: Tree) -> Iterator[str]:
-    """The letters of a side, but for those by which it is differentiated alone."""
+    """The letters of a side, but for those by which it is differentiated alone, and those that an integral binds."""
     if isinstance(tree, Name):
         yield tree.letter
+    bound = {*_names(tree.variable)} if isinstance(tree, Integral) else set()
     for part in (tree.body,) if isinstance(tree, Derivative) else children(tree):
-        yield from _names(part)
+        yield from (name for name in _names(part) if name not in bound)
 
 
 def _size(tree: Tree) -> int:

@@ -1,0 +1,122 @@
+"""What follows from earlier relations of a document, and which relation does not agree with the others."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from test_new import _apart, begun, verdicts  # noqa: F401
+
+from symcheck import look
+from symcheck.document.points import Found, compared, slips
+
+LETTERS = (("e", "scalar"),)
+ENERGY = (r"E = \frac{h^2}{2 p^2} - \frac{\mu}{p}", r"p = a (1 - e)", r"a (1 - e^2) = \frac{h^2}{\mu}")
+ANOMALY = (r"a \cos\psi = a e + r \cos\nu", r"r = \frac{a (1 - e^2)}{1 + e \cos\nu}")
+SIDES = (r"x = y + z", r"z = 2 y")
+
+COMPARED = [
+    (r"E = -\frac{\mu}{2 a}", ENERGY, Found(holds=True, bound=True)),
+    (r"E = -\frac{\mu}{3 a}", ENERGY, Found(holds=False, bound=True)),
+    (r"\cos\psi = \frac{e + \cos\nu}{1 + e \cos\nu}", ANOMALY, Found(holds=True, bound=True)),
+    (r"\cos\psi = \frac{e - \cos\nu}{1 + e \cos\nu}", ANOMALY, Found(holds=False, bound=True)),
+    (r"x = 3 y", SIDES, Found(holds=True, bound=True)),
+    (r"x = 3 y", SIDES[:1], Found(holds=False, bound=False)),
+    (r"x = 3 w", SIDES, None),
+    (r"x = 3 y", (*SIDES, "x = x + 1"), None),
+]
+
+
+@pytest.mark.parametrize(("relation", "sources", "found"), COMPARED)
+def test_points_tell_what_holds_and_what_is_bound(relation: str, sources: tuple[str, ...], found: Found | None) -> None:
+    assert compared(relation, sources, LETTERS) == found
+
+
+def test_slips_of_the_pen_hold_at_points_and_other_changes_are_none() -> None:
+    assert next(slips(r"E = -\frac{\mu}{3 a}", ENERGY, LETTERS)) == r"E = -\frac{\mu}{2 a}"
+    assert not any(slips(r"E = \frac{\mu^2}{3 a} + h", ENERGY, LETTERS))
+
+
+# well-known relations of an elliptic orbit, none of which defines all letters of the next one
+ORBIT = r"""# An orbit
+
+The energy and the momentum of a satellite give
+$$E = \frac{v^2}{2} - \frac{\mu}{r}$$
+$$E = \frac{h^2}{2 p^2} - \frac{\mu}{p}$$
+The pericentre lies at
+$$p = a (1 - e)$$
+and the momentum is
+$$a (1 - e^2) = \frac{h^2}{\mu}$$
+Substituting these we find
+$$E = -\frac{\mu}{2 a}$$
+and therefore
+$$v^2 = \mu \left(\frac{2}{r} - \frac{1}{a}\right)$$
+The eccentric anomaly is introduced by
+$$a \cos\psi = a e + r \cos\nu \quad\Longrightarrow\quad \cos\psi = \frac{a e + r \cos\nu}{a}$$
+where
+$$r = \frac{a (1 - e^2)}{1 + e \cos\nu}$$
+so that
+$$\cos\psi = \frac{e + \cos\nu}{1 + e \cos\nu}$$
+$$r = a (1 - e \cos\psi)$$
+"""
+FOLLOWING = ["line 11", "line 13", "line 15", "line 19", "line 20"]
+MISPRINTS = [
+    (r"E = -\frac{\mu}{2 a}", r"E = -\frac{\mu}{3 a}", "line 11"),
+    (r"\cos\psi = \frac{e + ", r"\cos\psi = \frac{e - ", "line 19"),
+    (r"r = a (1 - e \cos\psi)", r"r = a (1 + e \cos\psi)", "line 20"),
+    (r"r = \frac{a (1 - e^2)}", r"r = \frac{a (1 + e^2)}", "line 17"),
+]
+
+
+def test_what_follows_from_earlier_relations_is_told_and_nothing_else(tmp_path: Path) -> None:
+    (tmp_path / "orbit.md").write_text(ORBIT, encoding="utf-8")
+    found = look(tmp_path / "orbit.md")
+    assert [*found.follows] == FOLLOWING
+    assert not found.findings
+
+
+@pytest.mark.parametrize(("right", "wrong", "place"), MISPRINTS)
+def test_the_relation_that_does_not_agree_is_found(right: str, wrong: str, place: str, tmp_path: Path) -> None:
+    """In what follows, and in what others follow from."""
+    (tmp_path / "orbit.md").write_text(ORBIT.replace(right, wrong), encoding="utf-8")
+    found = look(tmp_path / "orbit.md")
+    assert [each.place for each in found.findings] == [place]
+    assert found.findings[0].point
+
+
+def test_of_two_relations_of_which_either_may_be_wrong_both_are_told(tmp_path: Path) -> None:
+    wrong = ORBIT.replace(r"\frac{2}{r} - \frac{1}{a}", r"\frac{2}{r} + \frac{1}{a}")
+    (tmp_path / "orbit.md").write_text(wrong, encoding="utf-8")
+    [finding] = look(tmp_path / "orbit.md").findings
+    assert (finding.place, finding.definitions) == ("line 13", (r"line 4: E = \frac{v^2}{2} - \frac{\mu}{r}",))
+    assert "refuted" not in verdicts(begun(tmp_path, wrong, "orbit.md")).values()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("right", "wrong", "place"), MISPRINTS)
+def test_an_audit_refutes_it_and_no_sound_relation(right: str, wrong: str, place: str, tmp_path: Path) -> None:
+    audit = begun(tmp_path, ORBIT.replace(right, wrong), "orbit.md")
+    code = (audit / "audit.py").read_text(encoding="utf-8")
+    assert f'source.claim("{place}", follows=' in code
+    assert [*verdicts(audit).values()].count("refuted") == 1
+
+
+def test_an_audit_proves_what_follows(tmp_path: Path) -> None:
+    audit = begun(tmp_path, ORBIT, "orbit.md")
+    assert {*verdicts(audit).values()} == {"proved"}
+    assert len(verdicts(audit)) == len(FOLLOWING)
+
+
+# cases, and letters that mean something else: what fails there is no error
+CASES = [
+    "On a circular orbit\n$$v = \\sqrt{\\frac{\\mu}{r}}$$\nand to escape\n$$v = \\sqrt{\\frac{2 \\mu}{r}}$$",
+    "## Ellipses\n$$b = a + c$$\n$$c = a e$$\n## Hyperbolas\n$$c = -a e$$",
+    "# One\n$$F = m a$$\n$$a = 2 g$$\n# Two\n$$F = 3 m g$$\n$$a = 5 g + m$$",
+    "If the body is at rest\n$$x = 2 y$$\n$$y = z$$\nwe set\n$$x = 3 z$$",
+]
+
+
+@pytest.mark.parametrize("text", CASES)
+def test_nothing_is_said_against_other_cases(text: str, tmp_path: Path) -> None:
+    (tmp_path / "cases.md").write_text(text + "\n", encoding="utf-8")
+    assert not look(tmp_path / "cases.md").findings
