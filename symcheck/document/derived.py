@@ -19,6 +19,7 @@ from symcheck.question.limit import OutOfTime, limited
 MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
 MOST_STEPS = 2000  # of the search for sets
+SAID = 8  # times that it is said what a letter is; one of which it is said more often is another one in each case
 ANEW = 2  # sections that say what a letter is, which means the same in all of them all the same
 COMPARED = 12  # of these sets, those that bind the letters of the equation
 ASKED = 8  # of these, those that are asked, where it holds
@@ -112,6 +113,7 @@ class Derived:
 
     def __init__(self, checks: Checks, roles: Roles) -> None:
         self.checks, self.roles = checks, roles
+        self.said = Counter(letter for seen in checks.seen for letter in seen.heads)
         self.anew: dict[str, set[int]] = {}  # by letter: the sections that say what it is
         for k, seen in enumerate(checks.seen):
             for letter in seen.heads:
@@ -121,7 +123,9 @@ class Derived:
     def _usable(self, k: int) -> Iterator[Definition]:
         """The equations of a formula that says something for good: more than the value of a letter in one case."""
         seen, formula = self.checks.seen[k], self.checks.formulas[k]
-        for link in seen.links if seen.plain and not seen.reason else ():
+        if seen.reason or not seen.plain or any(self.said[x] > SAID for x in seen.names):
+            return
+        for link in seen.links:
             if formula.display or max(link.sizes) >= SMALLEST:
                 yield Definition(k, link)
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
-from symcheck.document.derived import FOLLOWING, NOTHING, Derived, blamed, outcome
+from symcheck.document.derived import FOLLOWING, NOTHING, Derived, Outcome, blamed, outcome
 from symcheck.document.letters import Letter, elsewhere, letters
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Roles
@@ -31,6 +31,8 @@ VALUELESS = (
     "has no algebraic form", "states no relation", "do not compare", "is no product", "a scalar is expected here",
     "stands without its arguments", "an index of a name is not summed over",
 )  # fmt: skip
+LONGEST = 12.0  # seconds in which it is sought what relations follow from; documents of 400 displays take five
+AT_ONCE = 16  # relations between two looks at the clock
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
@@ -196,7 +198,7 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
         if q.where and q in proved and q.number not in holding
     }
     told = {q.number for q in failing if sure[q].verdict is Status.REFUTED}
-    more, disagreeing = _derived(checks, holding | following | told, work)
+    more, disagreeing, left = _derived(checks, holding | following | told, work)
     found += disagreeing
     follows = [formulas[k].place for k in sorted(following | more)]
     return Look(
@@ -209,19 +211,22 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
         tuple(dict.fromkeys(holds)),
         tuple(dict.fromkeys(follows)),
         tuple(finding for _, finding in sorted(found, key=lambda each: each[0])),
-        printed.notes,
+        (*printed.notes, *left),
         time.perf_counter() - started,
     )
 
 
-def _derived(checks: Checks, done: Set[int], work: Work) -> tuple[set[int], list[tuple[int, Finding]]]:
-    """The other formulas that follow from earlier ones, and findings of those that do not agree."""
+def _derived(checks: Checks, done: Set[int], work: Work) -> tuple[set[int], list[tuple[int, Finding]], list[str]]:
+    """The other formulas that follow from earlier ones, findings of those that do not agree, and what is left out."""
     roles = Roles(checks)
     roles.guesses()
     sets = Derived(checks, roles)
     questions = {k: sets.questions(k) for k in range(len(checks.formulas)) if k not in done}
     asked = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
-    outcomes = work.all(outcome, asked, FOLLOWING, lambda reason: NOTHING)
+    outcomes, started = dict[tuple[Question, ...], Outcome](), time.perf_counter()
+    while (rest := asked[len(outcomes) :]) and time.perf_counter() - started < LONGEST:
+        outcomes |= work.all(outcome, rest[:AT_ONCE], FOLLOWING, lambda reason: NOTHING)
+    left = f"{len(rest)} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
     own = {k: [outcomes.get(each, NOTHING) for each in every] for k, every in questions.items()}
     follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
     wrong, unlike = blamed(sets, [each for every in own.values() for each in every], done, work)
@@ -232,7 +237,7 @@ def _derived(checks: Checks, done: Set[int], work: Work) -> tuple[set[int], list
         others = tuple(f"{checks.formulas[m].place}: {checks.formulas[m].latex}" for m in those[:-1])
         last = checks.formulas[those[-1]]
         found.append((those[-1], Finding(last.place, last.latex, UNLIKE, definitions=others)))
-    return follows, found
+    return follows, found, [left] if rest else []
 
 
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:
