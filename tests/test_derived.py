@@ -13,6 +13,7 @@ from symcheck.document.points import Found, compared, slips
 LETTERS = (("e", "scalar"),)
 ENERGY = (r"E = \frac{h^2}{2 p^2} - \frac{\mu}{p}", r"p = a (1 - e)", r"a (1 - e^2) = \frac{h^2}{\mu}")
 ANOMALY = (r"a \cos\psi = a e + r \cos\nu", r"r = \frac{a (1 - e^2)}{1 + e \cos\nu}")
+PERICENTRE = (r"E = -\frac{\mu}{2 a}", ENERGY[0], ENERGY[2])
 SIDES = (r"x = y + z", r"z = 2 y")
 
 COMPARED = [
@@ -20,6 +21,9 @@ COMPARED = [
     (r"E = -\frac{\mu}{3 a}", ENERGY, Found(holds=False, bound=True)),
     (r"\cos\psi = \frac{e + \cos\nu}{1 + e \cos\nu}", ANOMALY, Found(holds=True, bound=True)),
     (r"\cos\psi = \frac{e - \cos\nu}{1 + e \cos\nu}", ANOMALY, Found(holds=False, bound=True)),
+    (r"p = a (1 - e)", PERICENTRE, Found(holds=True, bound=True)),  # or a (1 + e)
+    (r"p = a (1 + e)", PERICENTRE, Found(holds=True, bound=True)),
+    (r"p = a (1 - 2 e)", PERICENTRE, Found(holds=False, bound=True)),
     (r"x = 3 y", SIDES, Found(holds=True, bound=True)),
     (r"x = 3 y", SIDES[:1], Found(holds=False, bound=False)),
     (r"x = 3 w", SIDES, None),
@@ -112,6 +116,8 @@ CASES = [
     "On a circular orbit\n$$v = \\sqrt{\\frac{\\mu}{r}}$$\nand to escape\n$$v = \\sqrt{\\frac{2 \\mu}{r}}$$",
     "## Ellipses\n$$b = a + c$$\n$$c = a e$$\n## Hyperbolas\n$$c = -a e$$",
     "# One\n$$F = m a$$\n$$a = 2 g$$\n# Two\n$$F = 3 m g$$\n$$a = 5 g + m$$",
+    "The energy is\n$$E = -\\frac{\\mu}{2 a}$$\n$$E = \\frac{h^2}{2 p^2} - \\frac{\\mu}{p}$$\n"
+    "$$h^2 = \\mu a (1 - e^2)$$\nso that\n$$p = a (1 - e)$$",
     "If the body is at rest\n$$x = 2 y$$\n$$y = z$$\nwe set\n$$x = 3 z$$",
 ]
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import re
+import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -18,6 +20,9 @@ from symcheck.question.limit import OutOfTime, limited
 
 MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
+FAR = 12  # formulas before and behind one with which it is compared, if nothing before it says whether it holds
+LATER = "later"  # the kind of questions of which nothing is proved
+AT_ONCE = 16  # relations between two looks at the clock
 MOST_STEPS = 2000  # of the search for sets
 SAID = 8  # times that it is said what a letter is; one of which it is said more often is another one in each case
 ANEW = 2  # sections that say what a letter is, which means the same in all of them all the same
@@ -44,13 +49,41 @@ class Outcome:
 NOTHING = Outcome()
 
 
+def sought(
+    sets: Derived, numbers: Iterable[int], work: Work, seconds: float = math.inf
+) -> tuple[dict[int, list[Outcome]], int]:
+    """What becomes of each equation of these formulas, and how many were left when the time was over.
+
+    What agrees or disagrees with nothing before it is compared with what stands behind it.
+    """
+    started, found, left = time.perf_counter(), dict[tuple[Question, ...], Outcome](), 0
+
+    def asked(questions: Mapping[int, list[tuple[Question, ...]]]) -> int:
+        tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
+        while tasks and time.perf_counter() - started < seconds:
+            found.update(work.all(outcome, tasks[:AT_ONCE], FOLLOWING, lambda reason: NOTHING))
+            del tasks[:AT_ONCE]
+        return len(tasks)
+
+    questions = {k: sets.questions(k) for k in numbers}
+    left = asked(questions)
+    own = {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}
+    alone = [k for k, every in own.items() if not any(each.holding or each.failing for each in every)]
+    behind = {k: sets.questions(k, later=True) for k in alone if sets.checks.formulas[k].display}
+    left += asked(behind)
+    for k, every in behind.items():
+        more = [found.get(each, NOTHING) for each in every]
+        own[k] = [replace(x, holding=y.holding, failing=y.failing) for x, y in zip(own[k], more, strict=True)]
+    return own, left
+
+
 def outcome(questions: tuple[Question, ...]) -> Outcome:
     """What becomes of these questions, about one relation and different sources, the smallest sets first."""
     compared_ = [*_compared(questions)]
     holding = tuple(question for question, points in compared_ if points and points.holds)
     failing = tuple(question for question, points in compared_ if points and not points.holds)
     asked = [question for question, points in compared_ if points is None or points.holds][:ASKED]
-    return Outcome(_proved(asked), holding, failing)
+    return Outcome(None if questions[0].kind == LATER else _proved(asked), holding, failing)
 
 
 def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found | None]]:
@@ -129,13 +162,22 @@ class Derived:
             if formula.display or max(link.sizes) >= SMALLEST:
                 yield Definition(k, link)
 
-    def questions(self, k: int) -> list[tuple[Question, ...]]:
-        """For each equation of a formula those that ask whether it follows, from one set after the other."""
-        pool = [each for m in range(k - 1, -1, -1) if self.is_said(m) for each in self.usable[m] if self._serves(m, k)]
+    def questions(self, k: int, later: bool = False) -> list[tuple[Question, ...]]:
+        """For each equation of a formula those that ask whether it follows, from one set after the other.
+
+        With `later`, whether it agrees with sets of those near to it, of which some stand behind it.
+        """
+        places = [*range(k - 1, -1, -1)]
+        if later:
+            places = [m for m in (*range(k + 1, k + 1 + FAR), *places[:FAR]) if m in self.usable]
+        pool = [each for m in places if self.is_said(m) for each in self.usable[m] if self._serves(m, k)]
         found = []
         for each in self.usable[k]:
-            sets = sorted(_closed(each, pool), key=lambda every: (len(every), sum(k - one.number for one in every)))
-            found.append(tuple(self._question(each, sources) for sources in sets))
+            sets = sorted(
+                _closed(each, pool), key=lambda every: (len(every), sum(abs(k - one.number) for one in every))
+            )
+            sets = [every for every in sets if not later or any(one.number > k for one in every)]
+            found.append(tuple(self._question(each, sources, LATER if later else "derived") for sources in sets))
         return found
 
     def _serves(self, m: int, k: int) -> bool:
@@ -144,10 +186,10 @@ class Derived:
             len(self.anew.get(x, ())) <= ANEW for x in self.checks.seen[m].names
         )
 
-    def _question(self, each: Definition, sources: Sequence[Definition]) -> Question:
+    def _question(self, each: Definition, sources: Sequence[Definition], kind: str) -> Question:
         said = self.checks.said(self.checks.seen[each.number], *(self.checks.seen[x.number] for x in sources))
         where, numbers = tuple(x.link.latex for x in sources), tuple(x.number for x in sources)
-        return Question(each.number, each.link.latex, "derived", where, numbers, letters=said)
+        return Question(each.number, each.link.latex, kind, where, numbers, letters=said)
 
     def is_said(self, k: int) -> bool:
         """Is a formula printed as something that holds, or follows?"""
@@ -212,15 +254,18 @@ def blamed(
 ) -> tuple[dict[int, Question], list[tuple[int, ...]]]:
     """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
 
-    Where relations fail together, the wrong one stands in most of them, and in none of those that hold together; a slip
+    Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
     of the pen explains it. Relations that say the same are right together.
     """
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
     holding = [question for each in outcomes for question in each.holding]
     same = _same(holding, len(sets.usable))
-    right = {same[m] for m in sure}
-    right |= {same[m] for each in holding if len(each.sources) > 1 for m in (each.number, *each.sources)}
     failing = [question for each in outcomes for question in each.failing if sets.is_telling(question)]
+    held, failed = (
+        Counter(x for each in every for x in {same[m] for m in (each.number, *each.sources)})
+        for every in ([each for each in holding if len(each.sources) > 1], failing)
+    )
+    right = {same[m] for m in sure} | {x for x, times in held.items() if times >= failed[x]}
     left = {question: {question.number, *question.sources} for question in failing}
     left = {question: {m for m in places if same[m] not in right} for question, places in left.items()}
     while left := {question: places for question, places in left.items() if places}:
@@ -233,8 +278,10 @@ def blamed(
         slips = work.all(explained, [*tasks.values()], EXPLAINING, lambda reason: None)
         found = {m: slip for m, task in tasks.items() if (slip := slips[task]) is not None}
         done = {same[m] for m in found}
-        if len(done) == 1:
-            wrong |= found
+        never = {m: slip for m, slip in found.items() if not held[same[m]]}
+        likely = never if len({same[m] for m in never}) == 1 else found
+        if len({same[m] for m in likely}) == 1:
+            wrong |= likely
         elif done:
             unlike.append(tuple(sorted(found)))
         left = {

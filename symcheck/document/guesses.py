@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from symcheck.document.asked import Inquiry, Relied, is_proved, is_settled
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Definition, Question, confirmed, decided
-from symcheck.document.derived import FOLLOWING, NOTHING, Derived, Outcome, blamed, outcome
+from symcheck.document.derived import Derived, Outcome, blamed, sought
 from symcheck.document.letters import Letter, shown
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess, Roles
@@ -83,25 +83,25 @@ def _with_derivations(
     }
     claims = [task for k, task in asked.items() if _claims(guesses[k])]
     holds = work.all(_is_proved, [*dict.fromkeys(claims)], TOTAL, lambda reason: False)
-    questions = {k: sets.questions(k) for k, task in asked.items() if not (_claims(guesses[k]) and holds[task])}
-    tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
-    outcomes = work.all(outcome, tasks, FOLLOWING, lambda reason: NOTHING)
-    own = {k: [outcomes.get(each, NOTHING) for each in every] for k, every in questions.items()}
+    own, _ = sought(sets, [k for k, task in asked.items() if not (_claims(guesses[k]) and holds[task])], work)
     found = [_derived(sets.usable[k], own[k]) or guess if k in own else guess for k, guess in enumerate(guesses)]
     proofs = [each.proof for every in own.values() for each in every if each.proof]
     for m in _assumed(sets, proofs, found):
-        if m in questions and found[m] is guesses[m]:
+        if m in own and found[m] is guesses[m]:
             found[m] = Guess("premise")
-    new = [k for k in questions if _claims(found[k]) and found[k] is not guesses[k]]
+    new = [k for k in own if _claims(found[k]) and found[k] is not guesses[k]]
     asked = {k: _inquired(found, k, found[k].follows, formulas, said) for k in new}
     holds = work.all(_is_proved, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
     found = [guesses[k] if k in asked and not holds[asked[k]] else guess for k, guess in enumerate(found)]
-    sure = {m for k, each in enumerate(found) if _claims(each) and k not in questions for m in (k, *each.follows)}
+    sure = {m for k, each in enumerate(found) if _claims(each) and k not in own for m in (k, *each.follows)}
     wrong, unlike = blamed(sets, [each for every in own.values() for each in every], sure, work)
     for m, question in wrong.items():
         heads = [each.link for each in sets.usable[m] if each.link.head and each.link.latex != question.relation]
         imposed = "".join(chr(ord("a") + link.place) for link in heads)
         found[m] = Guess("claim", tuple(sorted({*question.sources} - {m})), imposed)
+        for k in found[m].follows:
+            if m in _followed(k, found):
+                found[k] = Guess("premise")
     return found, unlike
 
 
@@ -121,6 +121,15 @@ def _assumed(sets: Derived, proofs: Sequence[Question], guesses: Sequence[Guess]
 
 def _claims(guess: Guess) -> bool:
     return guess.role == "claim"
+
+
+def _followed(k: int, guesses: Sequence[Guess]) -> set[int]:
+    """What a relation follows from, transitively."""
+    reached, more = set[int](), {*guesses[k].follows}
+    while more:
+        reached |= more
+        more = {m for each in more for m in guesses[each].follows} - reached
+    return reached
 
 
 def _derived(usable: Sequence[Definition], outcomes: Sequence[Outcome]) -> Guess | None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
-from symcheck.document.derived import FOLLOWING, NOTHING, Derived, Outcome, blamed, outcome
+from symcheck.document.derived import LATER, Derived, blamed, sought
 from symcheck.document.letters import Letter, elsewhere, letters
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Roles
@@ -32,12 +32,12 @@ VALUELESS = (
     "stands without its arguments", "an index of a name is not summed over",
 )  # fmt: skip
 LONGEST = 12.0  # seconds in which it is sought what relations follow from; documents of 400 displays take five
-AT_ONCE = 16  # relations between two looks at the clock
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
 UNLIKE = "does not agree with other relations: an error in one of them, or a condition printed elsewhere?"
 STEP = "does not follow from what it is said to: an error in one of them, or a condition printed elsewhere?"
+TOLD = {"chain": CHAIN, "step": STEP, "derived": UNLIKE, LATER: UNLIKE}  # by the kind of a question
 
 
 @dataclass(frozen=True)
@@ -221,13 +221,8 @@ def _derived(checks: Checks, done: Set[int], work: Work) -> tuple[set[int], list
     roles = Roles(checks)
     roles.guesses()
     sets = Derived(checks, roles)
-    questions = {k: sets.questions(k) for k in range(len(checks.formulas)) if k not in done}
-    asked = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
-    outcomes, started = dict[tuple[Question, ...], Outcome](), time.perf_counter()
-    while (rest := asked[len(outcomes) :]) and time.perf_counter() - started < LONGEST:
-        outcomes |= work.all(outcome, rest[:AT_ONCE], FOLLOWING, lambda reason: NOTHING)
-    left = f"{len(rest)} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
-    own = {k: [outcomes.get(each, NOTHING) for each in every] for k, every in questions.items()}
+    own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in done], work, LONGEST)
+    left = f"{rest} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
     follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
     wrong, unlike = blamed(sets, [each for every in own.values() for each in every], done, work)
     answers = work.all(decided, [*wrong.values()], SECONDS, undecided)
@@ -259,7 +254,7 @@ def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) ->
     return Finding(
         formulas[question.number].place,
         question.relation,
-        {"chain": CHAIN, "step": STEP, "derived": UNLIKE}.get(question.kind, FAILS),
+        TOLD.get(question.kind, FAILS),
         answer.counterexample,
         tuple(map(_enclosed, answer.values)),
         tuple(f"{formulas[k].place}: {text}" for k, text in zip(question.sources, question.where, strict=True)),

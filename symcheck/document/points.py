@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from symcheck.core.verdicts import SymcheckError
+from symcheck.document.letters import depends_on
 from symcheck.document.survey import Said
 from symcheck.question.antiderivatives import FAULTS
 from symcheck.question.prepare import Asked, plainly, readings
@@ -20,7 +21,7 @@ from symcheck.question.repairs import likely
 from symcheck.reading import to_latex, to_sympy
 
 if TYPE_CHECKING:
-    from sympy import Symbol
+    from sympy import Expr, Symbol
 
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
@@ -44,7 +45,7 @@ class Equation(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Whether a relation holds where its sources do, and whether these bind its letters to each other."""
+    """Whether a relation holds for solutions of its sources, and whether these bind its letters to each other."""
 
     holds: bool
     bound: bool
@@ -63,7 +64,22 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said) -> Found | 
     with np.errstate(all="ignore"):
         jacobian = _jacobian(given, symbols, np.array([*points[0].values()]))
         rest = [k for k, symbol in enumerate(symbols) if symbol not in own]
-        return Found(_hold(asked, points), _rank(jacobian) > _rank(jacobian[:, rest]))
+        bound = _rank(jacobian) > _rank(jacobian[:, rest])
+        return Found(_hold(asked, points) or (bound and _on_a_branch(asked, given, symbols)), bound)
+
+
+def _on_a_branch(asked: Sequence[Equation], given: Sequence[Equation], symbols: Sequence[Symbol]) -> bool:
+    """Whether a relation holds for some of the solutions of others, and takes no freedom from these.
+
+    Of a quadratic equation each solution holds, and neither does at points of the other.
+    """
+    numbers, every = np.random.default_rng(2), [*given, *asked]
+    for signs in _signs(len(symbols)):
+        for _ in range(TRIED if np.all(signs > 0) else 1):
+            point = _solved(every, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
+            if point is not None and _rank(_jacobian(every, symbols, point)) == _rank(_jacobian(given, symbols, point)):
+                return True
+    return False
 
 
 def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[str]:
@@ -120,14 +136,13 @@ def _hold(equations: Sequence[Equation], points: Sequence[dict[Symbol, float]]) 
 @lru_cache(4096)
 def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
     from sympy import lambdify
-    from sympy.core.function import AppliedUndef
 
-    own = tuple((letter, phrase) for letter, phrase in letters if letter in text)
+    own = tuple((x, phrase) for x, phrase in letters if x in text and all(y in text for y in depends_on(phrase)))
     found = []
     for problem in readings(plainly(Asked(text, letters=own)))[0].problems:
-        left, right = (to_sympy(side) for side in problem.claim.terms)
-        if problem.definitions or any(side.has(AppliedUndef) for side in (left, right)):
-            raise SymcheckError("an equation with functions is not solved by numbers")
+        left, right = (_plain(to_sympy(side)) for side in problem.claim.terms)
+        if problem.definitions:
+            raise SymcheckError("a value is defined here, and not compared")
         symbols = tuple(sorted(left.free_symbols | right.free_symbols, key=str))
         value, size = (lambdify(symbols, each, "numpy") for each in (left - right, abs(left) + abs(right)))
         found.append(Equation(symbols, value, size))
@@ -137,6 +152,20 @@ def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
 def _signs(count: int) -> Iterator[Array]:
     yield np.ones(count)
     yield from 1.0 - 2.0 * np.eye(count)
+
+
+def _plain(side: Expr) -> Expr:
+    """A side with a letter for each function and rate of change: nothing but their values counts."""
+    from sympy import Derivative, Symbol
+    from sympy.core.function import AppliedUndef
+
+    def letter(term: Expr) -> Symbol:
+        named = isinstance(term, AppliedUndef) and all(isinstance(each, Symbol) for each in term.args)
+        return Symbol(term.func.__name__ if named else str(term), real=True)
+
+    for kind in (Derivative, AppliedUndef):
+        side = side.replace(lambda term, kind=kind: isinstance(term, kind), letter)
+    return side
 
 
 def _at(function: Callable[..., Any], equation: Equation, symbols: Sequence[Symbol], point: Array) -> float:
