@@ -106,14 +106,15 @@ def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found |
 def _proved(questions: Sequence[Question]) -> Question | None:
     """The first of these that is proved."""
     with suppress(OutOfTime), limited(FOLLOWING):
-        return next((question for question in questions if _is_proved(question)), None)
+        return next((question for question in questions if _verdict(question) is Status.PROVED), None)
     return None
 
 
 def explained(questions: tuple[Question, ...]) -> Question | None:
-    """The first of these that holds after a slip of the pen, at points where its sources hold."""
+    """The first of these that holds after a slip of the pen, at points where its sources hold; refuted ones first."""
     with suppress(OutOfTime), limited(EXPLAINING):
-        return next(filter(_is_slip, questions[:EXPLAINED]), None)
+        refuted = [question for question in questions if _verdict(question) is Status.REFUTED]
+        return next(filter(_is_slip, [*dict.fromkeys((*refuted, *questions))][:EXPLAINED]), None)
     return None
 
 
@@ -133,12 +134,11 @@ def _is_slip(question: Question) -> bool:
     return False
 
 
-def _is_proved(question: Question) -> bool:
+def _verdict(question: Question) -> Status:
     with suppress(OutOfTime), limited(ATTEMPT):
         said = dict(question.letters)
-        answer = answered(question.relation, question.where, (), said, wanted=False, all_sizes=False)
-        return answer.verdict is Status.PROVED
-    return False
+        return answered(question.relation, question.where, (), said, wanted=False, all_sizes=False).verdict
+    return Status.UNDECIDED
 
 
 class Derived:
