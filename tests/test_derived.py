@@ -96,6 +96,12 @@ def test_of_two_relations_of_which_either_may_be_wrong_both_are_told(tmp_path: P
     assert "refuted" not in verdicts(begun(tmp_path, wrong, "orbit.md")).values()
 
 
+def test_a_line_that_follows_from_a_wrong_one_is_no_witness_for_it(tmp_path: Path) -> None:
+    wrong = ORBIT.replace("and therefore", "or\n$$2 a E = -\\mu$$\nand therefore").replace(r"\mu}{2 a}", r"\mu}{3 a}")
+    (tmp_path / "orbit.md").write_text(wrong.replace(r"2 a E", r"3 a E"), encoding="utf-8")
+    assert {each.place for each in look(tmp_path / "orbit.md").findings} == {"line 11", "line 13"}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("right", "wrong", "place"), MISPRINTS)
 def test_an_audit_refutes_it_and_no_sound_relation(right: str, wrong: str, place: str, tmp_path: Path) -> None:

@@ -56,7 +56,7 @@ def sought(
 
     What agrees or disagrees with nothing before it is compared with what stands behind it.
     """
-    started, found, left = time.perf_counter(), dict[tuple[Question, ...], Outcome](), 0
+    started, found = time.perf_counter(), dict[tuple[Question, ...], Outcome]()
 
     def asked(questions: Mapping[int, list[tuple[Question, ...]]]) -> int:
         tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
@@ -250,27 +250,30 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
 
 
 def blamed(
-    sets: Derived, outcomes: Sequence[Outcome], sure: Set[int], work: Work
+    sets: Derived, outcomes: Sequence[Outcome], proved: Iterable[tuple[int, tuple[int, ...]]], work: Work
 ) -> tuple[dict[int, Question], list[tuple[int, ...]]]:
     """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
 
     Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
-    of the pen explains it. Relations that say the same are right together.
+    of the pen explains it. Relations that say the same are right together, and so is what follows from one alone: the
+    line behind a wrong one is no witness for it. `proved` are the numbers of others with those of their sources.
     """
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
-    holding = [question for each in outcomes for question in each.holding]
+    holding = [(question.number, question.sources) for each in outcomes for question in each.holding]
+    holding += proved
     same = _same(holding, len(sets.usable))
     failing = [question for each in outcomes for question in each.failing if sets.is_telling(question)]
     held, failed = (
-        Counter(x for each in every for x in {same[m] for m in (each.number, *each.sources)})
-        for every in ([each for each in holding if len(each.sources) > 1], failing)
+        Counter(x for k, sources in every for x in {same[m] for m in (k, *sources)})
+        for every in ([each for each in holding if len(each[1]) != 1], [(q.number, q.sources) for q in failing])
     )
-    right = {same[m] for m in sure} | {x for x, times in held.items() if times >= failed[x]}
+    right = {x for x, times in held.items() if times >= failed[x]}
     left = {question: {question.number, *question.sources} for question in failing}
     left = {question: {m for m in places if same[m] not in right} for question, places in left.items()}
     while left := {question: places for question, places in left.items() if places}:
         votes = Counter(x for places in left.values() for x in {same[m] for m in places})
-        most = {x for x, count in votes.items() if count == max(votes.values())}
+        highest = max(votes.values())
+        most = {x for x, count in votes.items() if count == highest}
         tasks = {
             m: tuple(exchanged(question, m) for question, places in left.items() if m in places)
             for m in dict.fromkeys(m for places in left.values() for m in places if same[m] in most)
@@ -292,11 +295,11 @@ def blamed(
     return wrong, unlike
 
 
-def _same(holding: Iterable[Question], count: int) -> dict[int, int]:
+def _same(holding: Iterable[tuple[int, tuple[int, ...]]], count: int) -> dict[int, int]:
     """For each formula the first one that says the same: of two, one holds where the other does."""
     same = {k: k for k in range(count)}
-    for question in holding:
-        if len(question.sources) == 1:
-            first, second = sorted((same[question.number], same[question.sources[0]]))
+    for k, sources in holding:
+        if len(sources) == 1:
+            first, second = sorted((same[k], same[sources[0]]))
             same = {k: first if each == second else each for k, each in same.items()}
     return same

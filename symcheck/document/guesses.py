@@ -93,8 +93,8 @@ def _with_derivations(
     asked = {k: _inquired(found, k, found[k].follows, formulas, said) for k in new}
     holds = work.all(_is_proved, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
     found = [guesses[k] if k in asked and not holds[asked[k]] else guess for k, guess in enumerate(found)]
-    sure = {m for k, each in enumerate(found) if _claims(each) and k not in own for m in (k, *each.follows)}
-    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], sure, work)
+    proved = [(k, each.follows) for k, each in enumerate(found) if _claims(each) and k not in own]
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved, work)
     for m, question in wrong.items():
         heads = [each.link for each in sets.usable[m] if each.link.head and each.link.latex != question.relation]
         imposed = "".join(chr(ord("a") + link.place) for link in heads)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import groupby
 from os import PathLike
@@ -192,15 +192,15 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     holds = [formulas[k].place for k in sorted(holding)]
-    following = {
-        q.number
+    following: dict[int, tuple[int, ...]] = {
+        q.number: q.sources
         for q in (*suspicious, *lines.questions, *lines.beyond.values())
         if q.where and q in proved and q.number not in holding
     }
     told = {q.number for q in failing if sure[q].verdict is Status.REFUTED}
-    more, disagreeing, left = _derived(checks, holding | following | told, work)
+    more, disagreeing, left = _derived(checks, {**dict.fromkeys(holding, ()), **following}, told, work)
     found += disagreeing
-    follows = [formulas[k].place for k in sorted(following | more)]
+    follows = [formulas[k].place for k in sorted(following.keys() | more)]
     return Look(
         str(file),
         formulas,
@@ -216,19 +216,23 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     )
 
 
-def _derived(checks: Checks, done: Set[int], work: Work) -> tuple[set[int], list[tuple[int, Finding]], list[str]]:
+def _derived(
+    checks: Checks, proved: Mapping[int, tuple[int, ...]], told: Set[int], work: Work
+) -> tuple[set[int], list[tuple[int, Finding]], list[str]]:
     """The other formulas that follow from earlier ones, findings of those that do not agree, and what is left out."""
     roles = Roles(checks)
     roles.guesses()
     sets = Derived(checks, roles)
-    own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in done], work, LONGEST)
+    own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in proved], work, LONGEST)
     left = f"{rest} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
     follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
-    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], done, work)
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved.items(), work)
     answers = work.all(decided, [*wrong.values()], SECONDS, undecided)
-    refuted = {m: q for m, q in wrong.items() if m not in done and answers[q].verdict is Status.REFUTED}
+    refuted = {m: q for m, q in wrong.items() if m not in told and answers[q].verdict is Status.REFUTED}
     found = [(m, _finding(checks.formulas, question, answers[question])) for m, question in refuted.items()]
     for those in unlike:
+        if told & {*those}:
+            continue
         others = tuple(f"{checks.formulas[m].place}: {checks.formulas[m].latex}" for m in those[:-1])
         last = checks.formulas[those[-1]]
         found.append((those[-1], Finding(last.place, last.latex, UNLIKE, definitions=others)))
