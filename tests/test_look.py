@@ -171,6 +171,7 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
         json.dumps(
             {
                 "cells": [
+                    {"cell_type": "code", "source": "damaged", "outputs": 5},
                     {
                         "cell_type": "code",
                         "source": "show()",

@@ -121,7 +121,8 @@ def notebook(text: str, scanner: Scanner) -> None:
         if cell.get("cell_type") == "markdown":
             scanner.cell = number
             markdown(_joined(cell.get("source", "")), scanner)
-        for output in cell.get("outputs") or []:
+        outputs = cell.get("outputs")
+        for output in outputs if isinstance(outputs, list) else ():
             data = output.get("data") if isinstance(output, dict) else None
             for kind in ("text/markdown", "text/latex"):
                 printed = _joined(data.get(kind, "")) if isinstance(data, dict) else ""
