@@ -438,10 +438,10 @@ def test_only_what_is_missing_or_damaged_is_computed_again(
     with stopped(tmp_path, monkeypatch, 6):
         finished = journal(tmp_path / "out.zarr")  # chunks may overtake one another
         assert len(finished) == 6
-        assert {"1", "2", "3", "4"} < {*finished[:-1]}
-        (partial / "r_1/c/1/0").write_bytes((partial / "r_1/c/1/0").read_bytes()[:100])  # cut off
-        (partial / "r_2/c/2/0").unlink()  # never came to the disk
-        (partial / "r_3/c/3/0").write_bytes((partial / "r_3/c/4/0").read_bytes())  # that of another chunk
+        cut, gone, replaced, other, *_ = finished
+        (partial / f"r_1/c/{cut}/0").write_bytes((partial / f"r_1/c/{cut}/0").read_bytes()[:100])
+        (partial / f"r_2/c/{gone}/0").unlink()  # never came to the disk
+        (partial / f"r_3/c/{replaced}/0").write_bytes((partial / f"r_3/c/{other}/0").read_bytes())
         (partial / "r_3/c/9").mkdir(exist_ok=True)
         (partial / "r_3/c/9/0.7d.partial").write_bytes(b"by halves")
         log.write_bytes(log.read_bytes()[:-3])  # the last line was not written to its end
@@ -449,7 +449,7 @@ def test_only_what_is_missing_or_damaged_is_computed_again(
         exit_code, said = run(tmp_path, DISTANCES, "out.zarr")
     assert exit_code == 0
     assert "10 chunks, 2 of them from before" in said
-    kept = {int(chunk) for chunk in finished[:-1]} - {1, 2, 3}
+    kept = {int(chunk) for chunk in finished[3:-1]}
     assert sorted(each["a"].start // 6 for each in computed) == sorted({*range(10)} - kept)
     assert opened(tmp_path / "out.zarr").identical(whole)
     assert not [path for path in tmp_path.rglob("*") if "partial" in path.name]
