@@ -182,9 +182,10 @@ class Derived:
 
     def _serves(self, m: int, k: int) -> bool:
         """Do the letters of a formula mean the same elsewhere? Not if many sections say anew what one of them is."""
-        return self.roles.is_same_part(m, k) or all(
-            len(self.anew.get(x, ())) <= ANEW for x in self.checks.seen[m].names
-        )
+        names, own = self.checks.seen[m].names, self.roles.anew
+        if names & (own[k] ^ own[m]):
+            return False
+        return self.roles.is_same_part(m, k) or all(len(self.anew.get(x, ())) <= ANEW for x in names)
 
     def _question(self, each: Definition, sources: Sequence[Definition], kind: str) -> Question:
         said = self.checks.said(self.checks.seen[each.number], *(self.checks.seen[x.number] for x in sources))

@@ -86,6 +86,10 @@ class Counters:
         return ".".join([*parts, str(number)])
 
 
+# words before letters that may be anything, and perhaps others of these between
+ANEW = re.compile(r"\b(?:any|all|every|each|arbitrary|two|let)\b[\w\s-]*(?:\$(?:\s|,|and|or)*)*$", re.IGNORECASE)
+
+
 @dataclass
 class Scanner:
     """Collects the formulas of a document from its expanded tokens."""
@@ -99,6 +103,7 @@ class Scanner:
     part: int = 0  # headings so far
     mentions: list[tuple[str, int]] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
+    anew: list[str] = field(default_factory=list)
     local: list[int] = field(default_factory=list)
     places: int = 0  # environments of their own so far
 
@@ -193,6 +198,7 @@ class Scanner:
         if level in ("part", "chapter", "section"):
             self.section += 1
         self.prose.clear()
+        self.anew.clear()
 
     def _fault(self, tok: Tok, message: str) -> None:
         self.faults.append(Fault(len(self.found), place(tok.file, tok.line, self.cell), message))
@@ -284,7 +290,10 @@ class Scanner:
         if any(tok.text in RELATIONS for tok in _outermost(body)):
             self._keep([*body], label, "", display=False)
         else:
-            self.mentions.append((written(body), len(self.found)))
+            text = written(body)
+            self.mentions.append((text, len(self.found)))
+            if any(tok.text == r"\in" for tok in body) or ANEW.search("".join(self.prose[-MAX_PROSE:])):
+                self.anew.append(text)
         self.prose.append("$")
 
     def _keep(self, toks: Sequence[Tok], label: str, number: str, *, display: bool) -> None:
@@ -298,7 +307,17 @@ class Scanner:
         scope = (self.section, self.local[-1] if self.local else 0)
         self.found.append(
             Printed(
-                latex, first.file, first.line, self.cell, label, number or tag or "", display, before, scope, self.part
+                latex,
+                first.file,
+                first.line,
+                self.cell,
+                label,
+                number or tag or "",
+                display,
+                before,
+                scope,
+                self.part,
+                tuple(self.anew),
             )
         )
 

@@ -29,6 +29,9 @@ class Printed:
         The section and the example, exercise or theorem in which it stands, as numbers; 0 outside of any.
     part
         The number of the last heading before it, of whatever level.
+    anew
+        What the text behind that heading prints of letters that may be anything, as `x, y \\in \\mathbb{R}^3` or
+        "for any x": they are others than those before.
     """
 
     latex: str
@@ -41,6 +44,7 @@ class Printed:
     before: str
     scope: tuple[int, int]
     part: int = 0
+    anew: tuple[str, ...] = ()
 
     @property
     def position(self) -> str:

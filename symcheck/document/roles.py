@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from symcheck.document.checks import AGAIN, NEAR, SMALLEST, Checks, Definition
 from symcheck.document.letters import shown
 from symcheck.document.survey import Link
+from symcheck.reading.evidence import spelling
+from symcheck.reading.faces import face
+from symcheck.reading.occurrences import occurrences
 
 # words before an equation that make it a law, which says what a letter is all the same
 LAWS = re.compile(
@@ -19,6 +22,7 @@ LAWS = re.compile(
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
 # a list of components, and what stands between two of them
 COMPONENTS = re.compile(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}(?:\^T)?|[(\[](.*)[)\]](?:\^T)?", re.DOTALL)
+BARS = re.compile(r"\\(?:left|right)(?![a-zA-Z])|\\[lr][vV]ert(?![a-zA-Z])|\\?\||\s")
 SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")  # no comma of a subscript
 # words before a relation within the text that make it a place or a case
 AT = re.compile(r"\b(?:at|for|if|when|near|until|unless|on|from|to|as|in)\W*$", re.I)
@@ -41,6 +45,16 @@ class Guess:
     far: frozenset[int] = frozenset()
 
 
+def _is_length(letter: str, link: Link) -> bool:
+    """Is a letter the length of the same letter in bold type? So it is understood, and nothing is put in for it."""
+    return face(BARS.sub("", link.right)) == f"{letter}}}"
+
+
+def _letters(text: str) -> set[str]:
+    """The letters of which a text says to which set they belong, or all of its letters."""
+    return {spelling(place) for place in occurrences(text.partition(r"\in")[0])}
+
+
 class Roles:
     """The roles of the relations of a document, in printed order."""
 
@@ -48,6 +62,7 @@ class Roles:
         self.checks, self.formulas, self.seen = checks, checks.formulas, checks.seen
         self.defined: dict[str, list[Definition]] = {}  # by letter: where it is said what it is
         self.otherwise: dict[str, list[int]] = {}  # by letter: where it is something else
+        self.anew = [frozenset(x for text in f.anew for x in _letters(text)) for f in self.formulas]
 
     def guesses(self) -> list[Guess]:
         """The role of each relation, and the earlier ones that it seems to follow from."""
@@ -59,7 +74,8 @@ class Roles:
             return Guess("exclusion", reason=" ".join(seen.reason.split()))
         heads = {x: link for x, link in seen.heads.items() if self._is_new(k, x, link, known)}
         for x, link in heads.items():
-            self.defined.setdefault(x, []).append(Definition(k, link))
+            if not _is_length(x, link):
+                self.defined.setdefault(x, []).append(Definition(k, link))
         chained = any(link.chained for link in seen.links)
         if heads and not chained:
             return Guess("definition")
@@ -88,6 +104,8 @@ class Roles:
         """What the letters are in a relation: as is said before it in its part of the document, else once elsewhere."""
         found = {}
         for letter, every in self.defined.items():
+            if letter in self.anew[k]:
+                every = [each for each in every if letter in self.anew[each.number]]
             own = [each for each in every if self.is_same_part(each.number, k)]
             others = [m for m in self.otherwise.get(letter, ()) if self.is_same_part(m, k)]
             if len(own) == 1 and not others:

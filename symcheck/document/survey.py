@@ -196,7 +196,7 @@ def is_sayable(phrase: str) -> bool:
 
 
 # first words of phrases that `decide` takes
-_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar"})
+_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar", "constant"})
 
 
 def _names(tree: Tree) -> Iterator[str]:

@@ -205,7 +205,7 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     verdicts = {answer.verdict for answer in near}
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
         return near[0]
-    return found[0][1] if not near and {*remote} == {Status.PROVED} else None
+    return found[0][1] if not near and {*remote} in ({Status.PROVED}, {Status.AMBIGUOUS}) else None
 
 
 def _of_any_size(asked: Asked) -> Answer | None:

@@ -140,7 +140,7 @@ def _declared(tree: Tree, known: Set[str]) -> str:
 def constant(reading: Reading) -> Iterator[tuple[str, str]]:
     """What is differentiated by a letter on which nothing in it depends, as far as is seen."""
     said = {letter for letter, _ in reading.source[0].letters}
-    meant = {x: {*_free(right)} for x, (_, _, right) in reading.source[2].items()}
+    meant = {x: {*free(right)} for x, (_, _, right) in reading.source[2].items()}
     for _, part in walk(reading.tree):
         if not isinstance(part, Derivative):
             continue
@@ -152,15 +152,20 @@ def constant(reading: Reading) -> Iterator[tuple[str, str]]:
             todo = {more for each in todo for more in _on(each, meant, reading.inference.notation)} - on
         for variable, _ in part.variables:
             by = variable.function if isinstance(variable, Call) else variable
-            if isinstance(by, Name) and _rate(by) not in on:
+            if isinstance(by, Name) and on.isdisjoint({_rate(by)} if part.partial else _along(by, meant, reading)):
                 yield to_latex(part.body), to_latex(variable)
+
+
+def _along(by: Name, meant: Mapping[str, Set[Rate]], reading: Reading) -> set[Rate]:
+    """A letter with those on which it depends: what depends on these depends on it, where its rate is not 0."""
+    return {_rate(by), *_on(_rate(by), meant, reading.inference.notation)}
 
 
 def _rate(name: Name) -> Rate:
     return name.letter, name.primes, name.dots
 
 
-def _free(text: str) -> Iterator[Rate]:
+def free(text: str) -> Iterator[Rate]:
     """The letters of a definition, but for those with an index over which it sums and no dots."""
     places = occurrences(text)
     indices = {place.word for place in places if place.role == "index"}

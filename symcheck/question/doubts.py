@@ -11,9 +11,9 @@ from symcheck.core.calculus import functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
-from symcheck.question.conventions import mentioned, unsaid
+from symcheck.question.conventions import free, mentioned, unsaid
 from symcheck.question.order_of_factors import relies_on_order
-from symcheck.question.prepare import DEFINED, VARIABLES, Reading
+from symcheck.question.prepare import DEFINED, VARIABLES, Definitions, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.commands import OVER
 from symcheck.reading.landau import terms_of_order
@@ -26,6 +26,7 @@ from symcheck.reading.tree import (
     BigSum,
     Call,
     Chain,
+    Derivative,
     Div,
     Limiting,
     Mul,
@@ -193,6 +194,8 @@ def doubt(reading: Reading) -> str:
         return "is it meant that the sides are never equal, or that they are not always equal?"
     if reason := _of_a_word(asked.relation) or _behind_function(asked.relation) or _alone(reading):
         return reason
+    if name := _along(reading):
+        return f"is {name} held constant in a derivative by a letter that varies with it? write \\partial if it is"
     if name := _integrated(reading):
         return f"does the integral say what {name} is? give another equation for it, or the integral with its bounds"
     if name := _limited(reading):
@@ -270,7 +273,44 @@ def doubt_of_proofs(reading: Reading) -> str:
     if relies_on_order(reading.tree, said | {*reading.source[2]}):
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
-    return unsaid(reading)
+    return _unchanging(reading) or unsaid(reading)
+
+
+def _unchanging(reading: Reading) -> str:
+    """The doubt whether letters are constant that stand in what an equation says of a letter with a derivative.
+
+    Directions turn, unless they are said not to; and something there changes, or nobody would differentiate it.
+    """
+    asked, inference, known, *_ = reading.source
+    own = {guess.letter.latex: guess.letter for guess in inference.guesses}
+    constant = {letter for letter, phrase in asked.letters if phrase.startswith("constant")}
+    for name, (_, arguments, _) in known.items():
+        variables = own[name].depends if name in own and not arguments else ""
+        if not variables:
+            continue
+        inside = [own[x] for x in _said_by(name, known) if x in own and x not in known]
+        varying = [x for x in inside if x.depends or x.latex in variables.split(", ")]
+        if inside and not varying and not all(x.latex in constant for x in inside):
+            shown = ", ".join(x.latex for x in inside)
+            return f"{name} is differentiated; which of {shown} changes? say what depends on what"
+        vectors = [x.latex for x in inside if x.kind == "vector" and x not in varying]
+        if turning := next((x for x in vectors if x not in constant), ""):
+            return (
+                f"does {turning} change with {variables}? say that it is a constant vector, or depends on {variables}"
+            )
+    return ""
+
+
+def _said_by(name: str, known: Definitions) -> set[str]:
+    """The letters in what equations say of a letter, and of those letters in turn."""
+    found = set[str]()
+    open_ = [name]
+    while open_:
+        right = known[open_.pop()][2]
+        new = {letter for letter, *_ in free(right)} - found
+        found |= new
+        open_ += new & known.keys()
+    return found
 
 
 def _members(tree: Tree, spelled: Iterable[str]) -> Iterator[str]:
@@ -359,6 +399,32 @@ def _matrix_of_vector(reading: Reading, said: set[str]) -> str:
         of_vector = any(isinstance(each, Name) and each.letter in vectors for each in arguments)
         if isinstance(name, Name) and name.letter not in {*said, *known} and of_vector:
             return f"is {name.letter} of a vector a number, a vector or a matrix? say what it is"
+    return ""
+
+
+def _along(reading: Reading) -> str:
+    """The letter that total derivatives by what depends on another letter may hold constant, in a loose notation.
+
+    It stands beside the variable in what is differentiated, or the same is differentiated by another letter too.
+    """
+    own = {guess.letter.latex: guess.letter for guess in reading.inference.guesses}
+    moving = {x for x, letter in own.items() if letter.depends}
+    times = {x for letter in own.values() for x in (letter.depends or "").split(", ")}
+    slopes = [part for _, part in walk(reading.tree) if isinstance(part, Derivative)]
+    of = {
+        slope: {name.letter for tree, _ in slope.variables for _, name in walk(tree) if isinstance(name, Name)}
+        for slope in slopes
+    }
+    for slope in slopes:
+        by = of[slope] & moving
+        if slope.partial or not by:
+            continue
+        inside = {name.letter for _, name in walk(slope.body) if isinstance(name, Name) and not name.dots}
+        if by & inside and (others := sorted(inside & moving - by)):
+            return others[0]
+        same = [other for other in slopes if other.body == slope.body]
+        if others := sorted({x for other in same for x in of[other] if other.partial or x not in times} - by):
+            return others[0]
     return ""
 
 

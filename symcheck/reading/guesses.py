@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -377,11 +377,16 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     if phrase == "imaginary unit":
         return Guess(Letter(of.spelling, number="i"), "the imaginary unit", why)
     depends = time(every) if of.dotted else ""
-    if phrase in ("vector", "matrix"):
-        return Guess(_letter(of, kind=phrase, depends=depends), f"a {phrase}", why)
+    if match := re.fullmatch(r"(constant )?(vector|matrix)(?: that depends on (.+))?", phrase):
+        on = "" if match[1] else match[3] or depends
+        return Guess(_letter(of, kind=match[2], depends=on), f"a {match[1] or ''}{match[2]}", why)
     if match := re.fullmatch(r"(function of|depends on) (.+)", phrase):
-        kind = "function" if match[1] == "function of" else "scalar"
-        return Guess(_letter(of, kind=kind, depends=match[2]), f"a function of {match[2]}", why)
+        on = match[2]
+        if match[1] == "function of":
+            return Guess(_letter(of, kind="function", depends=on), f"a function of {on}", why)
+        if not any(place.before == r"\partial" for place in of.places):
+            on = ", ".join(dict.fromkeys(y for x in on.split(", ") for y in _at_last(x, every, {of.spelling})))
+        return Guess(_letter(of, kind="scalar", depends=on), f"a function of {on}", why)
     if phrase == "rotation":
         return Guess(_letter(of, kind="matrix", depends=depends), "a rotation matrix", why)
     if match := re.fullmatch(r"skew matrix of (.+)", phrase):
@@ -392,7 +397,8 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         return Guess(_letter(of, kind=kind, size=size, depends=depends), f"a {kind}", why)
     raise SymcheckError(
         f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, constant, complex, vector, "
-        "matrix, integer, index, function of x, depends on t, differential, imaginary unit or skew matrix of a vector"
+        "constant vector, vector that depends on t, matrix, integer, index, function of x, depends on t, differential, "
+        "imaginary unit or skew matrix of a vector"
     )
 
 
@@ -484,9 +490,11 @@ def _primed_by(of: Evidence, every: Mapping[str, Evidence]) -> str:
 
 def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iterator[Guess]:
     """A letter with dots, or one in a derivative."""
-    on = [time(every)] if of.dotted else []
-    on += [x for x in of.by if x not in on and x != of.spelling]
+    on = _variables(of, every)
     words = ", ".join(on)
+    if not on:
+        yield Guess(_letter(of, depends="", named=named), "a real number", "others depend on it")
+        return
     if of.shape:
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
@@ -515,10 +523,32 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         yield constant
     elif any(each.dotted for each in every.values()):
         yield constant
-        yield replace(varying, remote=True)
+        yield replace(varying, remote=kind != "vector")  # directions turn
     else:
         yield varying
         yield constant
+
+
+def _variables(of: Evidence, every: Mapping[str, Evidence]) -> list[str]:
+    """The letters on which a letter depends: for dr/dt and for dr/du too it is t, where u depends on t."""
+    own = [time(every)] if of.dotted else []
+    own += [x for x in of.by if x not in own and x != of.spelling]
+    if any(place.before == r"\partial" or place.arguments for place in of.places):
+        return own
+    seen = {of.spelling} - {time(every)}
+    return list(dict.fromkeys(x for each in own for x in _at_last(each, every, seen) if x != of.spelling))
+
+
+def _at_last(name: str, every: Mapping[str, Evidence], seen: Set[str]) -> list[str]:
+    """The letters on which a letter depends that depend on no others; they are itself if there are none."""
+    each = every.get(name)
+    if each is None or name == time(every):
+        return [name]
+    said = re.fullmatch(r"depends on (.+)", each.said)
+    moved = any(place.role == "derived" and place.before == "d" for place in each.places)
+    own = said[1].split(", ") if said else [time(every)] if each.dotted else each.by if moved and not each.said else []
+    further = [x for x in own if x not in seen and x != name]
+    return [x for each in further for x in _at_last(each, every, seen | {name})] or [name]
 
 
 def _stands_in_body(of: Evidence) -> bool:

@@ -1306,10 +1306,22 @@ class Lowering:
         value = self.value(tree.body, env)
         for variable_tree, order in tree.variables:
             by = self.scalar(variable_tree, env)
-            if isinstance(by, Applied):
+            if isinstance(by, Applied) and tree.partial:
                 value = each_part(partial(self.by_function, by=by, order=order, tree=tree, env=env), value)
+            elif isinstance(by, Applied):
+                value = self.along(value, by, order, tree)
             else:
                 value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
+        return value
+
+    def along(self, value: Value, by: Applied, order: int, tree: Derivative) -> Value:
+        r"""The total derivative by what depends on another letter, as `\dot r / \dot \theta` for `dr / d\theta`."""
+        if len(by.terms) != 1 or not isinstance(by.terms[0], str) or any(by.orders):
+            raise SymcheckError(f"{to_latex(tree)}: a total derivative by what is no letter that depends on another")
+        time = by.terms[0]
+        rate = self.slope(by, time, 1, tree, partial=False)
+        for _ in range(order):
+            value = each_part(lambda t: node("/", self.slope(t, time, 1, tree, partial=False), rate), value)
         return value
 
     def by_function(self, term: Term, by: Applied, order: int, tree: Derivative, env: Env) -> Term:

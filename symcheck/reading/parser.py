@@ -1324,7 +1324,7 @@ class Builder:
         for tree in bottom.body:
             name: str | Tree = tree.base if isinstance(tree, Pow) else tree
             order = self.order(tree.exponent, at) if isinstance(tree, Pow) else 1
-            if isinstance(name, Call) and not name.arguments and bottom.partial:
+            if isinstance(name, Call) and not name.arguments:
                 name = name.function
             if not isinstance(name, Name):
                 raise self.fail(at, "a derivative is taken by a letter that depends on no other")
