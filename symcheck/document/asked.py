@@ -324,12 +324,18 @@ def is_proved(inquiry: Inquiry, imposed: str) -> bool:
     return all(answer.verdict is Status.PROVED for answer in _answers(inquiry, imposed))
 
 
+def verdicts(inquiry: Inquiry, imposed: str) -> tuple[Status, ...]:
+    """What becomes of each relation of a claim."""
+    return tuple(answer.verdict for answer in _answers(inquiry, imposed))
+
+
 def _answers(inquiry: Inquiry, imposed: str) -> Iterator[Answer]:
     """The answer to each relation of a claim, with repairs when they are asked for."""
     try:
         for letter, link in _links(inquiry.text, inquiry.said(inquiry.text)).lettered:
             if not letter or letter not in imposed:
-                yield _answer(inquiry._asked(link))
+                asked = inquiry._asked(link)
+                yield _proof(_fewer(asked)) or _answer(asked)
     except SymcheckError as error:
         yield Answer(Status.UNREADABLE, reason=str(error))
 

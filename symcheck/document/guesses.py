@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from symcheck.document.asked import Inquiry, Relied, is_proved, is_settled
+from symcheck.document.asked import Inquiry, Relied, is_proved, is_settled, verdicts
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Definition, Question, confirmed, decided
 from symcheck.document.derived import Derived, Outcome, blamed, sought
 from symcheck.document.letters import Letter, shown
@@ -86,13 +87,17 @@ def _with_derivations(
     own, _ = sought(sets, [k for k, task in asked.items() if not (_claims(guesses[k]) and holds[task])], work)
     found = [_derived(sets.usable[k], own[k]) or guess if k in own else guess for k, guess in enumerate(guesses)]
     proofs = [each.proof for every in own.values() for each in every if each.proof]
-    for m in _assumed(sets, proofs, found):
+    for m, links in _assumed(sets, proofs, found).items():
         if m in own and found[m] is guesses[m]:
-            found[m] = Guess("premise")
+            imposed = "".join(sorted({*found[m].imposed} | links))
+            alone = len(imposed) >= len(sets.checks.seen[m].links)
+            found[m] = Guess("premise") if alone else replace(found[m], imposed=imposed)
     new = [k for k in own if _claims(found[k]) and found[k] is not guesses[k]]
     asked = {k: _inquired(found, k, found[k].follows, formulas, said) for k in new}
     holds = work.all(_is_proved, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: False)
     found = [guesses[k] if k in asked and not holds[asked[k]] else guess for k, guess in enumerate(found)]
+    open_ = [k for k in own if _claims(found[k]) and found[k] is guesses[k]]
+    found = _with_more_sources(found, {k: own[k] for k in open_}, formulas, said, work)
     proved = [(k, each.follows) for k, each in enumerate(found) if _claims(each) and k not in own]
     wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved, work)
     for m, question in wrong.items():
@@ -105,18 +110,49 @@ def _with_derivations(
     return found, unlike
 
 
-def _assumed(sets: Derived, proofs: Sequence[Question], guesses: Sequence[Guess]) -> Iterator[int]:
-    """The claims with relations from which others follow: these are assumed where they are not proved themselves.
+def _with_more_sources(
+    guesses: Sequence[Guess],
+    outcomes: Mapping[int, Sequence[Outcome]],
+    formulas: Sequence[Printed],
+    said: Said,
+    work: Work,
+) -> list[Guess]:
+    """The same, but a chain follows from what one of its links follows from, too, if more is decided then."""
+    more = {}
+    for k, every in outcomes.items():
+        sources = {m for each in every if each.proof for m in each.proof.sources}
+        if len(every) > 1 and not sources <= {*guesses[k].follows}:
+            more[k] = tuple(sorted({*guesses[k].follows} | sources))
+    asked = {
+        (k, new): _inquired(guesses, k, follows, formulas, said)
+        for k in more
+        for new, follows in enumerate((guesses[k].follows, more[k]))
+    }
+    told = work.all(_verdicts, [*dict.fromkeys(asked.values())], TOTAL, lambda reason: ())
+    found = [*guesses]
+    for k, follows in more.items():
+        before, after = (told[asked[k, new]] for new in (0, 1))
+        kept = all(x == y or x not in (Status.PROVED, Status.REFUTED) for x, y in zip(before, after, strict=False))
+        if kept and Counter(after)[Status.PROVED] > Counter(before)[Status.PROVED]:
+            found[k] = replace(found[k], follows=follows)
+    return found
+
+
+def _assumed(sets: Derived, proofs: Sequence[Question], guesses: Sequence[Guess]) -> dict[int, set[str]]:
+    """The claims with links from which others follow: these are assumed where they are not proved themselves.
 
     A relation of the same letters on both sides says nothing new of them, and stays a claim.
     """
+    found: dict[int, set[str]] = {}
     derived = {proof.relation for proof in proofs}
     for proof in proofs:
         for m, text in zip(proof.sources, proof.where, strict=True):
             link = next(each.link for each in sets.usable[m] if each.link.latex == text)
-            says = link.names[0] != link.names[1] and chr(ord("a") + link.place) not in guesses[m].imposed
+            letter = chr(ord("a") + link.place)
+            says = link.names[0] != link.names[1] and letter not in guesses[m].imposed
             if _claims(guesses[m]) and says and text not in derived:
-                yield m
+                found.setdefault(m, set()).add(letter)
+    return found
 
 
 def _claims(guess: Guess) -> bool:
@@ -152,6 +188,10 @@ def _inquired(
 
 def _said(letters: Sequence[Letter]) -> Said:
     return tuple((shown(each.letter), each.phrase) for each in letters if is_sayable(each.phrase))
+
+
+def _verdicts(task: tuple[Inquiry, str]) -> tuple[Status, ...]:
+    return verdicts(*task)
 
 
 def _is_settled(task: tuple[Inquiry, str]) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -61,7 +62,26 @@ def letters(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Letter]:
         for role in each.roles:
             if role.kind != "differential":
                 places.setdefault(role.letter, []).append((role, formula))
-    return [_letter(letter, roles) for letter, roles in places.items()]
+    every = {letter: Counter(role.phrase for role, _ in roles if _tells(role)) for letter, roles in places.items()}
+    return [_letter(letter, roles, _common(every[letter], every)) for letter, roles in places.items()]
+
+
+def _tells(role: Role) -> bool:
+    """Does a formula tell more of a letter than that it is a number?"""
+    return bool(role.phrase) and role.sure and role.known
+
+
+def _common(phrases: Counter[str], every: Mapping[str, Counter[str]]) -> str:
+    """The phrase that says what all others of these say: with `f(t)` that `f` depends on t; "" if there is none.
+
+    What depends on u here and on t there is a function of u, if u depends on t.
+    """
+    on = {phrase: depends_on(phrase) for phrase in phrases}
+    if len(phrases) < 2 or not all(on.values()):
+        return next(iter(phrases), "") if len(phrases) == 1 else ""
+    through = {phrase: {y for x in on[phrase] for p in every.get(x, ()) for y in depends_on(p)} for phrase in phrases}
+    whole = [p for p in phrases if all(on[q] in (on[p], through[p]) for q in phrases)]
+    return max(whole, key=lambda phrase: phrases[phrase], default="")
 
 
 def shown(letter: str) -> str:
@@ -69,18 +89,19 @@ def shown(letter: str) -> str:
     return written([tok for tok in tokens(letter) if not tok.is_space])
 
 
-def _letter(letter: str, places: Sequence[tuple[Role, Printed]]) -> Letter:
+def _letter(letter: str, places: Sequence[tuple[Role, Printed]], phrase: str) -> Letter:
     """The letter by those places that tell more of it than that it is a number."""
     count, first = len(places), places[0][1].place
     telling: dict[str, tuple[Role, Printed]] = {}
     for role, formula in places:
-        if role.phrase and role.sure and role.known:
+        if _tells(role):
             telling.setdefault(role.phrase, (role, formula))
     if not telling:
         role = places[0][0]
         return Letter(letter, role.taken, role.why, "", count, first)
     if printed := [role for role, _ in telling.values() if role.why == PRINTED]:
-        telling = {phrase: each for phrase, each in telling.items() if phrase == printed[0].phrase}
+        telling = {said: each for said, each in telling.items() if said == printed[0].phrase}
+        phrase = printed[0].phrase
     (role, _), *_ = telling.values()
     kinds: dict[str, Printed] = {}
     for other, formula in telling.values():
@@ -88,7 +109,7 @@ def _letter(letter: str, places: Sequence[tuple[Role, Printed]]) -> Letter:
     if len(kinds) > 1:
         others = tuple(f"{KINDS.get(kind, kind)} at {formula.place}" for kind, formula in kinds.items())
         return Letter(letter, role.taken, role.why, "", count, first, others)
-    return Letter(letter, role.taken, role.why, role.phrase if len(telling) == 1 else "", count, first)
+    return Letter(letter, role.taken, role.why, phrase, count, first)
 
 
 def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:

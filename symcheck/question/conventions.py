@@ -139,13 +139,14 @@ def _declared(tree: Tree, known: Set[str]) -> str:
 
 def constant(reading: Reading) -> Iterator[tuple[str, str]]:
     """What is differentiated by a letter on which nothing in it depends, as far as is seen."""
-    said = {letter for letter, _ in reading.source[0].letters}
+    said = dict(reading.source[0].letters)
     meant = {x: {*free(right)} for x, (_, _, right) in reading.source[2].items()}
     for _, part in walk(reading.tree):
         if not isinstance(part, Derivative):
             continue
         on, todo = set[Rate](), {_rate(each) for _, each in walk(part.body) if isinstance(each, Name)}
-        if not todo or said & {letter for letter, *_ in todo}:
+        phrases = [said[letter] for letter, *_ in todo if letter in said]
+        if not todo or (phrases and (part.partial or {*phrases} <= {"constant", "scalar"})):
             continue
         while todo:
             on |= todo
