@@ -303,6 +303,9 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
             yield Slip("sign", f"{to_latex(node)} for its product", replaced(tree, path, Mul(node.terms)), 1.0)
         if isinstance(node, Mul) and len(node.factors) == 2 and not node.dotted:
             yield Slip("sign", f"{to_latex(node)} for its sum", replaced(tree, path, Add(node.factors)), 2.0)
+        if isinstance(node, Div) and not isinstance(node.bottom, Number):
+            product = replaced(tree, path, _times(node.bottom, node.top))
+            yield Slip("factor", f"{to_latex(node.bottom)} as a factor of {to_latex(node.top)}", product, 0.5)
         if isinstance(node, Call):
             for letter in notation.letters:
                 if letter.kind == "function" and len((letter.depends or "").split(",")) == len(node.arguments):
