@@ -225,8 +225,9 @@ class Checks:
         return Question(k, two.latex, "step", (one.latex,), (m,), letters=self.said(*seen), sure=True, worded=worded)
 
     def _chained(self, k: int, link: Link) -> Question | None:
-        """A link behind another one, with the same letters on both sides."""
-        if link.names[0] != link.names[1] or not link.names[0] or min(link.sizes) < SMALLEST:
+        """A link behind another one, with the same letters on both sides, or fewer letters than before."""
+        fewer = link.chained and link.names[1] < link.names[0]
+        if not (fewer or link.names[0] == link.names[1]) or not link.names[1] or min(link.sizes) < SMALLEST:
             return None
         kind = "chain" if link.chained else "identity"
         if not link.chained and not IDENTITY.search(self.formulas[k].before):
@@ -238,7 +239,7 @@ class Checks:
             kind,
             given=conditions,
             letters=self.said(self.seen[k]),
-            sure=not (link.chained and self._of_numbers(k)),
+            sure=fewer or not (link.chained and self._of_numbers(k)),
         )
 
     def _of_numbers(self, k: int) -> bool:
