@@ -151,7 +151,7 @@ class Checks:
     def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
         words = aside.sub("", self._words(k)) if aside else self._words(k)
-        return self.seen[k].plain and self.seen[k].is_known and not CONDITIONAL.search(words)
+        return self.seen[k].plain and self.seen[k].is_sayable and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
         """The last words before a formula; of displays below each other those before the first."""

@@ -17,6 +17,7 @@ from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
 from symcheck.reading.tree import Chain, Derivative, Integral, Name, children, walk
 
+UNSAID = "write it out"  # ends the reason why a derivative has no value as long as nothing says what its function is
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
 Said = tuple[tuple[str, str], ...]  # letters with what they are, as `decide` takes it
 OPENING, CLOSING = (
@@ -84,6 +85,11 @@ class Seen:
     def is_known(self) -> bool:
         """Are its links read, or some of them?"""
         return not self.reason or self.apart
+
+    @property
+    def is_sayable(self) -> bool:
+        """Is it read, or does it lack no more than what its letters are, such as a function that is differentiated?"""
+        return self.is_known or (self.partly and UNSAID in self.reason)
 
     @property
     def heads(self) -> dict[str, Link]:
