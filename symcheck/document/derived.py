@@ -80,10 +80,23 @@ def sought(
 def outcome(questions: tuple[Question, ...]) -> Outcome:
     """What becomes of these questions, about one relation and different sources, the smallest sets first."""
     compared_ = [*_compared(questions)]
-    holding = tuple(question for question, points in compared_ if points and points.holds)
+    holding = tuple(_with_what_it_takes(question) for question, points in compared_ if points and points.holds)
     failing = tuple(question for question, points in compared_ if points and not points.holds)
     asked = [question for question, points in compared_ if points is None or points.holds][:ASKED]
     return Outcome(None if questions[0].kind == LATER else _proved(asked), holding, failing)
+
+
+def _with_what_it_takes(question: Question) -> Question:
+    """The question without sources with which its relation holds as well: these say nothing for each other."""
+    if len(question.sources) == 1:
+        return question
+    for n in range(len(question.sources)):
+        where = question.where[:n] + question.where[n + 1 :]
+        sources = question.sources[:n] + question.sources[n + 1 :]
+        points = compared(question.relation, where, question.letters, further=True)
+        if points is not None and points.holds and points.bound:
+            return _with_what_it_takes(replace(question, where=where, sources=sources))
+    return question
 
 
 def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found | None]]:

@@ -5,7 +5,7 @@ Nothing is proved or refuted by these points: they tell which questions are wort
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from contextlib import suppress
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -51,15 +51,19 @@ class Found(NamedTuple):
     bound: bool
 
 
-def compared(relation: str, sources: tuple[str, ...], letters: Said) -> Found | None:
-    """How a relation compares with the equations from which it may follow; None where no points are found."""
+def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bool = False) -> Found | None:
+    """How a relation compares with the equations from which it may follow; None where no points are found.
+
+    Nor where it has further letters, unless it is asked whether it holds for all values of these.
+    """
     try:
         asked, given, points = _equations(relation, letters), _all(sources, letters), _points(sources, letters)
     except (SymcheckError, *FAULTS):
         return None
     own = {symbol for equation in asked for symbol in equation.symbols}
-    if not points or not own <= points[0].keys():
+    if not points or not (further or own <= points[0].keys()):
         return None
+    points = _with_further(points, own)
     symbols = [*points[0]]
     with np.errstate(all="ignore"):
         jacobian = _jacobian(given, symbols, np.array([*points[0].values()]))
@@ -68,13 +72,19 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said) -> Found | 
         return Found(_hold(asked, points) or (bound and _on_a_branch(asked, given, symbols)), bound)
 
 
+def _with_further(points: Sequence[dict[Symbol, float]], own: Set[Symbol]) -> tuple[dict[Symbol, float], ...]:
+    """The same points with values of further letters."""
+    numbers, further = np.random.default_rng(4), sorted(own - points[0].keys(), key=str)
+    return tuple(point | {symbol: numbers.uniform(0.3, 1.7) for symbol in further} for point in points)
+
+
 def _on_a_branch(asked: Sequence[Equation], given: Sequence[Equation], symbols: Sequence[Symbol]) -> bool:
     """Whether a relation holds for some of the solutions of others, and takes no freedom from these.
 
     Of a quadratic equation each solution holds, and neither does at points of the other.
     """
     numbers, every = np.random.default_rng(2), [*given, *asked]
-    for signs in _signs(len(symbols)):
+    for signs in _signs(len(symbols), every, symbols):
         for _ in range(TRIED if np.all(signs > 0) else 1):
             point = _solved(every, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
             if point is not None and _rank(_jacobian(every, symbols, point)) == _rank(_jacobian(given, symbols, point)):
@@ -94,7 +104,7 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
             text = to_latex(slip.tree)
             equations = _equations(text, letters)
             own = {symbol for equation in equations for symbol in equation.symbols}
-            if own and own <= points[0].keys() and _hold(equations, points):
+            if own and _hold(equations, _with_further(points, own)):
                 yield text
 
 
@@ -110,7 +120,7 @@ def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float
     numbers = np.random.default_rng(1)
     found: list[dict[Symbol, float]] = []
     with np.errstate(all="ignore"):
-        for signs in _signs(len(symbols)):
+        for signs in _signs(len(symbols), equations, symbols):
             for tried in range(TRIED):
                 point = _solved(equations, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
                 if point is not None:
@@ -149,8 +159,15 @@ def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
     return tuple(found)
 
 
-def _signs(count: int) -> Iterator[Array]:
+def _signs(count: int, equations: Sequence[Equation], symbols: Sequence[Symbol]) -> Iterator[Array]:
+    """Signs of letters, the likeliest first: all above zero, those of a solution, one of them below zero."""
     yield np.ones(count)
+    numbers = np.random.default_rng(3)
+    for _ in range(TRIED):
+        point = _solved(equations, symbols, numbers.uniform(0.3, 1.7, count), free=True)
+        if point is not None and np.any(point < 0):
+            yield np.sign(point)
+            break
     yield from 1.0 - 2.0 * np.eye(count)
 
 
@@ -188,8 +205,10 @@ def _jacobian(equations: Sequence[Equation], symbols: Sequence[Symbol], point: A
     return np.array(columns).T.reshape(len(equations), len(symbols))
 
 
-def _solved(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array) -> Array | None:
-    """A point near another one, with letters of the same signs, at which all equations hold."""
+def _solved(
+    equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array, free: bool = False
+) -> Array | None:
+    """A point near another one, with letters of the same signs unless they are free, at which all equations hold."""
     for _ in range(STEPS):
         values = _values(equations, symbols, point)
         if not np.all(np.isfinite(values)) or np.max(np.abs(np.log(np.abs(point))), initial=0.0) > FAR:
@@ -199,6 +218,9 @@ def _solved(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Arr
         jacobian = _jacobian(equations, symbols, point)
         if not np.all(np.isfinite(jacobian)):
             return None
+        if free:
+            point = point + np.linalg.lstsq(jacobian / point, -values, rcond=RANK)[0]
+            continue
         step = np.linalg.lstsq(jacobian, -values, rcond=RANK)[0]
         point = point * np.exp(step * min(1.0, LONGEST / max(float(np.max(np.abs(step))), LONGEST)))
     return None

@@ -32,6 +32,7 @@ from symcheck.reading.tree import (
     Derivative,
     Div,
     Integral,
+    MatrixOf,
     Mul,
     Name,
     Neg,
@@ -285,7 +286,7 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
     numbers = [Number(str(n)) for n in (2, 3, 4)]
     for path, node in walk(tree):
         above = _above(tree, path)
-        if isinstance(above, Add | Chain) or (
+        if isinstance(above, Add | Chain | MatrixOf) or (
             isinstance(above, Neg) and isinstance(_above(tree, path[:-1]), Add | Chain)
         ):
             term = node.value if isinstance(node, Neg) else node
