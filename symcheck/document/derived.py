@@ -123,12 +123,27 @@ def _proved(questions: Sequence[Question]) -> Question | None:
     return None
 
 
-def explained(questions: tuple[Question, ...]) -> Question | None:
-    """The first of these that holds after a slip of the pen, at points where its sources hold; refuted ones first."""
+@dataclass(frozen=True)
+class Slip:
+    """A relation that holds after a slip of the pen, at points where its sources hold, and of how many others too."""
+
+    question: Question
+    repaired: int
+
+
+def explained(questions: tuple[Question, ...]) -> Slip | None:
+    """The first of these, about one relation, that holds after a slip of the pen; refuted ones first."""
     with suppress(OutOfTime), limited(EXPLAINING):
         refuted = [question for question in questions if _verdict(question) is Status.REFUTED]
-        return next(filter(_is_slip, [*dict.fromkeys((*refuted, *questions))][:EXPLAINED]), None)
+        for question in [*dict.fromkeys((*refuted, *questions))][:EXPLAINED]:
+            if text := _slip(question):
+                return Slip(question, sum(_holds(replace(each, relation=text)) for each in questions))
     return None
+
+
+def _holds(question: Question) -> bool:
+    points = compared(question.relation, question.where, question.letters, further=True)
+    return points is not None and points.holds
 
 
 def exchanged(question: Question, number: int) -> Question:
@@ -141,10 +156,11 @@ def exchanged(question: Question, number: int) -> Question:
     return replace(question, number=number, relation=question.where[m], where=where, sources=sources)
 
 
-def _is_slip(question: Question) -> bool:
+def _slip(question: Question) -> str:
+    """The relation after the likeliest slip with which it holds; "" if none is found."""
     with suppress(OutOfTime), limited(SLIPS):
-        return any(slips(question.relation, question.where, question.letters))
-    return False
+        return next(slips(question.relation, question.where, question.letters), "")
+    return ""
 
 
 def _verdict(question: Question) -> Status:
@@ -288,17 +304,17 @@ def blamed(
         votes = Counter(x for places in left.values() for x in {same[m] for m in places})
         highest = max(votes.values())
         most = {x for x, count in votes.items() if count == highest}
-        tasks = {
-            m: tuple(exchanged(question, m) for question, places in left.items() if m in places)
-            for m in dict.fromkeys(m for places in left.values() for m in places if same[m] in most)
-        }
-        slips = work.all(explained, [*tasks.values()], EXPLAINING, lambda reason: None)
-        found = {m: slip for m, task in tasks.items() if (slip := slips[task]) is not None}
+        found = _explained(left, {m for places in left.values() for m in places if same[m] in most}, work)
+        beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
+        found |= _explained(left, {m for m in beside if same[m] not in most}, work)
+        best = max((slip.repaired for slip in found.values()), default=0)
+        found = {m: slip for m, slip in found.items() if slip.repaired == best}
+        most |= {same[m] for m in found}
         done = {same[m] for m in found}
         never = {m: slip for m, slip in found.items() if not held[same[m]]}
         likely = never if len({same[m] for m in never}) == 1 else found
         if len({same[m] for m in likely}) == 1:
-            wrong |= likely
+            wrong |= {m: slip.question for m, slip in likely.items()}
         elif done:
             unlike.append(tuple(sorted(found)))
         left = {
@@ -307,6 +323,21 @@ def blamed(
             if not done & {same[m] for m in places}
         }
     return wrong, unlike
+
+
+def _explained(left: Mapping[Question, Set[int]], numbers: Set[int], work: Work) -> dict[int, Slip]:
+    """The slips that explain why some of these relations fail with most of the others."""
+    tasks = {
+        m: tuple(exchanged(question, m) for question, places in left.items() if m in places) for m in sorted(numbers)
+    }
+    slips = work.all(explained, [*dict.fromkeys(filter(None, tasks.values()))], EXPLAINING, lambda reason: None)
+    found = {m: (slip, len(task)) for m, task in tasks.items() if task and (slip := slips[task]) is not None}
+    return {m: slip for m, (slip, count) in found.items() if 2 * slip.repaired > count}
+
+
+def _open(question: Question, same: Mapping[int, int], right: Set[int]) -> Iterator[int]:
+    """The relations of a question that may be wrong."""
+    return (m for m in (question.number, *question.sources) if same[m] not in right)
 
 
 def _same(holding: Iterable[tuple[int, tuple[int, ...]]], count: int) -> dict[int, int]:

@@ -205,9 +205,7 @@ def _jacobian(equations: Sequence[Equation], symbols: Sequence[Symbol], point: A
     return np.array(columns).T.reshape(len(equations), len(symbols))
 
 
-def _solved(
-    equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array, free: bool = False
-) -> Array | None:
+def _solved(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array, free: bool = False) -> Array | None:
     """A point near another one, with letters of the same signs unless they are free, at which all equations hold."""
     for _ in range(STEPS):
         values = _values(equations, symbols, point)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import suppress
@@ -307,6 +308,15 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
         if isinstance(node, Div) and not isinstance(node.bottom, Number):
             product = replaced(tree, path, _times(node.bottom, node.top))
             yield Slip("factor", f"{to_latex(node.bottom)} as a factor of {to_latex(node.top)}", product, 0.5)
+        if isinstance(node, Div):
+            above_, below = ({part for _, part in walk(side) if part in letters} for side in (node.top, node.bottom))
+            for one, other in itertools.product(
+                sorted(above_ - below, key=to_latex), sorted(below - above_, key=to_latex)
+            ):
+                exchanged = Div(_everywhere(node.top, one, other), _everywhere(node.bottom, other, one))
+                yield Slip(
+                    "letter", f"{to_latex(one)} and {to_latex(other)} exchanged", replaced(tree, path, exchanged), 0.5
+                )
         if isinstance(node, Call):
             for letter in notation.letters:
                 if letter.kind == "function" and len((letter.depends or "").split(",")) == len(node.arguments):
