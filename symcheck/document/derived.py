@@ -304,11 +304,12 @@ def blamed(
         votes = Counter(x for places in left.values() for x in {same[m] for m in places})
         highest = max(votes.values())
         most = {x for x, count in votes.items() if count == highest}
-        found = _explained(left, {m for places in left.values() for m in places if same[m] in most}, work)
+        found = _explained(left, {m for places in left.values() for m in places if same[m] in most}, same, work)
         beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
-        found |= _explained(left, {m for m in beside if same[m] not in most}, work)
+        found |= _explained(left, {m for m in beside if same[m] not in most}, same, work)
         best = max((slip.repaired for slip in found.values()), default=0)
-        found = {m: slip for m, slip in found.items() if slip.repaired == best}
+        likeliest = {same[m] for m, slip in found.items() if slip.repaired == best}
+        found = {m: slip for m, slip in found.items() if same[m] in likeliest}
         most |= {same[m] for m in found}
         done = {same[m] for m in found}
         never = {m: slip for m, slip in found.items() if not held[same[m]]}
@@ -325,14 +326,17 @@ def blamed(
     return wrong, unlike
 
 
-def _explained(left: Mapping[Question, Set[int]], numbers: Set[int], work: Work) -> dict[int, Slip]:
+def _explained(
+    left: Mapping[Question, Set[int]], numbers: Set[int], same: Mapping[int, int], work: Work
+) -> dict[int, Slip]:
     """The slips that explain why some of these relations fail with most of the others."""
     tasks = {
         m: tuple(exchanged(question, m) for question, places in left.items() if m in places) for m in sorted(numbers)
     }
     slips = work.all(explained, [*dict.fromkeys(filter(None, tasks.values()))], EXPLAINING, lambda reason: None)
-    found = {m: (slip, len(task)) for m, task in tasks.items() if task and (slip := slips[task]) is not None}
-    return {m: slip for m, (slip, count) in found.items() if 2 * slip.repaired > count}
+    found = {m: slip for m, task in tasks.items() if task and (slip := slips[task]) is not None}
+    most = {same[m] for m, slip in found.items() if 2 * slip.repaired > len(tasks[m])}
+    return {m: slip for m, slip in found.items() if same[m] in most}
 
 
 def _open(question: Question, same: Mapping[int, int], right: Set[int]) -> Iterator[int]:
