@@ -117,6 +117,69 @@ def test_an_audit_proves_what_follows(tmp_path: Path) -> None:
     assert len(verdicts(audit)) == len(FOLLOWING)
 
 
+# a pendulum of length l on a cart, for small angles; facts of mechanics in our own words
+CART = r"""# A pendulum on a cart
+
+The equations of motion are
+$$(M + m) \ddot{x} + m l \ddot{\theta} = F$$
+$$\ddot{x} + l \ddot{\theta} = g \theta$$
+They give
+$$\ddot{x} = -\frac{m g}{M} \theta + \frac{1}{M} F$$
+$$\ddot{\theta} = \frac{g (M + m)}{l M} \theta - \frac{1}{l M} F$$
+or, with matrices,
+$$\begin{bmatrix} \ddot{x} \\ \ddot{\theta} \end{bmatrix} = \begin{bmatrix} 0 & -\frac{m g}{M} \\
+0 & \frac{(M + m) g}{M l} \end{bmatrix} \begin{bmatrix} x \\ \theta \end{bmatrix} +
+\begin{bmatrix} \frac{1}{M} \\ -\frac{1}{M l} \end{bmatrix} F$$
+"""
+OF_THE_CART = [
+    (r"-\frac{m g}{M} \theta +", r"-\frac{M g}{m} \theta +", ["line 7"]),
+    (r"\frac{(M + m) g}{M l}", r"\frac{(M + m) g}{M}", ["line 10"]),
+    (r"\\ -\frac{1}{M l} \end", r"\\ \frac{1}{M l} \end", ["line 10"]),
+]
+# the equation of an orbit and its solution: two of these do not agree if a divisor should be a factor
+INVERSE = r"""# The inverse radius
+
+Let $\eta = 1/r$. The general solution is
+$$\eta = \frac{\mu}{h^2} + C \cos(\theta - \omega)$$
+The radius ($r = 1/\eta$) is then
+$$r = \frac{h^2}{\mu + C h^2 \cos(\theta - \omega)}$$
+"""
+# a chain by derivatives, of which one link is what others follow from
+CHAIN = r"""# The orbit
+
+The motion obeys
+$$\ddot{r} = r \dot{\theta}^2 - \frac{\mu}{r^2} = \frac{h^2}{r^3} - \frac{\mu}{r^2}$$
+Let $\eta = 1/r$. Then
+$$\frac{d^2\eta}{d\theta^2} = \frac{d}{d\theta}\left(-\frac{1}{r^2} \frac{dr}{d\theta}\right)
+= -\frac{1}{r^2} \frac{d^2 r}{d\theta^2} + \frac{2}{r^3} \left[\frac{dr}{d\theta}\right]^2$$
+"""
+
+
+@pytest.mark.parametrize(("right", "wrong", "places"), [("", "", []), *OF_THE_CART])
+def test_slips_in_fractions_and_matrices_are_found(right: str, wrong: str, places: list[str], tmp_path: Path) -> None:
+    (tmp_path / "cart.md").write_text(CART.replace(right, wrong) if right else CART, encoding="utf-8")
+    assert [each.place for each in look(tmp_path / "cart.md").findings] == places
+
+
+def test_an_equation_that_is_printed_again_otherwise_is_told_with_the_first(tmp_path: Path) -> None:
+    again = CART + "\nThe equations were\n$$(M + m) \\ddot{x} - m l \\ddot{\\theta} = F$$\n"
+    (tmp_path / "cart.md").write_text(again, encoding="utf-8")
+    assert [each.place for each in look(tmp_path / "cart.md").findings] == ["line 15"]
+
+
+def test_a_divisor_that_should_be_a_factor_is_found(tmp_path: Path) -> None:
+    (tmp_path / "inverse.md").write_text(INVERSE, encoding="utf-8")
+    assert not look(tmp_path / "inverse.md").findings
+    (tmp_path / "wrong.md").write_text(INVERSE.replace(r"C h^2", r"\frac{C}{h^2}"), encoding="utf-8")
+    assert [each.place for each in look(tmp_path / "wrong.md").findings] == ["line 6"]
+
+
+def test_a_wrong_link_of_a_chain_of_derivatives_is_found(tmp_path: Path) -> None:
+    assert {*verdicts(begun(tmp_path, CHAIN, "chain.md")).values()} <= {"proved", "undecided"}
+    (tmp_path / "wrong.md").write_text(CHAIN.replace(r"\frac{2}{r^3}", r"\frac{2}{r^2}"), encoding="utf-8")
+    assert [each.place for each in look(tmp_path / "wrong.md").findings] == ["line 6"]
+
+
 # cases, and letters that mean something else: what fails there is no error
 CASES = [
     "On a circular orbit\n$$v = \\sqrt{\\frac{\\mu}{r}}$$\nand to escape\n$$v = \\sqrt{\\frac{2 \\mu}{r}}$$",

@@ -16,6 +16,7 @@ from typing import Any
 from symcheck.core.calculus import Unknown, differentiated, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Call, End, Formula, Node, T, Term, Value, mapped, node
+from symcheck.core.words import term as in_words
 from symcheck.proof.algebra.flint import Poly, Rational, context, fraction, occurring, rational
 from symcheck.proof.algebra.variables import Table, atoms, circle, cosine, one_problem, prime, sine, table
 from symcheck.proof.algebra.variables import Unsupported as Unsupported
@@ -24,6 +25,7 @@ BINDING = ("integral", "diverges", "mean", "sum", "product")
 FUNCTIONS = ("sqrt", "pow", "log", "exp", "gamma", "arctan", "arcsin", "arccos", *BINDING, "call")
 
 # what is above these limits would take minutes or gigabytes; the papers stay far below
+SHOWN = 80  # characters of a term in a message
 MAX_POWER = 999  # exponent
 MAX_LENGTH = 200_000  # terms of the power of a sum
 MAX_DEGREE = 400  # of the power of a sum, and of what is reduced by equations
@@ -547,7 +549,8 @@ class Ring:
         value = self.ratio(term)
         num, divisor = value.bottom(), value.num
         if divisor == 0:
-            raise Unsupported(f"division by zero in 1/{term!r}")
+            shown = in_words(term)
+            raise Unsupported(f"division by zero: {shown if len(shown) <= SHOWN else shown[:SHOWN] + '...'} is 0")
         if divisor.is_constant():
             return Ratio(num / divisor.leading_coefficient())
         if (unit := self._unit_inverse(divisor)) is not None:
