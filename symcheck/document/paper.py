@@ -66,8 +66,8 @@ def letter(letter: str, phrase: str = "", *, meaning: str = "", unit: str = "") 
     letter
         As it is printed: ``r"\omega"``.
     phrase
-        What it is, as `symcheck.decide` takes it: "vector", "matrix", "function of x", "depends on t", "integer". ""
-        leaves it to be inferred.
+        What it is, as `symcheck.decide` takes it: "vector", "constant vector", "vector that depends on t", "matrix",
+        "function of x", "depends on t", "integer". "" leaves it to be inferred.
     meaning
         What it stands for.
     unit
