@@ -1,0 +1,33 @@
+"""Orientations as rotations, quaternions and MRPs; turns of a body by its wheels; momentum that disturbances leave.
+
+Wherever the numeric layer takes three orthonormal axes it takes a `scipy.spatial.transform.Rotation` too: the one that
+turns the reference axes into them.
+"""
+
+from symcheck.numeric.attitude.agility import Agility, AgilityAfterFailures, agility, agility_after_failures, turn_time
+from symcheck.numeric.attitude.disturbance import momentum_in_time, momentum_of_a_period, time_to_saturation
+from symcheck.numeric.attitude.orientation import (
+    axes_of_mrp,
+    axes_of_quaternion,
+    axes_of_rotation,
+    mrp,
+    quaternion,
+    rotation,
+)
+
+__all__ = [
+    "Agility",
+    "AgilityAfterFailures",
+    "agility",
+    "agility_after_failures",
+    "axes_of_mrp",
+    "axes_of_quaternion",
+    "axes_of_rotation",
+    "momentum_in_time",
+    "momentum_of_a_period",
+    "mrp",
+    "quaternion",
+    "rotation",
+    "time_to_saturation",
+    "turn_time",
+]
