@@ -47,6 +47,7 @@ NUMBERS = {  # least and greatest value, and last axes
     "rate": (0.1, 1, 3),
     "semi_axes": (0.1, 1, 3),
     "sine": (-0.3, 0.3, 3),
+    "torque": (0.1, 1, 4),
     "x": (0.1, 1, 3),
 }
 
@@ -82,6 +83,12 @@ def _sample(rng: np.random.Generator, function: Any, name: str) -> Any:
         )
     if name == "rotation":
         return _rotations(rng)
+    if name == "count":
+        return 5
+    if name == "angle" and function.__name__ == "cone":
+        return rng.uniform(0.1, 1.4, LEAD)
+    if name in ("power", "rotor_inertia"):
+        return rng.uniform(0.1, 1, (*LEAD, 4))
     if name == "order":
         return "scalar last"
     if name == "half_spaces" or (name in ("momentum", "torque") and function.__name__ == "agility"):

@@ -5,7 +5,13 @@ turns the reference axes into them.
 """
 
 from symcheck.numeric.attitude.agility import Agility, AgilityAfterFailures, agility, agility_after_failures, turn_time
-from symcheck.numeric.attitude.disturbance import momentum_in_time, momentum_of_a_period, time_to_saturation
+from symcheck.numeric.attitude.disturbance import (
+    MomentumOfAPeriod,
+    momentum_in_time,
+    momentum_of_a_period,
+    time_to_saturation,
+)
+from symcheck.numeric.attitude.export import to_42, to_basilisk
 from symcheck.numeric.attitude.orientation import (
     axes_of_mrp,
     axes_of_quaternion,
@@ -18,6 +24,7 @@ from symcheck.numeric.attitude.orientation import (
 __all__ = [
     "Agility",
     "AgilityAfterFailures",
+    "MomentumOfAPeriod",
     "agility",
     "agility_after_failures",
     "axes_of_mrp",
@@ -29,5 +36,7 @@ __all__ = [
     "quaternion",
     "rotation",
     "time_to_saturation",
+    "to_42",
+    "to_basilisk",
     "turn_time",
 ]
