@@ -157,6 +157,31 @@ def test_two_failures_leave_turns_in_a_plane_only() -> None:
     assert np.isinf(found.agility.time[found.agility.rate == 0]).all()
 
 
+@pytest.mark.parametrize("failed", [None, 0, 2])
+def test_a_turn_flown_by_the_equations_of_motion_ends_where_it_should(failed: int | None) -> None:
+    limits = np.where(np.arange(4) == failed, 0, 0.02)
+    for u, angle in (([1, 2, -3], 2.5), ([0, 1, 0], 0.1), ([1, 1, 1], 3.0)):
+        found = attitude.turn(PYRAMID, MOMENTS, u, angle, momentum=limits, torque=limits / 10, points=5)
+        assert max(found.momentum_load, found.torque_load) == pytest.approx(1, abs=1e-12)
+        assert found.momentum_load <= 1 + 1e-12 >= found.torque_load
+        working = np.delete(PYRAMID, failed, axis=0) if failed is not None else PYRAMID
+        stored, driven = wheels.half_spaces(working, 0.02), wheels.half_spaces(working, 0.002)
+        assert found.times[-1] == pytest.approx(float(attitude.agility(stored, driven, MOMENTS, u, angle).time))
+        flown = attitude.fly(found, PYRAMID, MOMENTS, u)
+        assert flown.error < 1e-7
+        assert flown.residual_rate < 1e-10
+
+
+def test_a_turn_that_starts_with_a_rate_misses() -> None:
+    found = attitude.turn(PYRAMID, MOMENTS, [1, 2, 3], 1.0, momentum=0.02, torque=0.002, points=5)
+    assert attitude.fly(found, PYRAMID, MOMENTS, [1, 2, 3], rate=[1e-4, 0, 0]).error > 1e-3
+
+
+def test_wheels_that_cannot_turn_the_body_say_so() -> None:
+    with pytest.raises(ValueError, match=r"demand.*plane or line"):
+        attitude.turn(PYRAMID, MOMENTS, np.cross(*PYRAMID[:2]), 1.0, momentum=[1, 1, 0, 0])
+
+
 # --- disturbances
 
 TORQUES = np.array([3e-7, -2e-7, 1e-7]), np.array([2e-6, 1e-6, -3e-6]), np.array([-1e-6, 2e-6, 2e-6])

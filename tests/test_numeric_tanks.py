@@ -59,6 +59,15 @@ def test_the_frequencies_are_those_of_the_equations_of_motion() -> None:
     assert np.sqrt(residual[0]) < 1e-6 * np.linalg.norm(transverse)
 
 
+def test_a_body_with_its_liquid_has_the_moments_of_both() -> None:
+    tanks = liquid.liquid_in_an_ellipsoid(1.0, 1.0, [1.5, 2.0, 4.0], 1.0)
+    whole = liquid.with_body([[0.1], [0.2]], 0.3, tanks)
+    assert whole.A.shape == whole.C.shape == (2, 3)
+    assert whole.E_n.shape == whole.lambda_n.shape == (2, 3, 1)
+    np.testing.assert_allclose(whole.A[1], 0.2 + tanks.A)
+    assert liquid.is_stable(*whole, 1.0).shape == (2, 3)
+
+
 def waves(a: float, c: float, modes: int) -> list[tuple[float, float, float]]:
     """k, x and tau of the modes that `liquid_in_a_cylinder` keeps, from what they satisfy."""
     found = []

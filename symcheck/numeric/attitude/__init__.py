@@ -20,23 +20,29 @@ from symcheck.numeric.attitude.orientation import (
     quaternion,
     rotation,
 )
+from symcheck.numeric.attitude.turn import Flight, Turn, fly, plot_turn, turn
 
 __all__ = [
     "Agility",
     "AgilityAfterFailures",
+    "Flight",
     "MomentumOfAPeriod",
+    "Turn",
     "agility",
     "agility_after_failures",
     "axes_of_mrp",
     "axes_of_quaternion",
     "axes_of_rotation",
+    "fly",
     "momentum_in_time",
     "momentum_of_a_period",
     "mrp",
+    "plot_turn",
     "quaternion",
     "rotation",
     "time_to_saturation",
     "to_42",
     "to_basilisk",
+    "turn",
     "turn_time",
 ]

@@ -22,7 +22,7 @@ from symcheck.numeric.liquid.spectrum import (
     mode_inertia,
     stability,
 )
-from symcheck.numeric.liquid.tanks import Liquid, liquid_in_a_cylinder, liquid_in_an_ellipsoid
+from symcheck.numeric.liquid.tanks import Liquid, liquid_in_a_cylinder, liquid_in_an_ellipsoid, with_body
 
 __all__ = [
     "BoundaryOfStability",
@@ -41,4 +41,5 @@ __all__ = [
     "stability",
     "stability_map",
     "unstable_intervals",
+    "with_body",
 ]

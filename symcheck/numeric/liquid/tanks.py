@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, common_shape, exact, finite, moderate, positive, whole
+from symcheck.numeric.domain import Array, common_shape, exact, finite, moderate, not_negative, positive, whole
 from symcheck.numeric.relations import kernels_of_relations
 
 SMALLEST, LARGEST = 1e-30, 1e30  # of a mass, length or rate: fifth powers of their quotients are doubles
@@ -144,6 +144,48 @@ def liquid_in_a_cylinder(
     carried, ratios = _waves(float(a / c), count)
     transverse, axial = np.asarray(m * (a**2 / 4 + c**2 / 3)), np.asarray(m * a**2 / 2)
     return Liquid(transverse, axial, m * a**2 * carried, spin * ratios)
+
+
+def with_body(A: ArrayLike, C: ArrayLike, liquid: Liquid) -> Liquid:
+    """A body together with its liquid: the moments of both, and the modes.
+
+    Parameters
+    ----------
+    A
+        Transverse moment of inertia of the body alone about the centre of the tank, kg m^2; shape (...), not negative.
+    C
+        Axial moment of inertia of the body alone, kg m^2; shape (...), not negative.
+    liquid
+        The liquid in its tank.
+
+    Returns
+    -------
+    Liquid
+        What `stability(*whole, omega_0)` takes, with arrays of one leading shape.
+
+    Raises
+    ------
+    ValueError
+        If a moment is negative or the shapes do not fit.
+
+    Notes
+    -----
+    Source: (1.31), where A and C are those with the liquid at rest.
+
+    Examples
+    --------
+    >>> tank = liquid_in_an_ellipsoid(1.0, 1.0, 2.0, 1.0)
+    >>> whole = with_body(0.5, 0.25, tank)
+    >>> float(whole.A), float(whole.C)
+    (1.5, 0.65)
+    """
+    transverse, axial = not_negative("A", A), not_negative("C", C)
+    shape = common_shape(A=transverse, C=axial, liquid=np.asarray(liquid.A))
+    moments = (
+        np.array(np.broadcast_to(own + more, shape)) for own, more in ((transverse, liquid.A), (axial, liquid.C))
+    )
+    modes = (np.array(np.broadcast_to(each, (*shape, np.shape(each)[-1]))) for each in (liquid.E_n, liquid.lambda_n))
+    return Liquid(*moments, *modes)
 
 
 def _moderate(name: str, value: ArrayLike) -> Array:
