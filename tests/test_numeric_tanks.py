@@ -130,14 +130,6 @@ def test_all_modes_of_a_cylinder_carry_what_a_liquid_at_rest_does_not(c: float) 
     assert missing[49] / missing[24] == pytest.approx(0.5, abs=0.1)
 
 
-def test_a_cylinder_in_other_units_has_the_same_modes() -> None:
-    expected = liquid.liquid_in_a_cylinder(1.0, 1.0, 2.0, 1.0)
-    for unit in 2.0 ** np.arange(-90, 91, 30):
-        found = liquid.liquid_in_a_cylinder(unit, unit, 2 * unit, unit)
-        np.testing.assert_allclose(found.E_n / unit**3, expected.E_n, rtol=1e-12)
-        np.testing.assert_allclose(found.lambda_n / unit, expected.lambda_n, rtol=1e-12)
-
-
 def test_what_does_not_fit_is_named() -> None:
     with pytest.raises(ValueError, match=r"mass = 0.*positive"):
         liquid.liquid_in_an_ellipsoid(0.0, 1.0, 1.0, 1.0)

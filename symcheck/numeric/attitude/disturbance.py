@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.arrays import results
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, finite, moderate, momentum, not_negative, positive, real
+from symcheck.numeric.domain import Array, finite, moderate, momentum, not_negative, positive, power_of_two, real
 from symcheck.numeric.relations import kernels_of_relations
 from symcheck.numeric.wheels.faces import HalfSpaces
 from symcheck.numeric.wheels.margins import checked_half_spaces
@@ -178,7 +178,7 @@ def time_to_saturation(
     inf
     """
     bounds = checked_half_spaces(half_spaces)
-    vectors = _Disturbance.of(constant, cosine, sine, frequency, initial, dumping)
+    vectors, unit = _Disturbance.of(constant, cosine, sine, frequency, initial, dumping).in_turns()
     normals, offset = bounds.normals, vectors.initial - bounds.centre
 
     def along(vector: Array) -> Array:
@@ -201,6 +201,7 @@ def time_to_saturation(
     limit = distances + along(bounds.centre)
     with np.errstate(all="ignore"):
         times = np.where(flat, np.inf, _first(one, limit))
+        times = times / unit[..., None]
     return np.asarray(times.min(axis=-1, initial=np.inf))
 
 
@@ -235,6 +236,14 @@ class _Disturbance(NamedTuple):
             positive("frequency", frequency),
             not_negative("dumping", dumping),
         )
+
+    def in_turns(self) -> tuple[_Disturbance, Array]:
+        """The same in a unit of time in which the frequency is nearly 1, so that its powers are doubles; and 1/unit."""
+        unit = power_of_two(self.frequency)
+        with np.errstate(all="ignore"):
+            torques = [finite("a torque", each / unit[..., None]) for each in self[:3]]
+            scaled = finite("dumping", self.dumping / unit)
+        return _Disturbance(torques[0], torques[1], torques[2], self.initial, self.frequency / unit, scaled), unit
 
     def parts(self) -> tuple[Array, ...]:
         """All of them, numbers with an axis for that of the vectors."""

@@ -260,9 +260,9 @@ def plot_turn(found: Turn, axes: Panels | None = None) -> Panels:
 
 def _of_a_small_satellite() -> Panels:
     """A turn by a right angle of a small satellite one of whose four wheels has failed."""
-    wheels = four_wheels(1.0, np.pi / 4)
-    limits = {"momentum": [0.02, 0.0, 0.02, 0.02], "torque": [0.002, 0.0, 0.002, 0.002]}
-    return plot_turn(turn(wheels, [0.036, 0.036, 0.007], [1, 0, 1], np.pi / 2, **limits))
+    wheels, working = four_wheels(1.0, np.pi / 4), np.array([1.0, 0.0, 1.0, 1.0])
+    body, momentum, torque = [0.036, 0.036, 0.007], 0.02 * working, 0.002 * working
+    return plot_turn(turn(wheels, body, [1, 0, 1], np.pi / 2, momentum=momentum, torque=torque))
 
 
 FIGURES: Figures = {"attitude-turn-after-a-failure": _of_a_small_satellite}

@@ -13,10 +13,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, common_shape, exact, finite, moderate, not_negative, positive, whole
+from symcheck.numeric.domain import (
+    Array,
+    common_shape,
+    exact,
+    finite,
+    moderate,
+    not_negative,
+    positive,
+    power_of_two,
+    real,
+    whole,
+)
 from symcheck.numeric.relations import kernels_of_relations
 
-SMALLEST, LARGEST = 1e-30, 1e30  # of a mass, length or rate: fifth powers of their quotients are doubles
+SMALLEST, LARGEST = 1e-100, 1e100  # of a mass, length or rate: a mass times the square of a length is a double
+FLAT, LONG = 1e-6, 1e6  # of radius over half height: fifth powers are doubles
 HALVINGS = 64  # of an interval: no double is left inside
 MOST = 100  # modes: their table of candidates has a hundred radial numbers
 
@@ -67,7 +79,7 @@ def liquid_in_an_ellipsoid(mass: ArrayLike, a: ArrayLike, c: ArrayLike, omega_0:
     Raises
     ------
     ValueError
-        If an argument is not between 1e-30 and 1e30.
+        If an argument is not between 1e-100 and 1e100.
 
     Notes
     -----
@@ -86,11 +98,13 @@ def liquid_in_an_ellipsoid(mass: ArrayLike, a: ArrayLike, c: ArrayLike, omega_0:
     m, across, along, spin = (_moderate(name, value) for name, value in named.items())
     shape = common_shape(mass=m, a=across, c=along, omega_0=spin)
     m, across, along, spin = (np.broadcast_to(value, shape) for value in (m, across, along, spin))
-    shaped = {"a": across, "c": along}
-    carried = finite("E_n", kernels_of_relations.mode_inertia_of_an_ellipsoid(m=m, **shaped))
+    unit = power_of_two(np.maximum(across, along))
+    shaped = {"a": across / unit, "c": along / unit}
+    size = m * unit**2  # of a moment; the rest is a number
+    carried = finite("E_n", size * kernels_of_relations.mode_inertia_of_an_ellipsoid(m=1.0, **shaped))
     natural = finite("lambda_n", kernels_of_relations.natural_frequency_of_an_ellipsoid(Omega=spin, **shaped))
-    transverse, axial = np.asarray(m * (across**2 + along**2) / 5), np.asarray(2 * m * across**2 / 5)
-    return Liquid(transverse, axial, np.array(carried)[..., None], np.array(natural)[..., None])
+    transverse, axial = size * (shaped["a"] ** 2 + shaped["c"] ** 2) / 5, 2 * size * shaped["a"] ** 2 / 5
+    return Liquid(np.asarray(transverse), np.asarray(axial), np.array(carried)[..., None], np.array(natural)[..., None])
 
 
 def liquid_in_a_cylinder(
@@ -119,7 +133,8 @@ def liquid_in_a_cylinder(
     Raises
     ------
     ValueError
-        If an argument is not between 1e-30 and 1e30, or the number of modes is not from 1 to 100.
+        If an argument is not between 1e-100 and 1e100, the cylinder is a disc or a needle, or the number of modes is
+        not from 1 to 100.
 
     Notes
     -----
@@ -141,7 +156,8 @@ def liquid_in_a_cylinder(
     named = {"mass": mass, "radius": radius, "height": height, "omega_0": omega_0}
     m, a, whole_height, spin = (exact(name, _moderate(name, value), ()) for name, value in named.items())
     count, c = whole("modes", modes, 1, MOST), whole_height / 2
-    carried, ratios = _waves(float(a / c), count)
+    slenderness = float(moderate("radius over half of height", a / c, FLAT, LONG))
+    carried, ratios = _waves(slenderness, count)
     transverse, axial = np.asarray(m * (a**2 / 4 + c**2 / 3)), np.asarray(m * a**2 / 2)
     return Liquid(transverse, axial, m * a**2 * carried, spin * ratios)
 
@@ -180,12 +196,16 @@ def with_body(A: ArrayLike, C: ArrayLike, liquid: Liquid) -> Liquid:
     (1.5, 0.65)
     """
     transverse, axial = not_negative("A", A), not_negative("C", C)
-    shape = common_shape(A=transverse, C=axial, liquid=np.asarray(liquid.A))
-    moments = (
-        np.array(np.broadcast_to(own + more, shape)) for own, more in ((transverse, liquid.A), (axial, liquid.C))
-    )
-    modes = (np.array(np.broadcast_to(each, (*shape, np.shape(each)[-1]))) for each in (liquid.E_n, liquid.lambda_n))
-    return Liquid(*moments, *modes)
+    whole_a, whole_c = real("A of liquid", liquid.A), real("C of liquid", liquid.C)
+    carried = real("E_n of liquid", liquid.E_n, (None,))
+    natural = real("lambda_n of liquid", liquid.lambda_n, carried.shape[-1:])
+    shape = common_shape(A=transverse, C=axial, A_of_liquid=whole_a, E_n_of_liquid=carried[..., 0])
+
+    def spread(value: Array, *further: int) -> Array:
+        return np.array(np.broadcast_to(value, (*shape, *further)))
+
+    modes = carried.shape[-1]
+    return Liquid(spread(transverse + whole_a), spread(axial + whole_c), spread(carried, modes), spread(natural, modes))
 
 
 def _moderate(name: str, value: ArrayLike) -> Array:
