@@ -106,6 +106,13 @@ mode_inertia_in_a_cylinder = source.claim(
     ],
 )
 
+cosine_of_the_slope = source.definition("(39)")
+sine_of_the_slope = source.definition("(40)")
+decay_of_the_slope = source.definition("(41)")
+slope_with_dumping = source.claim(
+    "(42)", follows=[periodic, dumping, cosine_of_the_slope, sine_of_the_slope, decay_of_the_slope]
+)
+
 time_of_a_turn = source.kernel(
     slew_time,
     "The time of a turn from rest to rest about one axis.",

@@ -268,12 +268,6 @@ class _Disturbance(NamedTuple):
             found[dumped] = of("momentum_with_dumping", dumped, k=dumping, q=gone)
         return found if parts == () else finite("a momentum", found)
 
-    def slope(self, time: Array) -> Array:
-        """How fast it changes."""
-        phase = self.frequency * time
-        torque = self.constant + self.cosine * np.cos(phase) + self.sine * np.sin(phase)
-        return np.asarray(torque - self.dumping * self.momentum(time))
-
 
 def _first(one: _Disturbance, limit: Array) -> Array:
     """When each component first reaches its limit, infinity if never."""
@@ -302,23 +296,33 @@ def _first(one: _Disturbance, limit: Array) -> Array:
 
 
 def _monotone(one: _Disturbance, start: Array) -> Array:
-    """Times from the start over one period and a half, between which the momentum is monotone; shape (times, ...)."""
+    """Times from the start over one period and a half, between which the momentum is monotone; shape (times, ...).
+
+    Its slope is p cos(w t) + q sin(w t) + r e^(-kt), relations:42. It is 0 once at most between two times at which its
+    product with e^(kt) is extreme.
+    """
     rate, k = one.frequency, one.dumping
-    even = k * one.cosine - rate * one.sine
-    odd = k * one.sine + rate * one.cosine
-    p, q = rate * odd, -rate * even  # times k^2 + w^2: the periodic part of the slope is p cos + q sin
-    first = np.arctan2(-(k * p + rate * q), k * q - rate * p)  # where its product with e^(kt) is extreme
+    both = k**2 + rate**2
+    p = rate * (k * one.sine + rate * one.cosine) / both
+    q = -rate * (k * one.cosine - rate * one.sine) / both
+    r = one.constant + one.cosine - k * one.initial - p
+
+    def rises(time: Array) -> NDArray[np.bool_]:
+        phase = rate * time
+        return np.asarray(p * np.cos(phase) + q * np.sin(phase) + r * np.exp(-k * time) > 0)
+
+    first = np.arctan2(-(k * p + rate * q), k * q - rate * p)
     before = np.ceil((rate * start - first) / np.pi)
     turns = [np.broadcast_to((first + np.pi * (before + step)) / rate, start.shape) for step in range(4)]
     end = start + 3 * np.pi / rate
     grid = [start, *(np.clip(turn, start, end) for turn in turns), end]
     ends = [start]
     for low, high in pairwise(grid):
-        rising = one.slope(low) > 0
+        rising = rises(low)
         left, right = low, high
         for _ in range(HALVINGS):
             middle = (left + right) / 2
-            same = (one.slope(middle) > 0) == rising
+            same = rises(middle) == rising
             left, right = np.where(same, middle, left), np.where(same, right, middle)
         ends += [right, high]
     return np.stack(np.broadcast_arrays(*ends))
