@@ -43,7 +43,8 @@ gates: $(DEV)
 	$(BIN)/lint-imports --no-cache
 	rm -rf build/cache
 	SYMCHECK_CACHE=build/cache $(BIN)/symcheck generate --check
-	$(BIN)/python -m symcheck.checker generated
+	SYMCHECK_CACHE=build/cache $(BIN)/symcheck generate symcheck/relations --check
+	$(BIN)/python -m symcheck.checker generated symcheck/relations/generated
 
 notebooks: $(DEV)
 	$(BIN)/jupyter lab notebooks

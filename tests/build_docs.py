@@ -25,6 +25,7 @@ PACKAGES = (
     "symcheck.mechanics.inertia",
     "symcheck.mechanics.rotation",
     "symcheck.mechanics.zonotope",
+    "symcheck.numeric.attitude",
     "symcheck.numeric.inertia",
     "symcheck.numeric.random_rotation",
     "symcheck.numeric.liquid",

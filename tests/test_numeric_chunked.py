@@ -63,7 +63,7 @@ def assert_same_bits(found: Any, expected: Any) -> None:
 
 def test_every_part_of_the_numeric_layer_has_declared_functions() -> None:
     parts = {name.partition(".")[0] for name in FUNCTIONS}
-    assert parts == {"inertia", "liquid", "random_rotation", "wheels"}
+    assert parts == {"attitude", "inertia", "liquid", "random_rotation", "wheels"}
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)

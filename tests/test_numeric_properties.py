@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from chunked_samples import LEAD, arguments, functions, is_long
 
-from symcheck.numeric import inertia, liquid, random_rotation, wheels
+import symcheck.numeric
+from symcheck.numeric import attitude, inertia, liquid, random_rotation, wheels
 from symcheck.numeric.domain import Array
 from symcheck.numeric.inertia import decay
 
@@ -27,6 +28,17 @@ FURTHER: dict[str, tuple[Call, Any]] = {  # functions that are not declared elem
             rng.uniform(0.1, 1, (*LEAD, 3)),
             [0, 1, 2],
         ],
+    ),
+    "liquid.with_body": (
+        liquid.with_body,
+        lambda rng: [
+            *rng.uniform(1, 2, (2, *LEAD)),
+            liquid.Liquid(*rng.uniform(1, 2, (2, *LEAD)), *rng.uniform(1, 2, (2, *LEAD, 3))),
+        ],
+    ),
+    "wheels.null_torque": (
+        wheels.null_torque,
+        lambda rng: [wheels.four_wheels(1.0, 0.7), *rng.uniform(-1, 1, (2, *LEAD, 4)), 0.1, rng.uniform(0.1, 1, LEAD)],
     ),
     "wheels.design": (
         wheels.design,
@@ -201,6 +213,113 @@ def test_every_function(name: str, holds: Callable[[Call, list[Any]], None]) -> 
     holds(*FUNCTIONS[name])
 
 
+# --- functions of one set of parameters
+
+TURNED = attitude.turn(np.eye(3), [2.0, 3.0, 4.0], [1, 2, 3], 1.0, points=3)
+SKEW = np.array([[0.6, 0.8, 0], [0, 0.6, 0.8], [0.8, 0, 0.6], [0, 0, 1.0]])
+NOT_MOVED: dict[str, tuple[Call, list[Any]]] = {  # their results, as arrays or text
+    "attitude.turn": (lambda e, J, u: attitude.turn(e, J, u, 1.0, points=3), [SKEW, [2.0, 3, 4], [1.0, 2, 3]]),
+    "attitude.fly": (lambda e, J, u: attitude.fly(TURNED, e, J, u), [np.eye(3), [2.0, 3, 4], [1.0, 2, 3]]),
+    "attitude.agility_after_failures": (
+        lambda e, J, u: attitude.agility_after_failures(e, J, u).agility,
+        [SKEW, [2.0, 3, 4], [1.0, 2, 3]],
+    ),
+    "attitude.rotation": (lambda e: attitude.rotation(e).as_matrix(), [SKEW[[0, 0, 0]] * 0 + np.eye(3)]),
+    "attitude.to_42": (lambda e, h: attitude.to_42(e, h, 1.0, 1.0), [SKEW, [1.0, 2, 3, 4]]),
+    "attitude.to_basilisk": (lambda e, h: attitude.to_basilisk(e, h, 1.0, 1.0), [SKEW, [1.0, 2, 3, 4]]),
+    "liquid.liquid_in_a_cylinder": (liquid.liquid_in_a_cylinder, [5.0, 1.0, 2.0, 3.0]),
+    "liquid.stability_map": (
+        lambda E, D, b: liquid.stability_map(4.0, E, D, b).growth_rate,
+        [[1.0], [-2.0, -1, 1], [1.0, 2]],
+    ),
+    "liquid.unstable_intervals": (lambda E, lam: liquid.unstable_intervals(4.0, E, lam, 3.0), [[1.0], [2.0]]),
+    "wheels.clear_momenta": (lambda e, h: wheels.clear_momenta(e, h, 4.0).momenta, [SKEW, [1.0, -2, 3, 1]]),
+    "wheels.envelope": (lambda e, h: wheels.envelope(e, h).vertices, [SKEW, [1.0, 2, 3, 4]]),
+    "wheels.null_motions": (wheels.null_motions, [SKEW, [1.0, 2, 3, 4]]),
+    "wheels.pareto_front": (wheels.pareto_front, [[[1.0, 5], [2, 2], [3, 3]]]),
+    "wheels.torque_envelope": (lambda e, u: wheels.torque_envelope(e, u).vertices, [SKEW, [1.0, 2, 3, 4]]),
+    "wheels.trade": (
+        lambda J: wheels.trade(J, [wheels.WheelType("one", 1.0, 1.0, 1.0, 1.0)], [4]).rates,
+        [[2.0, 3, 4]],
+    ),
+    "wheels.wheels_of": (lambda e, h: wheels.wheels_of(e, h).limits, [SKEW, [1.0, 2, 3, 4]]),
+}
+
+
+def told(function: Call, values: list[Any]) -> Any:
+    """What a function gives, or says."""
+    try:
+        found = function(*values)
+    except ValueError as error:
+        return str(error)
+    return found if isinstance(found, str) else leaves(found)
+
+
+def equal(one: Any, other: Any) -> bool:
+    if isinstance(one, str) or isinstance(other, str):
+        return bool(one == other)
+    return all(np.allclose(x, y, rtol=1e-9, atol=1e-9) for x, y in zip(one, other, strict=True))
+
+
+@pytest.mark.parametrize("name", NOT_MOVED)
+def test_forms_of_one_set_of_parameters_do_not_matter(name: str) -> None:
+    function, given = NOT_MOVED[name]
+    arrays = [np.array(value, float) for value in given]
+    expected = told(function, arrays)
+    assert not isinstance(expected, str) or "must" not in expected
+    same: list[Callable[[Array], Any]] = [
+        lambda array: array.tolist(),
+        lambda array: array.astype(">f8"),
+        lambda array: np.asfortranarray(array) if array.ndim else array,
+        lambda array: array[..., ::-1].copy()[..., ::-1] if array.ndim else array,
+        _read_only,
+    ]
+    for form in same:
+        assert equal(told(function, [form(array) for array in arrays]), expected)
+    single = [array.astype(np.float32) for array in arrays]
+    assert equal(told(function, single), told(function, [array.astype(float) for array in single]))
+    whole = [array.astype(int) if (array == np.rint(array)).all() else array for array in arrays]
+    assert equal(told(function, whole), expected)
+
+
+@pytest.mark.parametrize("name", NOT_MOVED)
+def test_what_is_no_finite_number_is_refused_in_one_set_of_parameters(name: str) -> None:
+    function, given = NOT_MOVED[name]
+    arrays = [np.array(value, float) for value in given]
+    bad: list[Callable[[Array], Any]] = [
+        lambda array: np.where(np.arange(array.size).reshape(array.shape) == 0, np.nan, array),
+        lambda array: np.where(np.arange(array.size).reshape(array.shape) == 0, np.inf, array),
+        lambda array: np.ma.array(array, mask=True),
+        lambda array: array.astype(complex),
+        lambda array: array.astype(str),
+        lambda array: array > 0,
+    ]
+    for place in range(len(arrays)):
+        for form in bad:
+            with pytest.raises(ValueError, match=r"must|is a masked array|is not an array of real numbers"):
+                function(*arrays[:place], form(arrays[place]), *arrays[place + 1 :])
+
+
+ELSEWHERE = {  # public functions whose properties other files test, and why
+    "attitude": set(),
+    "inertia": set(),
+    "liquid": set(),
+    "random_rotation": {"simulate", "stationary_sample"},  # random: test_numeric_random_rotation
+    "wheels": {
+        *("best_parameters", "listed_vertices"),  # a search, and names: test_numeric_wheels
+        *("interactive_axes", "interactive_envelope"),  # pictures: test_numeric_control
+    },
+}
+
+
+@pytest.mark.parametrize("part", ELSEWHERE)
+def test_every_public_function_has_its_properties_tested(part: str) -> None:
+    module = getattr(symcheck.numeric, part)
+    known = {name.partition(".")[2] for name in [*FUNCTIONS, *NOT_MOVED] if name.startswith(f"{part}.")}
+    public = {name for name in module.__all__ if name[0].islower() and not name.startswith("plot_")}
+    assert public - known == ELSEWHERE[part]
+
+
 # --- units
 
 
@@ -219,7 +338,38 @@ def _flat(s: float) -> wheels.HalfSpaces:
     return wheels.half_spaces(WHEELS[:2], LIMITS[:2] * s, BIAS[:2] * s, complete=True)
 
 
+DRAG, EVEN, ODD = np.array([0.01, -0.02, 0.03]), np.array([0.1, 0.2, -0.1]), np.array([0.2, -0.1, 0.1])
+
 IN_UNITS: dict[str, Callable[[float], Any]] = {  # what does not depend on the unit, of which a quantity has s
+    "turn_time": lambda s: attitude.turn_time(1.3, [0.5 / s, 2 / s], 0.25 / s / s) / s,
+    "agility": lambda s: attitude.agility(_bounds(s), _bounds(s), MOMENTS * s, MOMENTUM * s, 1.3),
+    "agility_after_failures": lambda s: (
+        attitude.agility_after_failures(
+            WHEELS, MOMENTS * s, MOMENTUM, 1.3, momentum=LIMITS * s, torque=LIMITS * s
+        ).agility
+    ),
+    "turn": lambda s: attitude.turn(WHEELS, MOMENTS * s, MOMENTUM * s, 1.3, momentum=LIMITS * s, torque=LIMITS * s)[:3],
+    "momentum_of_a_period": lambda s: np.divide(attitude.momentum_of_a_period(DRAG * s, EVEN * s, ODD * s, 2.0), s),
+    "momentum_in_time": lambda s: (
+        attitude.momentum_in_time(TIMES * s, DRAG, EVEN, ODD, 2.0 / s, MOMENTUM * s, [[0.0], [0.1 / s]]) / s
+    ),
+    "time_to_saturation": lambda s: attitude.time_to_saturation(_bounds(s), DRAG * s, EVEN * s, ODD * s, 2.0),
+    "time_to_saturation of times": lambda s: (
+        attitude.time_to_saturation(_bounds(1), DRAG / s, EVEN / s, ODD / s, 2.0 / s, dumping=0.01 / s) / s
+    ),
+    "torque_range": lambda s: np.divide(
+        wheels.torque_range(LIMITS * s, s * 0.9, LIMITS * 1.5 * s, 0.2 * s, np.ones(5) * s), s
+    ),
+    "torque_half_spaces": lambda s: wheels.torque_half_spaces(WHEELS, LIMITS * s, LIMITS * s, LIMITS * s).distances / s,
+    "torque_envelope": lambda s: wheels.torque_envelope(WHEELS, LIMITS * s, LIMITS * s, LIMITS * s).vertices / s,
+    "null_motions": lambda s: np.abs(wheels.null_motions(WHEELS, LIMITS * s)[0]),
+    "null_torque": lambda s: wheels.null_torque(WHEELS, BIAS * s, LIMITS * s, 0.1 * s) / s,
+    "trade": lambda s: wheels.trade(MOMENTS * s, [wheels.WheelType("one", s, s, 1.0, 1.0)], [4]).rates,
+    "liquid_in_an_ellipsoid": lambda s: np.array(liquid.liquid_in_an_ellipsoid(s, 0.7, 1.2, s)[2:]) / s,
+    "liquid_in_an_ellipsoid of lengths": lambda s: (
+        liquid.liquid_in_an_ellipsoid(1.0, 0.7 * s, 1.2 * s, 1.0).E_n / s / s
+    ),
+    "liquid_in_a_cylinder": lambda s: liquid.liquid_in_a_cylinder(1.0, 0.7 * s, 1.2 * s, s).E_n / s / s,
     "half_spaces": lambda s: (_bounds(s).distances / s, _bounds(s).centre / s, _flat(s).distances / s),
     "face_distances": lambda s: wheels.face_distances(WHEELS, LIMITS * s) / s,
     "failures": lambda s: wheels.failures(WHEELS, LIMITS * s, BIAS * s, count=2).half_spaces.distances / s,

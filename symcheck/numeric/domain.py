@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Collection
 from importlib import import_module
 from types import ModuleType
-from typing import TypeVar
+from typing import Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +19,16 @@ from symcheck.core.extras import installing
 
 Array = NDArray[np.float64]
 Result = TypeVar("Result", Array, NDArray[np.complex128])
+
+
+class Turn(Protocol):
+    """A rotation, such as SciPy's `Rotation`."""
+
+    def as_matrix(self) -> Array:
+        """The matrices that turn vectors."""
+
+
+Orientation: TypeAlias = ArrayLike | Turn  # axes as rows, or the rotation that turns the reference axes into them
 Truth = bool | np.bool_ | NDArray[np.bool_]
 Shape = tuple[int | None, ...]  # lengths of last axes, None for any length
 
@@ -175,9 +185,9 @@ def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:
     return array, slack
 
 
-def orthonormal_axes(axes: ArrayLike) -> Array:
-    """Three orthonormal axes as rows, shape (..., 3, 3)."""
-    array = real("axes", axes, (3, 3))
+def orthonormal_axes(axes: Orientation) -> Array:
+    """Three orthonormal axes as rows, shape (..., 3, 3); of a rotation, those into which it turns others."""
+    array = real("axes", rows_of(axes), (3, 3))
     with np.errstate(over="ignore", invalid="ignore"):
         products = array @ array.swapaxes(-1, -2)
     holds = (np.abs(products - np.eye(3)) <= TOLERANCE).all(axis=(-1, -2))
@@ -185,9 +195,15 @@ def orthonormal_axes(axes: ArrayLike) -> Array:
     return array
 
 
-def unit_axes(axes: ArrayLike, source: str, count: int | None = None) -> Array:
+def rows_of(axes: object) -> ArrayLike:
+    """The axes of a rotation as rows; what is none, as it is."""
+    as_matrix = getattr(axes, "as_matrix", None)
+    return cast("ArrayLike", axes) if as_matrix is None else np.asarray(as_matrix()).swapaxes(-1, -2)
+
+
+def unit_axes(axes: Orientation, source: str, count: int | None = None) -> Array:
     """Unit vectors as rows, shape (..., count, 3)."""
-    array = doubles("axes", axes, (count, 3))
+    array = doubles("axes", rows_of(axes), (count, 3))
     square = np.einsum("...k,...k->...", array, array)
     square -= 1
     np.abs(square, out=square)

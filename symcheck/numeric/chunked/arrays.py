@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.kernels.runtime import FEW
-from symcheck.numeric.domain import in_radians
+from symcheck.numeric.domain import in_radians, rows_of
 
 if TYPE_CHECKING:
     import dask.array as da
@@ -96,7 +96,7 @@ def apply(function: Function, arguments: Mapping[str, object], signature: Signat
 
 def _leaves(values: Iterable[object]) -> Iterator[Leaf]:
     for value in values:
-        yield from _fields(value) or (value,)
+        yield from _fields(value) or (rows_of(value),)
 
 
 def _fields(value: object) -> tuple[Leaf, ...]:

@@ -1,6 +1,7 @@
 """Moments of inertia about turned axes, orientations that equalise them, and the damping of a body's rotation.
 
-A matrix of axes has axis i in row i, as direction cosines to the principal axes. Leading axes of all arguments
+A matrix of axes has axis i in row i, as direction cosines to the principal axes. Instead of it every function takes the
+`scipy.spatial.transform.Rotation` that turns the principal axes into the given ones. Leading axes of all arguments
 broadcast.
 """
 

@@ -17,6 +17,7 @@ from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     Array,
+    Orientation,
     evaluated,
     finite,
     not_negative,
@@ -72,7 +73,7 @@ class HarmonicMean(NamedTuple):
 
 
 @gufunc("(),(k),(i,k)->(i)")
-def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -> Array:
+def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: Orientation) -> Array:
     """Gains in proportion to the moments of inertia about the devices' axes: k_i = k J_i.
 
     Parameters
@@ -108,7 +109,7 @@ def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: ArrayLike) -
 
 
 @gufunc("(i),(i,k)->(k,column)", column=3)
-def damping_matrix(gains: ArrayLike, axes: ArrayLike) -> Array:
+def damping_matrix(gains: ArrayLike, axes: Orientation) -> Array:
     """The damping matrix of three devices, m_is = sum of k_j a_js a_ji over j.
 
     Parameters
@@ -176,7 +177,7 @@ def orthogonal_devices(damping: ArrayLike) -> Devices:
 
 
 @gufunc("(k),(i),(i,k)->(coefficient)", coefficient=4)
-def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: ArrayLike) -> Array:
+def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: Orientation) -> Array:
     """Coefficients of the characteristic equation (1.3).
 
     Parameters

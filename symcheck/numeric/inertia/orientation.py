@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from symcheck.generated import mirer2009
 from symcheck.numeric.arrays import letters, results
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, orthonormal_axes, principal_moments, real, require
+from symcheck.numeric.domain import Array, Orientation, orthonormal_axes, principal_moments, real, require
 
 TINY = 1e-100  # near an axis about which the moment is the mean, g is small and has a direction; on it, none
 
@@ -72,7 +72,7 @@ def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Arra
 
 
 @gufunc("(i,k)->(),(),()")
-def attitude_angles(axes: ArrayLike) -> AttitudeAngles:
+def attitude_angles(axes: Orientation) -> AttitudeAngles:
     """Pitch, yaw and roll of given axes, the inverse of `direction_cosines`.
 
     Parameters

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck.numeric.domain import Array, positive, principal_moments, real
+from symcheck.numeric.domain import Array, Orientation, positive, principal_moments, real
 from symcheck.numeric.drawing import Figures, new_figure
 from symcheck.numeric.inertia.damping import (
     characteristic_roots,
@@ -116,7 +116,7 @@ def plot_equal_moment_axes(moments: ArrayLike = BODY, ax: Axes3D | None = None) 
     return _in_space(drawn, "x")
 
 
-def plot_bound_of_product(moments: ArrayLike = BODY, axes: ArrayLike | None = None, ax: Axes | None = None) -> Axes:
+def plot_bound_of_product(moments: ArrayLike = BODY, axes: Orientation | None = None, ax: Axes | None = None) -> Axes:
     """Draw f_1, the greatest product J_1 J_2 J_3 for each J_2 on [0, 3c/2], with its maximum c^3 and the least product.
 
     Parameters

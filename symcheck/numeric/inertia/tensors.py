@@ -17,6 +17,7 @@ from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     ROUNDING,
     Array,
+    Orientation,
     moments_of_a_mass,
     orthonormal_axes,
     principal_moments,
@@ -132,7 +133,7 @@ def principal_inertia(tensor: ArrayLike) -> PrincipalInertia:
 
 
 @gufunc("(k),(k,i)->(i,column)", column=3)
-def inertia_tensor(moments: ArrayLike, axes: ArrayLike) -> Array:
+def inertia_tensor(moments: ArrayLike, axes: Orientation) -> Array:
     """The inertia tensor A^T diag(I_1, I_2, I_3) A: the inverse of `principal_inertia`.
 
     Parameters
@@ -216,7 +217,7 @@ def second_moments_of_mass(moments: ArrayLike) -> Array:
 
 
 @gufunc("(k),(i,k)->(i)")
-def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
+def axial_moments(moments: ArrayLike, axes: Orientation) -> Array:
     """Moments of inertia about three axes: J_i = I_1 a_i1^2 + I_2 a_i2^2 + I_3 a_i3^2.
 
     Parameters
@@ -249,7 +250,7 @@ def axial_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
 
 
 @gufunc("(k),(i,k)->(i)")
-def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
+def second_order_moments(moments: ArrayLike, axes: Orientation) -> Array:
     """The forms L_i = I_2 I_3 a_i1^2 + I_3 I_1 a_i2^2 + I_1 I_2 a_i3^2.
 
     Parameters
@@ -280,7 +281,7 @@ def second_order_moments(moments: ArrayLike, axes: ArrayLike) -> Array:
 
 
 @gufunc("(k),(i,k)->(),(),(),(),()")
-def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProduct:
+def product_of_axial_moments(moments: ArrayLike, axes: Orientation) -> BoundedProduct:
     """The product f = J_1 J_2 J_3 with I_1 I_2 I_3 <= f <= ((I_1 + I_2 + I_3)/3)^3 and both distances.
 
     Parameters
@@ -316,7 +317,7 @@ def product_of_axial_moments(moments: ArrayLike, axes: ArrayLike) -> BoundedProd
 
 
 @gufunc("(k),(i,k)->(),(),()")
-def sum_of_products(moments: ArrayLike, axes: ArrayLike) -> BoundedSum:
+def sum_of_products(moments: ArrayLike, axes: Orientation) -> BoundedSum:
     """The sum S = J_1 L_1 + J_2 L_2 + J_3 L_3 with S >= 3 I_1 I_2 I_3 and the distance from this bound.
 
     Parameters
@@ -389,6 +390,6 @@ def bound_at_given_moment(moments: ArrayLike, moment: ArrayLike) -> Array:
     return np.asarray(mirer2009.bound_at_given_moment(first, second, third, moment))
 
 
-def _arguments(moments: ArrayLike, axes: ArrayLike) -> list[Array]:
+def _arguments(moments: ArrayLike, axes: Orientation) -> list[Array]:
     """I_1, I_2, I_3, a_11, ..., a_33."""
     return [*letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)]

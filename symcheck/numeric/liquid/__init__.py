@@ -22,19 +22,24 @@ from symcheck.numeric.liquid.spectrum import (
     mode_inertia,
     stability,
 )
+from symcheck.numeric.liquid.tanks import Liquid, liquid_in_a_cylinder, liquid_in_an_ellipsoid, with_body
 
 __all__ = [
     "BoundaryOfStability",
+    "Liquid",
     "Stability",
     "StabilityMap",
     "boundary_of_stability",
     "frequencies",
     "growth_rate",
     "is_stable",
+    "liquid_in_a_cylinder",
+    "liquid_in_an_ellipsoid",
     "mode_inertia",
     "plot_frequencies",
     "plot_stability_map",
     "stability",
     "stability_map",
     "unstable_intervals",
+    "with_body",
 ]

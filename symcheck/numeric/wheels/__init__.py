@@ -15,6 +15,7 @@ from symcheck.numeric.wheels.angles import (
 )
 from symcheck.numeric.wheels.arrangement import Arrangement, Design, design
 from symcheck.numeric.wheels.faces import Failures, HalfSpaces, face_distances, failures, half_spaces
+from symcheck.numeric.wheels.interactive import interactive_axes, interactive_envelope
 from symcheck.numeric.wheels.margins import (
     ellipsoid_margin,
     ellipsoid_scale,
@@ -23,6 +24,7 @@ from symcheck.numeric.wheels.margins import (
     margin,
     rates,
 )
+from symcheck.numeric.wheels.null_motion import ClearMomenta, clear_momenta, null_motions, null_torque
 from symcheck.numeric.wheels.plots import (
     plot_axes,
     plot_envelope,
@@ -40,21 +42,29 @@ from symcheck.numeric.wheels.sets import (
     volume,
     wheels_of,
 )
+from symcheck.numeric.wheels.torque import TorqueRange, torque_envelope, torque_half_spaces, torque_range
+from symcheck.numeric.wheels.trade import Trade, WheelType, cone, pareto_front, plot_trade, trade
 
 __all__ = [
     "Allocation",
     "Arrangement",
+    "ClearMomenta",
     "Design",
     "Envelope",
     "Failures",
     "HalfSpaces",
     "Optimum",
+    "TorqueRange",
+    "Trade",
+    "WheelType",
     "Wheels",
     "allocate",
     "allocate_least_squares",
     "best_angle_of_six_wheels",
     "best_angles_of_four_wheels",
     "best_parameters",
+    "clear_momenta",
+    "cone",
     "design",
     "ellipsoid_margin",
     "ellipsoid_scale",
@@ -66,17 +76,27 @@ __all__ = [
     "four_wheels",
     "guaranteed_rate",
     "half_spaces",
+    "interactive_axes",
+    "interactive_envelope",
     "largest_momentum",
     "listed_vertices",
     "margin",
+    "null_motions",
+    "null_torque",
+    "pareto_front",
     "plot_axes",
     "plot_envelope",
     "plot_failures",
     "plot_projection",
     "plot_projections",
+    "plot_trade",
     "rates",
     "six_wheels",
+    "torque_envelope",
+    "torque_half_spaces",
+    "torque_range",
     "total_momentum",
+    "trade",
     "volume",
     "wheels_of",
 ]

@@ -64,6 +64,11 @@ def _number_of_pairs(size: Mapping[str, int]) -> int:
     return comb(size["n"] + 3 * bool(size.get("complete")), 2)
 
 
+def pairs_when_complete(size: Mapping[str, int]) -> int:
+    """How many pairs n axes make with the three coordinate axes that complete them."""
+    return comb(size["n"] + 3, 2)
+
+
 @gufunc("(n,axis),(n),(n)->(pair,axis),(pair),(axis)", pair=_number_of_pairs)
 def half_spaces(
     axes: ArrayLike,

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     Array,
+    Orientation,
     doubles,
     finite,
     moderate,
@@ -66,11 +67,11 @@ def margin(half_spaces: HalfSpaces, point: ArrayLike) -> Array:
     >>> margin(half_spaces(np.eye(3)), [[0.75, 0, 0], [2, 0, 0]])
     array([ 0.25, -1.  ])
     """
-    return _margin(_checked(half_spaces), momentum("point", point, (3,)))
+    return _margin(checked_half_spaces(half_spaces), momentum("point", point, (3,)))
 
 
 @gufunc("(p,axis),(p),(axis),(axis),(row,axis)->()")
-def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
+def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: Orientation | None = None) -> Array:
     """How far an ellipsoid about the origin stays from the nearest plane, min_j (d_j - |n_j . c| - |S n_j|).
 
     Parameters
@@ -103,12 +104,12 @@ def ellipsoid_margin(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayL
     >>> ellipsoid_margin(half_spaces(np.eye(3)), [0.5, 0.75, 0.25])
     array(0.25)
     """
-    half_spaces, reach = _checked(half_spaces), _reach(semi_axes, axes)
+    half_spaces, reach = checked_half_spaces(half_spaces), _reach(semi_axes, axes)
     return _least(half_spaces, reach.shape[:-2], lambda n, d, c: d - c - _norm(n, reach))
 
 
 @gufunc("(p,axis),(p),(axis),(axis),(row,axis)->()")
-def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLike | None = None) -> Array:
+def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: Orientation | None = None) -> Array:
     """By what factor an ellipsoid about the origin can grow inside the envelope, min_j (d_j - |n_j . c|)/|S n_j|.
 
     Parameters
@@ -139,7 +140,7 @@ def ellipsoid_scale(half_spaces: HalfSpaces, semi_axes: ArrayLike, axes: ArrayLi
     >>> ellipsoid_scale(half_spaces(np.eye(3)), [0.5, 0.8, 0.25])
     array(1.25)
     """
-    half_spaces, reach = _checked(half_spaces), _reach(semi_axes, axes)
+    half_spaces, reach = checked_half_spaces(half_spaces), _reach(semi_axes, axes)
     _holds_origin(half_spaces)
     with np.errstate(over="ignore"):
         scale = _least_quotient(half_spaces, reach.shape[:-2], lambda n, d, c: d - c, lambda n, d, c: _norm(n, reach))
@@ -186,7 +187,7 @@ def largest_momentum(half_spaces: HalfSpaces, direction: ArrayLike) -> Array:
     require(largest[..., 0] > 0, "direction", vector, "not be zero")
     unit = vector / power_of_two(largest)  # first, as squares of it may leave the range of doubles
     unit /= np.linalg.norm(unit, axis=-1, keepdims=True)
-    half_spaces = _checked(half_spaces)
+    half_spaces = checked_half_spaces(half_spaces)
     _holds_origin(half_spaces)
 
     def along(n: Array) -> Array:
@@ -231,7 +232,7 @@ def rates(half_spaces: HalfSpaces, moments: ArrayLike) -> HalfSpaces:
     >>> rates(half_spaces(np.eye(3)), [1, 2, 4]).distances
     array([0.25, 0.5 , 1.  ])
     """
-    return _rates(_checked(half_spaces), principal_moments(moments))
+    return _rates(checked_half_spaces(half_spaces), principal_moments(moments))
 
 
 @gufunc("(p,axis),(p),(axis),(axis)->()")
@@ -263,10 +264,10 @@ def guaranteed_rate(half_spaces: HalfSpaces, moments: ArrayLike) -> Array:
     >>> guaranteed_rate(half_spaces(np.eye(3)), [1, 2, 4])
     array(0.25)
     """
-    return _margin(_rates(_checked(half_spaces), principal_moments(moments)), np.zeros(3))
+    return _margin(_rates(checked_half_spaces(half_spaces), principal_moments(moments)), np.zeros(3))
 
 
-def _checked(half_spaces: HalfSpaces) -> HalfSpaces:
+def checked_half_spaces(half_spaces: HalfSpaces) -> HalfSpaces:
     """Half-spaces as arrays of doubles, none of them NaN."""
     normals = real("normals of half_spaces", half_spaces.normals, (None, 3))
     distances = doubles("distances of half_spaces", half_spaces.distances, (normals.shape[-2],))
@@ -327,7 +328,7 @@ def _blocks(half_spaces: HalfSpaces, lead: tuple[int, ...]) -> list[slice]:
     return [slice(start, start + step) for start in range(0, max(1, distances.shape[-1]), step)]
 
 
-def _reach(semi_axes: ArrayLike, axes: ArrayLike | None) -> Array:
+def _reach(semi_axes: ArrayLike, axes: Orientation | None) -> Array:
     """The rows s_i u_i, shape (..., 3, 3)."""
     lengths = moderate("semi_axes", not_negative("semi_axes", semi_axes, "(1.2)", (3,)))
     directions = np.eye(3) if axes is None else orthonormal_axes(axes)

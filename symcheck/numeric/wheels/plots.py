@@ -72,7 +72,9 @@ def plot_axes(axes: ArrayLike, ax: Axes3D | None = None) -> Axes3D:
     return drawn
 
 
-def plot_envelope(envelope: Envelope, names: Names | None = None, ax: Axes3D | None = None) -> Axes3D:
+def plot_envelope(
+    envelope: Envelope, names: Names | None = None, ax: Axes3D | None = None, *, unit: str = "N m s"
+) -> Axes3D:
     """Draw a momentum envelope in space, with the names of the vertices that are seen: figures 2, 4, 7, 10.
 
     Parameters
@@ -83,6 +85,8 @@ def plot_envelope(envelope: Envelope, names: Names | None = None, ax: Axes3D | N
         Places, shape (3,), by name, as "V_1"; by default the vertices are numbered.
     ax
         Axes to draw in; by default those of a new figure.
+    unit
+        Unit of the axes; "N m" for a torque envelope.
 
     Returns
     -------
@@ -118,11 +122,18 @@ def plot_envelope(envelope: Envelope, names: Names | None = None, ax: Axes3D | N
     for place, name in _labels(envelope, view, names):
         drawn.text(*place, name, fontsize=11)
     drawn.locator_params(nbins=5)
-    drawn.set(**{f"{k}label": f"$H_{k}$, N m s" for k in "xyz"}, aspect="equal")
+    drawn.set(**{f"{k}label": _label(k, unit) for k in "xyz"}, aspect="equal")
     return drawn
 
 
-def plot_projection(envelope: Envelope, plane: str = "XY", names: Names | None = None, ax: Axes | None = None) -> Axes:
+def plot_projection(
+    envelope: Envelope,
+    plane: str = "XY",
+    names: Names | None = None,
+    ax: Axes | None = None,
+    *,
+    unit: str = "N m s",
+) -> Axes:
     """Draw the projection of a momentum envelope on a coordinate plane, with the names of what is seen: figures 9, 12.
 
     Parameters
@@ -135,6 +146,8 @@ def plot_projection(envelope: Envelope, plane: str = "XY", names: Names | None =
         Places, shape (3,), by name; an empty mapping leaves the names out.
     ax
         Axes to draw in; by default those of a new figure.
+    unit
+        Unit of the axes; "N m" for a torque envelope.
 
     Returns
     -------
@@ -166,11 +179,13 @@ def plot_projection(envelope: Envelope, plane: str = "XY", names: Names | None =
     for place, name in _merged(_labels(envelope, view, names), across, up):
         drawn.annotate(name, place, xytext=(3, 3), textcoords="offset points", fontsize=10)
     drawn.margins(0.12)
-    drawn.set(xlabel=f"$H_{'xyz'[across]}$, N m s", ylabel=f"$H_{'xyz'[up]}$, N m s", aspect="equal")
+    drawn.set(xlabel=_label("xyz"[across], unit), ylabel=_label("xyz"[up], unit), aspect="equal")
     return drawn
 
 
-def plot_projections(envelope: Envelope, names: Names | None = None, axes: Panels | None = None) -> Panels:
+def plot_projections(
+    envelope: Envelope, names: Names | None = None, axes: Panels | None = None, *, unit: str = "N m s"
+) -> Panels:
     """Draw the three projections of a momentum envelope on the coordinate planes: figures 3, 5, 8, 11.
 
     Parameters
@@ -179,6 +194,8 @@ def plot_projections(envelope: Envelope, names: Names | None = None, axes: Panel
         As for `plot_projection`.
     axes
         Three Axes to draw in; by default those of a new figure.
+    unit
+        Unit of the axes; "N m" for a torque envelope.
 
     Returns
     -------
@@ -198,7 +215,7 @@ def plot_projections(envelope: Envelope, names: Names | None = None, axes: Panel
     """
     panels = _figure(3) if axes is None else np.asarray(axes)
     for plane, ax in zip(PLANES, panels.flat, strict=True):
-        plot_projection(envelope, plane, names, ax)
+        plot_projection(envelope, plane, names, ax, unit=unit)
     return panels
 
 
@@ -240,6 +257,11 @@ def plot_failures(axes: ArrayLike, limits: ArrayLike = 1.0, plane: str = "XY") -
         left = polytope.envelope(units, np.where(np.arange(len(units)) == number, 0, working))
         plot_projection(left, plane, {}, ax).set_title(f"without wheel {number + 1}")
     return panels
+
+
+def _label(axis: str, unit: str) -> str:
+    """H for momenta, M for torques and whatever else."""
+    return f"${'H' if unit == 'N m s' else 'M'}_{axis}$, {unit}"
 
 
 def _directions(plane: str) -> tuple[int, int]:

@@ -1,0 +1,1 @@
+"""What `symcheck generate` writes: certificates, recorded expectations and kernels. Not edited by hand."""
