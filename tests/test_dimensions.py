@@ -389,7 +389,7 @@ def test_units_lists_the_letters_of_a_paper() -> None:
 
 # moments whose unit has a letter in the exponent, and logarithms of constants in units of the SI
 NO_UNIT = {
-    "moment_of_amplitude", "moment_of_frequency", "logarithm_of_constant_of_amplitude", "noise_intensities",
+    "moment_of_amplitude", "moment_of_frequency", "logarithm_of_constant_of_amplitude",
     "logarithm_of_constant_of_frequency",
 }  # fmt: skip
 UNIT_OF_MOMENTUM = Scale("h_max", {"[h_max]": 1})
