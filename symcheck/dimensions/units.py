@@ -14,6 +14,7 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
+from symcheck.core.extras import installing
 from symcheck.core.verdicts import SymcheckError
 
 Dimension = Mapping[str, Fraction]  # exponents by base quantity, such as "kg"; without zeros
@@ -159,8 +160,7 @@ def _of_pint(unit: str, name: str) -> Mapping[str, Fraction]:
         import pint
     except ImportError:
         raise SymcheckError(
-            f"{unit!r} is no unit: {name!r} is none of {', '.join(SI)}; for others install pint, "
-            "`pip install 'symcheck[units]'`"
+            f"{unit!r} is no unit: {name!r} is none of {', '.join(SI)}; others need pint, `{installing('units')}`"
         ) from None
     try:
         registry: Any = pint.application_registry
