@@ -161,16 +161,16 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
             Argument('g_23', 'intensity of the additive noise of axis 3', unit='rad s^(-3/2)', low='0'),
         ),
         outputs=(
-            Output('h_11', 'intensity of noise 1 in a'),
-            Output('h_12', 'intensity of noise 2 in a'),
-            Output('h_14', 'intensity of noise 4 in a'),
-            Output('h_15', 'intensity of noise 5 in a'),
-            Output('h_21', 'intensity of noise 1 in theta'),
-            Output('h_22', 'intensity of noise 2 in theta'),
-            Output('h_24', 'intensity of noise 4 in theta'),
-            Output('h_25', 'intensity of noise 5 in theta'),
-            Output('h_33', 'intensity of noise 3 in Omega'),
-            Output('h_36', 'intensity of noise 6 in Omega'),
+            Output('h_11', 'intensity of noise 1 in a', unit='rad/s^(3/2)'),
+            Output('h_12', 'intensity of noise 2 in a', unit='rad/s^(3/2)'),
+            Output('h_14', 'intensity of noise 4 in a', unit='rad/s^(3/2)'),
+            Output('h_15', 'intensity of noise 5 in a', unit='rad/s^(3/2)'),
+            Output('h_21', 'intensity of noise 1 in theta', unit='rad/s^(1/2)'),
+            Output('h_22', 'intensity of noise 2 in theta', unit='rad/s^(1/2)'),
+            Output('h_24', 'intensity of noise 4 in theta', unit='rad/s^(1/2)'),
+            Output('h_25', 'intensity of noise 5 in theta', unit='rad/s^(1/2)'),
+            Output('h_33', 'intensity of noise 3 in Omega', unit='rad/s^(3/2)'),
+            Output('h_36', 'intensity of noise 6 in Omega', unit='rad/s^(3/2)'),
         ),
         ulp=5,
         condition='In squares the last place of a sine or cosine counts twice.',
@@ -213,25 +213,25 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
     Returns
     -------
     h_11 : float or ndarray
-        Intensity of noise 1 in a, a number.
+        Intensity of noise 1 in a, in rad/s^(3/2).
     h_12 : float or ndarray
-        Intensity of noise 2 in a, a number.
+        Intensity of noise 2 in a, in rad/s^(3/2).
     h_14 : float or ndarray
-        Intensity of noise 4 in a, a number.
+        Intensity of noise 4 in a, in rad/s^(3/2).
     h_15 : float or ndarray
-        Intensity of noise 5 in a, a number.
+        Intensity of noise 5 in a, in rad/s^(3/2).
     h_21 : float or ndarray
-        Intensity of noise 1 in theta, a number.
+        Intensity of noise 1 in theta, in rad/s^(1/2).
     h_22 : float or ndarray
-        Intensity of noise 2 in theta, a number.
+        Intensity of noise 2 in theta, in rad/s^(1/2).
     h_24 : float or ndarray
-        Intensity of noise 4 in theta, a number.
+        Intensity of noise 4 in theta, in rad/s^(1/2).
     h_25 : float or ndarray
-        Intensity of noise 5 in theta, a number.
+        Intensity of noise 5 in theta, in rad/s^(1/2).
     h_33 : float or ndarray
-        Intensity of noise 3 in Omega, a number.
+        Intensity of noise 3 in Omega, in rad/s^(3/2).
     h_36 : float or ndarray
-        Intensity of noise 6 in Omega, a number.
+        Intensity of noise 6 in Omega, in rad/s^(3/2).
 
     Notes
     -----

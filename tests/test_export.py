@@ -107,7 +107,7 @@ def test_csv_has_a_row_for_each_item_and_no_cell_that_a_spreadsheet_computes() -
     assert [row["id"] for row in rows] == [each.id for each in LEDGER]
     assert [row["printed"].strip() for row in rows] == [each.printed for each in LEDGER]
     assert [cell for row in rows for cell in row.values() if cell.startswith(("=", "+", "-", "@"))] == []
-    assert {len(row) for row in rows} == {23}
+    assert {len(row) for row in rows} == {25}
 
 
 def test_tables_of_markdown_keep_their_columns() -> None:

@@ -33,6 +33,7 @@ __all__ = [
     "context_of",
     "decide",
     "differences",
+    "dimensions",
     "equality_claims",
     "errata",
     "expand",

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from symcheck.audit.checked import proofs
 from symcheck.audit.context import Context
+from symcheck.audit.dimensions import of_formulas, of_text
 from symcheck.audit.judge import Unit, judge, problems, units
 from symcheck.audit.needs import Proved, listed, need
 from symcheck.audit.obligation import Obligation, expand, fingerprint, obligation_of, users
@@ -16,7 +17,7 @@ from symcheck.audit.repair import corrected
 from symcheck.core.claims import Assertion, Declaration, Erratum, Hypothesis
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Origin, Reading, Role
-from symcheck.ledger import Record
+from symcheck.ledger import Correction, Record
 from symcheck.papers.places import places
 from symcheck.reading import read, to_latex
 
@@ -27,13 +28,16 @@ def decide(id: str) -> tuple[Record, ...]:
     """The records of one declaration: one for each relation it prints."""
     obligation = obligation_of(id)
     paper, item, base = obligation.paper, obligation.item, _base(obligation)
+    notation = item.notation or paper.notation
     if item.question:
-        return item.question.records(item, base)
+        rows = item.question.records(item, base)
+        return tuple(replace(row, dimension=of_text(row.read, notation)) if row.read else row for row in rows)
     if isinstance(item, Assertion):
         return tuple(_claimed(Context(paper, item), base))
     if not item.text:
         return (base,)
-    return (replace(base, read=to_latex(read(item.text, item.notation or paper.notation))),)
+    dimension = of_text(item.text, notation)
+    return (replace(base, read=to_latex(read(item.text, notation)), dimension=dimension),)
 
 
 def weigh(declared: tuple[str, Sequence[Record]]) -> tuple[Record, ...]:
@@ -95,6 +99,7 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
         started = time.perf_counter()
         line = source.lines.get(unit.letter, source.line)
         row = replace(base, id=base.id + unit.letter, read=to_latex(unit.tree), line=line)
+        row = replace(row, dimension=of_formulas(unit.formulas, context.notation))
         if len(source.printed) == len(links) > 1:
             row = replace(row, printed=source.printed[place])
         if source.damage and source.damage.spares(unit.letter):
@@ -109,6 +114,12 @@ def _claimed(context: Context, base: Record) -> Iterator[Record]:
 def _undamaged(context: Context, row: Record) -> Record:
     """A link of which nothing is to be read otherwise."""
     return replace(row, reading=_of_sound_text(context.item), kind="", origin=None, corrected="", reason="")
+
+
+def _measured(correction: Correction, erratum: Erratum, context: Context) -> Correction:
+    """The correction with what the right form measures, if it is another one than that printed."""
+    of = of_text(erratum.corrected, context.notation) if erratum.corrected else None
+    return replace(correction, dimension=of)
 
 
 def _added(erratum: Erratum | None) -> tuple[Hypothesis, ...]:
@@ -137,7 +148,7 @@ def _judged(context: Context, unit: Unit, row: Record) -> Record:
             corrected=erratum.shown
             or erratum.corrected
             or f"{to_latex(unit.tree)} (given: {'; '.join(h.words for h in erratum.needs)})",
-            erratum=corrected(context, unit, erratum, finding),
+            erratum=_measured(corrected(context, unit, erratum, finding), erratum, context),
         )
     row = replace(row, hypotheses=tuple(listed(item, _added(erratum))))
     row.refuse_wider()

@@ -16,7 +16,7 @@ from symcheck.core.problems import Method, Outcome, Problem
 from symcheck.core.terms import Formula, Term, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import Lemmas, certificate, combined, proof_of, refute
-from symcheck.reading import Relation, System, Tree, from_sympy, lower, read, relations, to_latex
+from symcheck.reading import Notation, Relation, System, Tree, from_sympy, lower, read, relations, to_latex
 
 Definitions = tuple[tuple[str, Term], ...]
 
@@ -38,20 +38,25 @@ class Unit:
 def units(context: Context) -> list[Unit]:
     """The relations of a declaration: each link of a chain or system, or the whole formal statement."""
     item = context.item
-    if item.stated:
-        links = [read(form, context.notation) for form in item.stated]
-    else:
-        links = [_statement(link) for link in relations(read(item.text, context.notation))]
-    letters = [chr(ord("a") + n) for n in range(len(links))] if len(links) > 1 else [""]
     derived = [from_sympy(value) for value in equation()] if (equation := item.statement.equation) else []
     found = []
-    for letter, link in zip(letters, links, strict=True):
+    for letter, link in links(item, context.notation):
         count = len(lower(link, context.notation)) if derived else 0
         found.append(Unit(letter, link, tuple(derived[:count]), _formulas(context, link, tuple(derived[:count]))))
         derived = derived[count:]
     if derived:
         raise SymcheckError(f"{context.id}: {len(derived)} more equations are derived than printed")
     return found
+
+
+def links(item: Assertion, notation: Notation) -> list[tuple[str, Tree]]:
+    """The links of a declaration, each with its letter."""
+    if item.stated:
+        trees = [read(form, notation) for form in item.stated]
+    else:
+        trees = [_statement(link) for link in relations(read(item.text, notation))]
+    letters = [chr(ord("a") + n) for n in range(len(trees))] if len(trees) > 1 else [""]
+    return [*zip(letters, trees, strict=True)]
 
 
 def _statement(link: Relation) -> Tree:

@@ -20,7 +20,7 @@ from symcheck.papers.places import places
 from symcheck.reading import Notation
 
 LIBRARIES = ("sympy", "python-flint", "lark")
-SOURCES = ("reading", "proof", "mechanics", "audit", "ledger", "checker", "core")
+SOURCES = ("reading", "proof", "mechanics", "audit", "ledger", "checker", "dimensions", "core")
 ASKING = ("question", "document")  # besides, of relations that are asked about
 
 

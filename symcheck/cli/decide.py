@@ -34,6 +34,13 @@ UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
     help=r"What a letter is: 'f=function of x', '\omega=vector'.",
 )
 @click.option(
+    "--unit",
+    "units",
+    multiple=True,
+    metavar="'LETTER: UNIT'",
+    help="What a letter measures: 'F: N'; 'c: m/s = 1' if it is not printed because it is 1.",
+)
+@click.option(
     "--batch",
     type=click.Path(path_type=Path, allow_dash=True),
     help="A file of records, one JSON object a line; - for standard input.",
@@ -58,6 +65,7 @@ def decide(
     where: tuple[str, ...],
     given: tuple[str, ...],
     said: tuple[str, ...],
+    units: tuple[str, ...],
     batch: Path | None,
     as_json: bool,
     output: Path | None,
@@ -69,21 +77,22 @@ def decide(
 
     What the letters are is inferred from what is done with them, and shown. Exit codes: 0 proved, 1 refuted, 3 neither,
     2 bad input. A record of a batch is {"id": ..., "relation": LaTeX, "where": [...], "given": [...],
-    "letters": {...}}; its answer has the same id.
+    "letters": {...}, "units": {...}}; its answer has the same id.
     """
     if (relation is None) == (batch is None):
         raise click.UsageError("give one relation, or --batch with a file")
     if batch is not None:
-        if where or given or said:
-            raise click.UsageError("--where, --given and --letter stand in the records of a batch")
+        if where or given or said or units:
+            raise click.UsageError("--where, --given, --letter and --unit stand in the records of a batch")
         _batch(batch, as_json, output, resume, jobs, timeout)
         return
     assert relation is not None
     from symcheck.question.ask import decide as decided
+    from symcheck.question.measured import unit
     from symcheck.views.answer import text
 
-    answer = decided(relation, where, given, dict(map(_meaning, said)))
-    click.echo(json.dumps(answer.as_json()) if as_json else text(answer))
+    answer = decided(relation, where, given, dict(map(_meaning, said)), dict(map(unit, units)))
+    click.echo(json.dumps(answer.as_json()) if as_json else text(answer, measured=bool(units)))
     raise click.exceptions.Exit(EXIT.get(answer.verdict, UNDECIDED))
 
 

@@ -26,6 +26,7 @@ from symcheck.cli.report import report
 from symcheck.cli.selftest import selftest
 from symcheck.cli.show import show
 from symcheck.cli.sweep import sweep
+from symcheck.cli.units import units
 from symcheck.core.interrupts import INTERRUPTED, leave, raise_from_now_on
 
 
@@ -66,6 +67,7 @@ for command in (
     show,
     errata,
     papers,
+    units,
     generate,
     plot,
     sweep,

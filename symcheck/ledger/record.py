@@ -10,6 +10,7 @@ from msgspec import UNSET, Struct, UnsetType, ValidationError, convert, field, t
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.core.words import term
+from symcheck.dimensions import Dimensions
 
 if TYPE_CHECKING:
     from symcheck.core.certificates import Certificate, Point
@@ -82,6 +83,7 @@ class Correction(_Part, frozen=True):
     summary: str = ""  # one sentence for the authors
     instead: str = ""  # what to print instead, for the authors
     later: tuple[Later, ...] | UnsetType = UNSET
+    dimension: Dimensions | None = None  # of the right form
 
 
 class Record(_Part, frozen=True):
@@ -117,6 +119,8 @@ class Record(_Part, frozen=True):
         Relations it refers to, and those that refer to it.
     seconds
         Time that it took to decide.
+    dimension
+        What its sides measure, and whether they fit; None for what states no relation.
     """
 
     id: str
@@ -142,6 +146,7 @@ class Record(_Part, frozen=True):
     uses: tuple[str, ...] = ()
     used_by: tuple[str, ...] = ()
     seconds: float = 0.0
+    dimension: Dimensions | None = None
 
     @property
     def number(self) -> str:

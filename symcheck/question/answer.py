@@ -8,7 +8,10 @@ from enum import StrEnum
 from functools import cached_property
 from typing import Any
 
+from msgspec import to_builtins
+
 from symcheck.core.certificates import Certificate, MatrixProof
+from symcheck.dimensions import Dimensions
 
 Slips = tuple[dict[str, str], ...]
 
@@ -22,6 +25,10 @@ class Status(StrEnum):
     VACUOUS = "vacuous"
     AMBIGUOUS = "ambiguous"
     UNREADABLE = "unreadable"
+
+
+def _nothing() -> None:
+    """What a formula measures that is not read."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +57,8 @@ class Answer:
         How long it took, but for the search for repairs.
     slips
         What looks for repairs.
+    measuring
+        What finds the dimensions of its terms.
     """
 
     verdict: Status
@@ -62,17 +71,24 @@ class Answer:
     reason: str = ""
     seconds: float = 0.0
     slips: Callable[[], Slips] = field(default=tuple, repr=False, compare=False)
+    measuring: Callable[[], Dimensions | None] = field(default=_nothing, repr=False, compare=False)
 
     @cached_property
     def repairs(self) -> Slips:
         """Relations that are one slip of the pen away and are proved: they are looked for when first asked for."""
         return self.slips()
 
+    @cached_property
+    def dimension(self) -> Dimensions | None:
+        """Whether its terms measure the same, beside whether it is true; None for what is not read."""
+        return self.measuring()
+
     def __getstate__(self) -> dict[str, Any]:
-        """What another process is sent: repairs in the place of what looks for them."""
-        return {**self.__dict__, "repairs": self.repairs, "slips": tuple}
+        """What another process is sent: repairs and dimensions in the place of what looks for them."""
+        found = {"repairs": self.repairs, "slips": tuple, "dimension": self.dimension, "measuring": _nothing}
+        return {**self.__dict__, **found}
 
     def as_json(self) -> dict[str, Any]:
-        """The answer as JSON data, with repairs."""
-        told = (*(key for key in self.__dataclass_fields__ if key != "slips"), "repairs")
-        return {key: getattr(self, key) for key in told}
+        """The answer as JSON data, with repairs and dimensions."""
+        told = (*(key for key in self.__dataclass_fields__ if key not in ("slips", "measuring")), "repairs")
+        return {key: getattr(self, key) for key in told} | {"dimension": to_builtins(self.dimension)}

@@ -41,6 +41,8 @@ from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import OfAnySize, covers, of_any_size
+from symcheck.question.measured import checked as checked_units
+from symcheck.question.measured import measured
 from symcheck.question.parts_of_turns import with_parts_of_turns
 from symcheck.question.prepare import (
     DEFINED,
@@ -93,6 +95,7 @@ def decide(
     where: Iterable[str] | str = (),
     given: Iterable[str] | str = (),
     letters: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
 ) -> Answer:
     r"""Decide one formula, without a paper and without declarations.
 
@@ -106,11 +109,19 @@ def decide(
         Conditions, such as ``"x > 0"`` or ``r"n \in \mathbb{N}"``.
     letters
         What letters are, where that is not to be inferred: ``{"f": "function of x", r"\omega": "vector"}``.
+    units
+        What letters measure, for the verdict on dimensions: ``{"F": "N", "m": "kg"}``; ``{"c": "m/s = 1"}`` for a
+        quantity that is not printed because it is 1.
 
     Returns
     -------
     Answer
         The verdict with its evidence. What cannot be read is an answer too, with the reason.
+
+    Raises
+    ------
+    SymcheckError
+        If a unit is none, or of a letter that does not occur.
 
     See Also
     --------
@@ -123,8 +134,17 @@ def decide(
     <Status.PROVED: 'proved'>
     >>> decide(r"\ln x = x", given="x > 0").counterexample
     {'x': '1'}
+    >>> decide("E = m v", units={"E": "J", "m": "kg", "v": "m/s"}).dimension.sides
+    ('kg m^2/s^2', 'kg m/s')
     """
-    return answered(relation, where, given, letters)
+    units = units or {}
+    checked_units(units, {})
+    answer = answered(relation, where, given, letters)
+    checked_units(units, answer.letters)
+    if answer.verdict is Status.UNREADABLE:
+        return answer
+    asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+    return replace(answer, measuring=partial(measured, asked, units))
 
 
 def answered(

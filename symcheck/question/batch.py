@@ -19,7 +19,8 @@ from symcheck.question.limit import OutOfTime, limited
 AT_ONCE = 400  # records that are given to workers, which are replaced after that: it bounds their memory
 KEPT, SHORTEST = 0.9, 0.01  # of the limit for repairs too, that a verdict is not lost with them; and seconds at least
 HARD = 3  # times the limit after which a worker is killed that does not heed it, or that others keep from working
-KEYS = frozenset({"id", "relation", "where", "given", "letters"})
+KEYS = frozenset({"id", "relation", "where", "given", "letters", "units"})
+BY_LETTER = ("letters", "units")
 
 
 @dataclass(frozen=True)
@@ -63,9 +64,10 @@ def _asked(number: int, text: str) -> Asked:
         value = question.setdefault(key, [])
         if not (isinstance(value, str) or (isinstance(value, list) and all(isinstance(v, str) for v in value))):
             return Asked(number, id, {}, f"line {number}: {key} is no list of texts")
-    said = question.setdefault("letters", {})
-    if not isinstance(said, dict) or not all(isinstance(v, str) for v in said.values()):
-        return Asked(number, id, {}, f"line {number}: letters is no object of texts")
+    for key in BY_LETTER:
+        said = question.setdefault(key, {})
+        if not isinstance(said, dict) or not all(isinstance(v, str) for v in said.values()):
+            return Asked(number, id, {}, f"line {number}: {key} is no object of texts")
     return Asked(number, id, question)
 
 
@@ -105,6 +107,8 @@ def answered(record: Asked, seconds: float) -> dict[str, JSON]:
     except OutOfTime:
         reason = f"the limit of {seconds:g} s was reached"
         return {"id": record.id, **Answer(Status.UNDECIDED, reason=reason).as_json()}
+    except SymcheckError as error:
+        return {"id": record.id, **Answer(Status.UNREADABLE, reason=str(error)).as_json()}
     left = KEPT * seconds - (time.process_time() - started)
     try:
         with limited(max(left, SHORTEST)):

@@ -11,6 +11,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from symcheck.reading.complex_letters import complexes, equated
 from symcheck.reading.evidence import Evidence, gathered, spelling
@@ -323,7 +324,7 @@ def _family(each: Sequence[Guess]) -> object:
     return (found[1], *((g.taken, g.why, g.remote) for g in each)) if found else None
 
 
-def notation_of(guesses: Iterable[Guess], **habits: str) -> Notation:
+def notation_of(guesses: Iterable[Guess], **habits: Any) -> Notation:
     """The notation of these letters; no two are lowered to one variable."""
     taken: set[str] = set()
     found = []

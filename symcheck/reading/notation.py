@@ -56,7 +56,8 @@ class Letter:
     meaning
         What it stands for, in words.
     unit
-        Its unit.
+        Its unit, "1" for a number; for a letter with indices one for each value of the first, or one for each variable,
+        with commas, and semicolons between rows. Without it nothing is said.
     sign
         "", ">= 0" or "> 0".
     components
@@ -292,6 +293,8 @@ class Notation:
     inferred
         Whether nobody has declared the letters: then a relation that does not fit what they were taken for is lowered
         to its form, and is no error.
+    scales
+        What is printed as if it were 1, and what it measures: `(("c", "m/s"),)`.
 
     Raises
     ------
@@ -320,6 +323,7 @@ class Notation:
         inverse: str = "",
         log: str = "",
         inferred: bool = False,
+        scales: tuple[tuple[str, str], ...] = (),
     ) -> None:
         if slash not in SLASHES:
             raise SymcheckError(f"unknown meaning {slash!r} of a slash; choose '' or 'denominator'")
@@ -335,6 +339,7 @@ class Notation:
             raise SymcheckError(f"unknown end {argument!r} of an argument; choose '', 'short' or 'long'")
         self.letters, self.slash, self.bracket, self.decimals = tuple(letters), slash, bracket, decimals
         self.argument, self.inverse, self.log, self.inferred = argument, inverse, log, inferred
+        self.scales = scales
         self.content = (
             self.letters,
             slash,
@@ -344,6 +349,7 @@ class Notation:
             inverse,
             log,
             inferred,
+            scales,
         )  # all that distinguishes two notations
         self._hash = hash(self.content)
         self._letters: dict[tuple[str, int], Letter] = {}
@@ -420,12 +426,16 @@ class Notation:
         """The same habits with these letters and no others."""
         return Notation(letters, **self.habits)
 
+    def supposing(self, *scales: tuple[str, str]) -> Notation:
+        """A copy for relations that are printed as if these were 1, too."""
+        return Notation(self.letters, **{**self.habits, "scales": (*self.scales, *scales)})
+
     @property
     def habits(self) -> dict[str, Any]:
         """All that a notation says beside its letters."""
         return dict(
             zip(
-                ("slash", "bracket", "decimals", "argument", "inverse", "log", "inferred"),
+                ("slash", "bracket", "decimals", "argument", "inverse", "log", "inferred", "scales"),
                 self.content[1:],
                 strict=True,
             )

@@ -7,10 +7,12 @@ from dataclasses import replace
 from random import Random
 from typing import Any
 
+from symcheck.audit.dimensions import of_formulas
 from symcheck.audit.judge import judge
 from symcheck.core.problems import Candidate, Hint, Problem, Witness
 from symcheck.core.terms import Formula, Node, Term, Value, node
 from symcheck.core.verdicts import Verdict
+from symcheck.dimensions import INCONSISTENT
 from symcheck.selftest.evidence import answered, ledger_verdict, relettered
 from symcheck.selftest.statements import Proved, places, proved
 from symcheck.selftest.trial import FaultClass, Status, Trial, drawn
@@ -111,6 +113,8 @@ def _rewritten(relations: Iterable[Proved], rng: Random) -> Iterator[tuple[str, 
 def _is_proved(original: Proved, n: int, formula: Formula) -> bool:
     context, unit, given, _ = original
     formulas = (*unit.formulas[:n], formula, *unit.formulas[n + 1 :])
+    if of_formulas(formulas, context.notation).verdict == INCONSISTENT:
+        return False
     finding = judge(context, replace(unit, formulas=formulas), given)
     return ledger_verdict(context, unit, finding) is Verdict.PROVED
 

@@ -91,11 +91,13 @@ def trials_of(
     count: int,
     rng: Random,
     rare: Sequence[str] = RARE,
+    is_misfit: Callable[[T, Edit], bool] = lambda original, edit: False,
 ) -> Iterator[Trial]:
-    """So many slips of some relations, and what becomes of each."""
+    """So many slips of some relations, what becomes of each, and whether its dimensions tell."""
     planted = ((edit.kind, (original, edit)) for original in originals for edit in slips(original))
     for _, (original, edit) in drawn(planted, count, rng, rare):
-        yield Trial(edit.kind, f"{original.id} {edit.description}", status_of(original, edit))
+        status, misfit = status_of(original, edit), is_misfit(original, edit)
+        yield Trial(edit.kind, f"{original.id} {edit.description}", status, misfit)
 
 
 def slips_of(kind: Callable[[Tree], Iterator[Slip]], tree: Tree) -> Iterator[Edit]:

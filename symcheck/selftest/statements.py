@@ -14,12 +14,14 @@ from random import Random
 from typing import NamedTuple
 
 from symcheck.audit import Context, Finding, Unit, context_of, obligation_of, units
+from symcheck.audit.dimensions import of_formulas
 from symcheck.audit.judge import judge
 from symcheck.core.claims import Erratum, Hypothesis, for_letter
 from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula, node
 from symcheck.core.verdicts import Role, SymcheckError, Verdict
+from symcheck.dimensions import INCONSISTENT
 from symcheck.ledger import Record
 from symcheck.proof import fails_without
 from symcheck.reading import Edit, Tree, edits, lower, read, to_latex
@@ -110,6 +112,15 @@ def status_of(original: Proved, edit: Edit) -> Status:
         true = states(finding, changed.unit.formulas) and not is_false(original, finding)
         return _strength(original, changed, edit) if true else Status.ACCEPTED
     return Status.REJECTED if verdict is Verdict.REFUTED or is_false(original, finding) else Status.OPEN
+
+
+def is_misfit(original: Proved, edit: Edit) -> bool:
+    """Whether the dimensions of a statement with a slip do not fit."""
+    try:
+        changed = with_slip(original, edit)
+    except SymcheckError:
+        return False
+    return of_formulas(changed.unit.formulas, original.context.notation).verdict == INCONSISTENT
 
 
 def with_slip(original: Proved, edit: Edit) -> Proved:
@@ -213,7 +224,7 @@ def declared(record: Record) -> str:
 
 def trials(place: str, count: int, rng: Random) -> Iterator[Trial]:
     """So many slips of the relations of one declaration."""
-    return trials_of(_proved(place), slips, status_of, count, rng, (EQUALITY, *RARE))
+    return trials_of(_proved(place), slips, status_of, count, rng, (EQUALITY, *RARE), is_misfit)
 
 
 CLASS = FaultClass(

@@ -8,8 +8,9 @@ from typing import Any
 from rich.table import Table
 
 from symcheck.ledger.selftested import STATUSES, Row, rows
+from symcheck.selftest.trial import MISFITS
 
-COLUMNS = (*STATUSES, "rejected of those that are faults", "right", "rejected")
+COLUMNS = (*STATUSES, "rejected of those that are faults", MISFITS, "right", "rejected")
 MAX_LISTED = 20  # faults that were judged wrongly, named one by one: about a screen
 
 
@@ -42,4 +43,4 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
 def cells(row: Row) -> list[str]:
     """The cells behind the name."""
     wrongly = row.number("false_rejections") if row.counts["right"] else ""
-    return [*map(row.number, STATUSES), row.rate, row.number("right"), wrongly]
+    return [*map(row.number, STATUSES), row.rate, row.number(MISFITS), row.number("right"), wrongly]

@@ -28,16 +28,18 @@ class Status(StrEnum):
     FALSELY_REJECTED = "falsely rejected"
 
 
+MISFITS = "by dimension"  # the name of that count in a result
 PLANTED = (Status.REJECTED, Status.ACCEPTED, Status.EQUIVALENT, Status.WEAKER, Status.STRONGER, Status.OPEN)
 
 
 @dataclass(frozen=True)
 class Trial:
-    """One thing planted: of which kind, what it is in words, and its status."""
+    """One thing planted: of which kind, what it is in words, its status, and whether its dimensions do not fit."""
 
     kind: str
     what: str
     status: Status
+    misfit: bool = False
 
     @property
     def is_error(self) -> bool:
@@ -67,20 +69,23 @@ class FaultClass:
 
 @dataclass
 class Count:
-    """How many trials of one kind have each status, and the errors in words."""
+    """How many trials of one kind have each status, the errors in words, and how many dimension alone exposes."""
 
     statuses: Counter[Status] = field(default_factory=Counter)
     errors: list[str] = field(default_factory=list)
+    misfits: int = 0
 
     def add(self, trial: Trial) -> None:
         """Count one more trial."""
         self.statuses[trial.status] += 1
+        self.misfits += trial.misfit
         if trial.is_error:
             self.errors.append(f"{trial.status} {trial.kind}: {trial.what}")
 
     def merge(self, other: Count) -> None:
         """Add all trials of another count."""
         self.statuses += other.statuses
+        self.misfits += other.misfits
         self.errors += other.errors
 
     @property
@@ -98,6 +103,7 @@ class Count:
         return {
             "planted": self.planted,
             **{str(status): self.statuses[status] for status in PLANTED},
+            MISFITS: self.misfits,
             "right": self.right,
             "false_rejections": self.statuses[Status.FALSELY_REJECTED],
             "rejected_of_faults": limits(self.statuses[Status.REJECTED], faults),

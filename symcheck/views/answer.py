@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from symcheck.core.terms import JSON
+from symcheck.dimensions import INCONSISTENT
 from symcheck.question.answer import Answer
+from symcheck.views.dimensions import fits
 
 
-def text(answer: Answer) -> str:
-    """All that a person wants to know, a line for each thing."""
+def text(answer: Answer, measured: bool = False) -> str:
+    """All that a person wants to know, a line for each thing; with dimensions if units are said, or do not fit."""
     lines = [str(answer.verdict) + (f": {answer.reason}" if answer.reason else "")]
     if answer.reading:
         lines.append(f"  read as         {answer.reading}")
@@ -31,6 +33,9 @@ def text(answer: Answer) -> str:
         lines.append(
             f"  evidence        {len(answer.certificate)} certificate(s), accepted by the checker; --json prints them"
         )
+    of = answer.dimension
+    if of is not None and (measured or of.verdict == INCONSISTENT):
+        lines += [f"  {'dimension' if n == 0 else '':15} {line}" for n, line in enumerate(fits(of))]
     lines.append(f"  {answer.seconds:.2f} s")
     return "\n".join(lines)
 

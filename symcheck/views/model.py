@@ -18,6 +18,7 @@ from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Loss, Origin, Reading, Role, Verdict
 from symcheck.core.words import term
+from symcheck.dimensions import CONSISTENT, INCONSISTENT
 from symcheck.ledger import HypothesisRow, Record
 from symcheck.views.latex import is_formula, only_formula
 from symcheck.views.steps import compared, coordinates, point, proof_lines, sides
@@ -143,6 +144,12 @@ class Relation:
     def state(self) -> str:
         """Its verdict, or the role of what claims nothing."""
         return str(self.record.verdict or self.record.role)
+
+    @property
+    def exposed(self) -> bool:
+        """Whether its error shows in the dimensions, which the right form has right."""
+        own, right = self.record.dimension, self.record.erratum.dimension if self.record.erratum else None
+        return bool(own and own.verdict == INCONSISTENT and right and right.verdict == CONSISTENT)
 
     @property
     def statement(self) -> str:

@@ -16,13 +16,16 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from symcheck.audit.dimensions import Unit
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Group, Verdict
+from symcheck.dimensions import INCONSISTENT
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
 from symcheck.views import model
 from symcheck.views.diagnostics import near
+from symcheck.views.dimensions import conflict, fits
 from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
 
@@ -107,10 +110,12 @@ def findings(out: Console, records: Sequence[Record]) -> None:
     if others:
         counted = "; ".join(f"{group}: {count}" for group, count in others.items())
         _wrapped(out, f"{'And' if serious else 'Wrong as printed:'} {counted}")
+    conflicts = [record for record in records if record.dimension and record.dimension.verdict == INCONSISTENT]
+    _listed(out, "Dimensions that do not fit", ((each.id, conflict(each.dimension)) for each in conflicts))
     kinds = Counter(record.kind for record in records if record.verdict is Verdict.REFUTED and record.kind)
     if kinds.total() > 1:
         _wrapped(out, f"Causes: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}")
-    if undecided or faults:
+    if undecided or faults or conflicts:
         out.print()
 
 
@@ -179,6 +184,8 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
         yield "uses", ", ".join(record.uses)
         yield "used by", ", ".join(record.used_by)
     yield "fails at", relation.fails_at
+    if record.dimension and (not as_erratum or record.dimension.verdict == INCONSISTENT):
+        yield "dimension", "\n".join(fits(record.dimension))
     yield "corrected", record.corrected
     yield "kind", record.kind
     yield "origin", f"{relation.whose}: {record.reason}".replace("$", "") if record.origin else ""
@@ -192,6 +199,8 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
         yield "then", relation.outcome
         for certificate in erratum.certificates:
             yield "its proof", _digest(certificate)
+        if relation.exposed:
+            yield "exposed", "by dimension alone: what is right is consistent"
     if not as_erratum:
         yield "Coq confirms", relation.coq
 
@@ -260,6 +269,14 @@ def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> No
     table = Table("key", "title", "source", "declarations", box=box.SIMPLE_HEAD, pad_edge=False)
     for key, (paper, roles) in counts.items():
         table.add_row(key, Text(paper.title), Text(paper.source), ", ".join(f"{n} {role}" for role, n in roles.items()))
+    out.print(table)
+
+
+def units(out: Console, rows: Iterable[Unit]) -> None:
+    """One row per letter: how it is printed, what it measures, who says so, what it stands for."""
+    table = Table("letter", "measures", "says", "meaning", box=box.SIMPLE_HEAD, pad_edge=False)
+    for row in rows:
+        table.add_row(*map(Text, (row.letter, row.measures, row.source, row.meaning)))
     out.print(table)
 
 

@@ -4,7 +4,7 @@ from symcheck.core.claims import Claim, Hypothesis
 from symcheck.papers.declare import claim
 from symcheck.papers.esenkov2006 import derivation
 from symcheck.papers.esenkov2006.hypotheses import liquid_is_part
-from symcheck.papers.esenkov2006.notation import root_letters
+from symcheck.papers.esenkov2006.notation import conjugate_root_letters, root_letters
 from symcheck.papers.esenkov2006.scopes import in_delta
 from symcheck.proof import cases, identity
 
@@ -32,7 +32,7 @@ def roots_must_be_real(number: str, line: int, quadratic: str) -> Claim:
         where=derivation.quadratic_at_complex_frequency,
         by={"a": cases(), "b": cases("s^2 + r^2")},
         uses=[quadratic],
-        notation=root_letters,
+        notation=conjugate_root_letters,
     )
 
 

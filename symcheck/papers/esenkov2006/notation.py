@@ -25,11 +25,16 @@ notation = Notation(
         Letter("M_y", meaning="torque about y", unit="N m"),
         Letter("t", meaning="time", unit="s"),
         Letter("i", number="i", meaning="imaginary unit; in premises only"),
-        Letter("S", indices=1, meaning="complex amplitude of mode n of the liquid"),
-        Letter(r"\dot{S}", indices=1, meaning="its rate of change in the body"),
-        Letter("a", indices=1, meaning="angular momentum of the liquid per unit amplitude of mode n"),
-        Letter(r"\chi", indices=1, meaning="coupling of mode n to the turning body"),
-        Letter("N", indices=1, meaning="norm of mode n"),
+        Letter("S", indices=1, meaning="complex amplitude of mode n of the liquid", unit="m/s"),
+        Letter(r"\dot{S}", indices=1, meaning="its rate of change in the body", unit="m/s^2"),
+        Letter(
+            "a",
+            indices=1,
+            meaning="angular momentum of the liquid per unit amplitude of mode n",
+            unit="kg m",
+        ),
+        Letter(r"\chi", indices=1, meaning="coupling of mode n to the turning body", unit="m^4"),
+        Letter("N", indices=1, meaning="norm of mode n", unit="m^(3/2)"),
         Letter(r"\rho", meaning="density of the liquid", unit="kg/m^3"),
         Letter(
             "E", indices=1, depends="", meaning="moment of inertia carried by mode n, a_n chi_n / N_n^2", unit=MOMENT
@@ -38,7 +43,7 @@ notation = Notation(
         Letter("p", indices=1, meaning="exponent of mode n in the body at rest", unit="1/s"),
         Letter(r"\eta", meaning="frequency: p = i eta", unit=RATE),
         Letter(r"\lambda", indices=1, meaning="natural frequency of mode n: p_n = i lambda_n", unit=RATE),
-        Letter("b", indices=1, meaning="lambda_n / omega_0"),
+        Letter("b", indices=1, meaning="lambda_n / omega_0", unit="1"),
         Letter("D", meaning="a discriminant: of (1.33) in eta, or of the boundary in Delta"),
     )
 )
@@ -65,7 +70,7 @@ comparison_letters = three_modes.extended(
     *(replace(letter, depends="") for letter in three_modes.letters if letter.latex in CONSTANT),
     Letter("s", depends="", meaning="a sign that the first text has lost"),
     Letter("r", depends="", meaning="a sign that the second text has lost"),
-    Letter("x", depends="", meaning="a term that the first text has lost"),
+    Letter("x", depends="", meaning="a term that the first text has lost", unit="kg m^2/s"),
 )
 
 root_letters = notation.extended(
@@ -78,6 +83,11 @@ root_letters = notation.extended(
     Letter("y", meaning="imaginary part of a root", unit=RATE),
 )
 
+conjugate_root_letters = root_letters.extended(
+    Letter("s", meaning="square root of y", unit="1/s^(1/2)"),
+    Letter("r", meaning="square root of -y", unit="1/s^(1/2)"),
+)
+
 mode_letters = three_modes.extended(
     Letter("F", named=True, meaning="left side of (1.31)"),
     Letter("d", kind="differential"),
@@ -86,8 +96,10 @@ mode_letters = three_modes.extended(
     Letter(
         "R", indices=1, meaning="minus the residue of (1.31) at its pole lambda_n, E_n lambda_n (lambda_n - omega_0)"
     ),
-    Letter("V", indices=1, meaning="(1.31) times (eta - lambda_1)(eta - lambda_2) at eta = lambda_k"),
-    Letter("h", meaning="all of (1.31) that is regular at both poles"),
+    Letter(
+        "V", indices=1, meaning="(1.31) times (eta - lambda_1)(eta - lambda_2) at eta = lambda_k", unit="kg m^2/s^3"
+    ),
+    Letter("h", meaning="all of (1.31) that is regular at both poles", unit="kg m^2/s"),
     Letter("x", meaning="real part of a root", unit=RATE),
     Letter("y", meaning="imaginary part of a root", unit=RATE),
     Letter("u", meaning="imaginary part of the left side of (1.31)"),
@@ -97,10 +109,10 @@ mode_letters = three_modes.extended(
 
 weight_letters = notation.extended(
     Letter("k", kind="index", range=(1, 2, 3, 4)),
-    Letter("w", indices=1, range=(1, 2, 3, 4), meaning="weights"),
-    Letter("x", indices=1, range=(1, 2, 3, 4), meaning="real parts"),
-    Letter("y", indices=1, range=(1, 2, 3, 4), meaning="imaginary parts"),
-    Letter("W", meaning="sum of the weights"),
-    Letter("S", meaning="weighted sum of the squares"),
-    Letter("r", meaning="square of 1 / |eta - omega_0|"),
+    Letter("w", indices=1, range=(1, 2, 3, 4), meaning="weights", unit=MOMENT),
+    Letter("x", indices=1, range=(1, 2, 3, 4), meaning="real parts", unit="s"),
+    Letter("y", indices=1, range=(1, 2, 3, 4), meaning="imaginary parts", unit="s"),
+    Letter("W", meaning="sum of the weights", unit=MOMENT),
+    Letter("S", meaning="weighted sum of the squares", unit="kg m^2 s^2"),
+    Letter("r", meaning="square of 1 / |eta - omega_0|", unit="s^2"),
 )

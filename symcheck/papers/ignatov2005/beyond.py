@@ -12,12 +12,13 @@ from symcheck.core.claims import Hypothesis
 from symcheck.papers.declare import Scope
 from symcheck.papers.ignatov2005 import derivation, envelopes
 from symcheck.papers.ignatov2005.hypotheses import real_base, real_pyramid
-from symcheck.papers.ignatov2005.notation import four_wheels_beyond, six_wheels_beyond
+from symcheck.papers.ignatov2005.notation import four_wheels_beyond, six_wheels_beyond, six_wheels_beyond_in_numbers
 from symcheck.proof import cases, combined, identity, nonnegative
 
 four = Scope(four_wheels_beyond, by=cases())
 four_faces = Scope(four_wheels_beyond, derivation.faces_of_four)
 six = Scope(six_wheels_beyond, derivation.six_axes, cases())
+six_in_numbers = Scope(six_wheels_beyond_in_numbers, derivation.six_axes, cases())
 six_faces = Scope(six_wheels_beyond, derivation.faces_of_six)
 OPEN_RANGE = [real_pyramid, real_base]
 PQR = r"\sin^2 a \cos a \sin b \cos b"
@@ -702,7 +703,7 @@ fastest_with_six = six.ours(
     uses=["B.38"],
 )
 
-best_angle_of_six = six.ours(
+best_angle_of_six = six_in_numbers.ours(
     "B.40",
     618,
     words="For the moments of the paper all six conditions hold there: w = 0.002 at tg a = 2, a = 63.4 degrees, is the best.",
@@ -717,7 +718,7 @@ best_angle_of_six = six.ours(
 
 AT_F8 = r"w^2 (1600^2 \cos^2 a + \frac{1}{4} \cdot 800^2 \sin^2 a)"
 
-rate_at_the_printed_angle = six.ours(
+rate_at_the_printed_angle = six_in_numbers.ours(
     "B.41",
     618,
     words="At tg a = 3, the angle of the paper, w is 0.0018974 at most.",
@@ -731,7 +732,7 @@ rate_at_the_printed_angle = six.ours(
     uses=["B.38"],
 )
 
-six_against_four = six.ours(
+six_against_four = six_in_numbers.ours(
     "B.42",
     618,
     words="It is reached, and still more than four wheels can have at any angles (B.20); at the best angle it is 0.002 (B.40) against "

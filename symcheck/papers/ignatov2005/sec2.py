@@ -34,6 +34,7 @@ from symcheck.papers.ignatov2005.notation import (
     LIMIT,
     four_and_three,
     four_wheels,
+    four_wheels_in_numbers,
     four_wheels_in_spacecraft,
     four_wheels_with_units,
     three_of_four,
@@ -44,6 +45,7 @@ from symcheck.reading import Notation
 
 OPEN_RANGE = [real_pyramid, real_base]
 craft = Scope(four_wheels_in_spacecraft)
+numbers = Scope(four_wheels_in_numbers)
 FULL_MOMENTUM = Hypothesis("limits", "no wheel exceeds h_max = 1 (line 81)", WITHIN_LIMITS)
 
 
@@ -713,7 +715,7 @@ equal_rates_wanted = craft.premise(
     words="The largest rates about OX, OY and OZ are to be equal (lines 246 and 248).",
 )
 
-moments_of_inertia = wheels.moments_of_inertia(craft, "2.2.27", 248, "")
+moments_of_inertia = wheels.moments_of_inertia(numbers, "2.2.27", 248, "")
 
 such_a_body_exists = craft.by_cases.ours(
     "2.2.28",
@@ -873,7 +875,7 @@ angle_a = craft.claim(
     uses=["2.3.6", "2.3.8"],
 )
 
-largest_rates = craft.claim(
+largest_rates = numbers.claim(
     "2.3.10",
     262,
     r"w_x = w_y = w_z = 0.002 h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
@@ -883,7 +885,7 @@ largest_rates = craft.claim(
     uses=["2.3", "2.3.2", "2.3.3", "2.3.4", "2.3.6", "2.3.8"],
 )
 
-largest_rates_exactly = craft.ours(
+largest_rates_exactly = numbers.ours(
     "2.3.11",
     262,
     words="They are equal, exactly: 1/(50 sqrt 105), or 0.00195 h_max.",

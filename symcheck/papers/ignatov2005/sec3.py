@@ -36,6 +36,7 @@ from symcheck.papers.ignatov2005.notation import (
     four_wheels_and_ellipsoid,
     six_and_five,
     six_wheels,
+    six_wheels_in_numbers,
     six_wheels_in_spacecraft,
     six_wheels_with_units,
 )
@@ -45,6 +46,7 @@ from symcheck.reading import Notation
 
 both = Scope(six_and_five, derivation.six_axes, cases())
 craft = Scope(six_wheels_in_spacecraft)
+numbers = Scope(six_wheels_in_numbers)
 
 
 def right_side(printed: str) -> str:
@@ -973,7 +975,7 @@ question = exclusion(
     "3.2.23", 612, words="How to place the six wheels and choose the angle a.", reason="asks what 3.3 answers"
 )
 
-moments_of_inertia = wheels.moments_of_inertia(craft, "3.2.24", 616, ", as in section 2.3")
+moments_of_inertia = wheels.moments_of_inertia(numbers, "3.2.24", 616, ", as in section 2.3")
 
 two_equal_rates = craft.premise(
     "3.2.25",
@@ -1089,7 +1091,7 @@ better_turned_so = craft.by_cases.claim(
 ANGLE = Hypothesis("angle found", "a of 3.2.32", r"a = \arctg 3")
 AT_THE_ANGLE = [SPACECRAFT_MOMENTS, LARGEST_MOMENTA, RATES, ANGLE]
 
-largest_rate_about_ox = craft.claim(
+largest_rate_about_ox = numbers.claim(
     "3.2.36",
     618,
     r"w_x = 0.0033h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
@@ -1099,7 +1101,7 @@ largest_rate_about_ox = craft.claim(
     uses=["2.3", "3.2.26", "3.2.32"],
 )
 
-largest_rates_about_oy_and_oz = craft.claim(
+largest_rates_about_oy_and_oz = numbers.claim(
     "3.2.37",
     618,
     r"w_y = w_z = 0.0023h_{\max} \text{ кг}^{-1} \text{ м}^{-2}",
@@ -1118,7 +1120,7 @@ largest_rates_about_oy_and_oz = craft.claim(
     },
 )
 
-largest_rates_exactly = craft.by_cases.ours(
+largest_rates_exactly = numbers.by_cases.ours(
     "3.2.38",
     618,
     words="Exactly: w_x = 3 sqrt 30/5000 and w_y = w_z = 3 sqrt 10/4000, or 0.00329 and 0.00237; with 72 degrees w_y and w_z "

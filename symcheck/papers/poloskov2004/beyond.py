@@ -11,7 +11,7 @@ from symcheck.papers.poloskov2004.hypotheses import (
     equatorial_noise,
     positive_k,
 )
-from symcheck.papers.poloskov2004.notation import full_noise, moment_letters
+from symcheck.papers.poloskov2004.notation import amplitude_letters, full_noise, moment_letters
 from symcheck.proof import theorems
 
 moments = Scope(moment_letters, derivation.moment_parameters)
@@ -24,7 +24,7 @@ finite_frequency = Hypothesis(
     "moment finite", "the moment of Omega is finite (4.0.11)", r"2 d_{33} > m g_{13}^2, m \geq 0"
 )
 
-partial_integral_of_amplitude = moments.ours(
+partial_integral_of_amplitude = Scope(amplitude_letters, derivation.moment_parameters).ours(
     "B.1",
     85,
     words="The density of a has an elementary integral.",

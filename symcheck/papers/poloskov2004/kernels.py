@@ -126,8 +126,12 @@ noise_intensities = Kernel(
     says="Intensities of the noises in amplitude, phase and frequency; h_13, h_16, h_23, h_26, h_31, h_32, h_34, h_35 are 0.",
     arguments=(A, PSI, OMEGA, K, SMALL, *EQUATORIAL_NOISE, *AXIAL_NOISE),
     outputs=tuple(
-        Output(f"h_{i}{j}", f"intensity of noise {j} in {x}")
-        for i, x, columns in ((1, "a", (1, 2, 4, 5)), (2, "theta", (1, 2, 4, 5)), (3, "Omega", (3, 6)))
+        Output(f"h_{i}{j}", f"intensity of noise {j} in {x}", unit)
+        for i, x, unit, columns in (
+            (1, "a", "rad/s^(3/2)", (1, 2, 4, 5)),
+            (2, "theta", "rad/s^(1/2)", (1, 2, 4, 5)),
+            (3, "Omega", "rad/s^(3/2)", (3, 6)),
+        )
         for j in columns
     ),
     derived=derivation.drift_and_diffusion,

@@ -5,7 +5,7 @@ from symcheck.core.verdicts import Origin
 from symcheck.papers.declare import Scope, by_cases, claim, definition, exclusion, ours, premise
 from symcheck.papers.poloskov2004 import derivation
 from symcheck.papers.poloskov2004.hypotheses import amplitude, positive_k, positive_parameter
-from symcheck.papers.poloskov2004.notation import functions_of_time, initial_letters, six_columns
+from symcheck.papers.poloskov2004.notation import distance_letters, functions_of_time, initial_letters, six_columns
 from symcheck.proof import existence
 
 system = Scope(where=derivation.stratonovich_system)
@@ -77,7 +77,7 @@ motions_keep_their_distance = by_cases.ours(
     states=r"w = 0 \land r = 0",
     where=derivation.distance_of_free_motions,
     uses=["1.1"],
-    notation=initial_letters,
+    notation=distance_letters,
 )
 
 perturbed_motion = exclusion("2.1.4", 31, r"\varepsilon \neq 0", reason="names the case treated from here on")

@@ -14,7 +14,7 @@ from symcheck.papers.poloskov2004.hypotheses import (
     order,
     positive_k,
 )
-from symcheck.papers.poloskov2004.notation import moment_letters
+from symcheck.papers.poloskov2004.notation import in_numbers, moment_letters
 from symcheck.proof import cases, identity, theorems
 
 density = Scope(where=derivation.densities, by=cases())
@@ -235,11 +235,15 @@ most_probable_values = exclusion(
 
 plots = exclusion("4.0.20", 103, words="Figures 1 and 2.", reason="plots of the two densities; not in the text at hand")
 
-equatorial_dissipation = premise("4.0.21", 111, "d_{11} = d_{22} = 0.5", words="Values of the example.")
-axial_dissipation = premise("4.0.22", 111, "d_{33} = 1.5", words="Values of the example.")
-multiplicative_intensity = premise("4.0.23", 111, r"\alpha^2 = 1", words="Values of the example.")
-additive_intensity = premise("4.0.24", 111, r"\beta^2 = 0.75", words="Values of the example.")
-axial_intensities = premise("4.0.25", 111, "g_{13}^2 = g_{23}^2 = 1", words="Values of the example.")
+equatorial_dissipation = premise(
+    "4.0.21", 111, "d_{11} = d_{22} = 0.5", words="Values of the example.", notation=in_numbers
+)
+axial_dissipation = premise("4.0.22", 111, "d_{33} = 1.5", words="Values of the example.", notation=in_numbers)
+multiplicative_intensity = premise("4.0.23", 111, r"\alpha^2 = 1", words="Values of the example.", notation=in_numbers)
+additive_intensity = premise("4.0.24", 111, r"\beta^2 = 0.75", words="Values of the example.", notation=in_numbers)
+axial_intensities = premise(
+    "4.0.25", 111, "g_{13}^2 = g_{23}^2 = 1", words="Values of the example.", notation=in_numbers
+)
 
 equatorial_values = Hypothesis(
     "equatorial values",

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from symcheck.core.verdicts import Role
 from symcheck.ledger import Record
+from symcheck.views.dimensions import conflict
 from symcheck.views.exports import Format
 from symcheck.views.model import Relation
 
@@ -48,6 +49,8 @@ def _row(record: Record) -> dict[str, str]:
         "hypotheses": "; ".join(condition.words for condition in relation.conditions),
         "needed": "; ".join(condition.words for condition in relation.conditions if condition.need),
         "method": record.method,
+        "dimension": record.dimension.verdict if record.dimension else "",
+        "dimensions that do not fit": conflict(record.dimension),
         "confirmed by Coq": relation.coq,
         "uses": " ".join(record.uses),
         "used by": " ".join(record.used_by),

@@ -18,6 +18,7 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.ledger.selftested import evidence, rows
+from symcheck.views.dimensions import fits
 from symcheck.views.model import Relation, blame, errata, erring, origins
 from symcheck.views.page import entry as entries
 from symcheck.views.page.entry import Entry
@@ -102,6 +103,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "strings": strings,
         "tables": tables,
         "difference": entries.difference,
+        "fits": fits,
         "entries": shown,
     }
     claim = environment.get_template("claim.html")
@@ -194,6 +196,7 @@ def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[obj
         record.section,
         record.paper,
         strings.number(relation.coq),
+        strings.number(record.dimension.verdict if record.dimension else ""),
         math,
         strings.number(words),
         [strings.number(text) for text in dict.fromkeys(searched) if text],

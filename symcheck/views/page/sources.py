@@ -19,6 +19,8 @@ from symcheck.reading import Notation, read
 from symcheck.reading.tree import Name
 from symcheck.views.model import Fault, Relation
 
+UNITS = {"1": "a number", "any": "of any unit"}  # in words
+
 _ID = re.compile(r"\b[a-z]+\d{4}:[A-Z]?\d*[\w.]*\w")  # an id of a claim: "mirer2009:2.1a"
 
 
@@ -74,7 +76,7 @@ def _meanings(latex: str, letters: Notation, printed: Notation) -> Iterator[Mean
         letter = letters.find(name, indices)
         if letter and letter.meaning:
             index = f"_{{{'ijkl'[:indices]}}}" if indices else ""
-            says = ", ".join(filter(None, (letter.meaning, letter.unit)))
+            says = ", ".join(filter(None, (letter.meaning, UNITS.get(letter.unit, letter.unit))))
             yield Meaning(f"{letter.latex}{index}", says, printed.find(name, indices) is None)
 
 

@@ -35,7 +35,7 @@ function unfold(name) {
 }
 
 let data, entries, byId;
-const HEAD = ["id", "state", "kind", "origin", "section", "paper", "coq", "math", "words"];
+const HEAD = ["id", "state", "kind", "origin", "section", "paper", "coq", "dimension", "math", "words"];
 const setFormulas = (from) => all(".m:not(.set)", from).forEach((place) => {
   place.classList.add("set");
   place.innerHTML = data.math[place.dataset.m];
@@ -70,7 +70,7 @@ function written(text) {
 }
 
 // The ledger: rows are made once, filters hide them; the formulas of a row are set when it comes near.
-const FIELDS = ["paper", "section", "state", "kind", "origin", "coq"];
+const FIELDS = ["paper", "section", "state", "kind", "origin", "coq", "dimension"];
 const plain = (text) => text.toLowerCase().replace(/[\s{}\\]/g, "");
 const near = new IntersectionObserver((seen) => seen.forEach((each) => {
   if (each.isIntersecting) { setFormulas(each.target); setProse(each.target); near.unobserve(each.target); }
@@ -312,7 +312,7 @@ function light(event) {
     const entry = Object.fromEntries(HEAD.map((name, k) => [name, row[k]]));
     const {place, whole} = partsOf(entry.id), error = entry.kind && `${entry.kind} error`;
     const names = [entry.id, whole, place, whole.split(":")[1], entry.state, entry.kind, error].map((name) => name.toLowerCase());
-    return {...entry, names, words: data.strings[entry.words], coq: data.strings[entry.coq], number, whole, role: data.roles.includes(entry.state),
+    return {...entry, names, words: data.strings[entry.words], coq: data.strings[entry.coq], dimension: data.strings[entry.dimension], number, whole, role: data.roles.includes(entry.state),
       text: plain([entry.id, entry.state, error, data.strings[entry.words], ...row[HEAD.length].map((k) => data.strings[k])].join("\n"))};
   });
   byId = new Map(entries.map((entry) => [entry.id, entry]));

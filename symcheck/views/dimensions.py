@@ -1,0 +1,35 @@
+"""What is said of dimensions, in lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from symcheck.dimensions import CONSISTENT, INCONSISTENT, Dimensions
+
+LONGEST = 60  # characters of a term
+
+
+def fits(of: Dimensions) -> Iterator[str]:
+    """The verdict with what both sides measure, then what does not fit, what would settle it, what is 1."""
+    both = dict.fromkeys(of.sides) if of.verdict == CONSISTENT and not of.scales else of.sides
+    yield f"{of.verdict}: {' against '.join(both)}" if both else of.verdict
+    if of.verdict == INCONSISTENT:
+        yield conflict(of)
+    if of.scales:
+        yield f"holds with {', '.join(of.scales)}" + (f"; in general {of.general}" if of.general else "")
+    if of.undetermined:
+        yield f"to settle it, say what {', '.join(of.undetermined)} measure{'s' * (len(of.undetermined) == 1)}"
+    if of.reason:
+        yield of.reason
+    if of.letters:
+        yield "so " + ", ".join(f"{letter} measures {unit}" for letter, unit in of.letters.items())
+
+
+def conflict(of: Dimensions | None) -> str:
+    """The terms that do not fit together, with what each measures; in short."""
+    terms = of.conflict if of else ()
+    return ", ".join(f"{_cut(each.term)} measures {each.measures}" for each in terms)
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"
