@@ -24,6 +24,7 @@ FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _SIGNS |= {r"\perp", r"\parallel", r"\uparrow", r"\downarrow"}
+_STATES = frozenset("HSGU")  # enthalpy, entropy, and energies, whose changes have indices
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
 _ANGLES = frozenset(  # letters with a circle above of which that hardly says a standard state
     {r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\alpha", r"\beta", r"\gamma", r"\delta", r"\lambda", "x"}
@@ -404,6 +405,8 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             while reader.peek() == "_":
                 reader.i += 1
                 reader.group()
+            if texts[reader.i - 1] == "e" and reader.peek() == "^":
+                continue  # of a power of Euler's number
             yield " ".join(texts[start : reader.i])
         except SymcheckError:
             reader.i = start + 1
@@ -417,7 +420,13 @@ _OF_MATRICES = re.compile(
 
 
 def _unit(latex: str, formula: str) -> str:
-    """The doubt about one letter in brackets: at the end behind a factor, or where nothing is a matrix."""
+    """The doubt about one letter in brackets: at the end behind a factor, or where nothing is a matrix.
+
+    That about a gradient is whether its power is meant.
+    """
+    if latex.startswith(r"\nabla"):
+        raised = re.search(rf"{re.escape(latex)} \^ (?:\{{ )?[\w\\](?<!T)(?!mathrm|top|text|dagger)", formula)
+        return "the gradient of a power, or a power of the gradient? write brackets" if raised else ""
     if not latex.startswith("["):
         return ""
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
@@ -520,8 +529,9 @@ def _change(texts: Sequence[str], start: int) -> int:
         count += 1
     inside = texts[start + 3 : start + count - 1]
     word = [text for text in inside if text.isalpha()]
-    of_reaction = len(word) > 1 or {*inside} & {*ROMAN, r"\text"}
-    return count if word and of_reaction and "".join(texts[start + count : start + count + 1]).isupper() else 0
+    after = "".join(texts[start + count : start + count + 1])
+    of_reaction = len(word) > 1 or {*inside} & {*ROMAN, r"\text"} or (inside[0].islower() and after in _STATES)
+    return count if word and of_reaction and after.isupper() else 0
 
 
 def _begins_letter(text: str) -> bool:

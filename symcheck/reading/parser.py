@@ -752,7 +752,7 @@ class Builder:
         power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
         if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
             return
-        toks = tex.texts(NO_FACTORS.sub("", self.source))
+        toks = tex.texts(NO_FACTORS.sub("", tex.spaced(self.source)))
         pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
         alone = toks.count(word[0]) == toks.count(word[1]) == pairs
         clear = word not in PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)

@@ -88,7 +88,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     source = _UNITS.sub(r"\\mathrm{\1}\\,\\mathrm{\2}", source)
     source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
     source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
-    if not any(map(_GAMMA.search, (source, *beside))):
+    if not any(map(_GAMMA.search, (source, *beside))) or _FUNCTION_OF.match(source):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = typed(source)
     try:
@@ -525,6 +525,11 @@ _WORDS = re.compile(
     r"\\(?:text|mbox|textrm|textnormal|hbox)\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\$(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}"
 )
 # the gamma function, which stands before its argument
+# a function of the usual letters that is said to be something without an integral, a product or a factorial
+_FUNCTION_OF = re.compile(
+    r"\s*\\Gamma\s*\(\s*(?:[trkfE]|\\omega|\\theta|\\tau)\s*\)\s*=(?!.*\\(?:Gamma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
+    re.DOTALL,
+)
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|\\[!,;:]|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 # an upright d before the letter of an integration or derivative
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")

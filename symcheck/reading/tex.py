@@ -25,6 +25,7 @@ MAX_DEPTH = 30  # of brackets; the papers have less than ten
 _LETTERED = OVER | ROMAN
 _LETTERS = _LETTERED | LETTER_COMMANDS
 _ROMAN = {"{", "}"} | ROMAN  # what a subscript is printed with
+_DIGITS = frozenset("0123456789.")
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
 
 
@@ -126,6 +127,17 @@ def compact(source: str) -> str:
         number = made[-1:].isdigit() and tok.text[0] in "0123456789." and tok.at > end
         made, end = made + " " * bool(command or number) + tok.text, tok.at + len(tok.text)
     return made
+
+
+@lru_cache(maxsize=2048)
+def spaced(source: str) -> str:
+    """The same tokens with one space between them, but for digits that make one number: as patterns expect them."""
+    made, end = list[str](), 0
+    for text, at in zip(*_tokens(source), strict=True):
+        number = at == end and made and made[-1] in _DIGITS and text in _DIGITS
+        made += [text] if number or not made else [" ", text]
+        end = at + len(text)
+    return "".join(made)
 
 
 class Reader:

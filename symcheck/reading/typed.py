@@ -79,6 +79,7 @@ def _with_words(source: str) -> list[tex.Tok]:
     return found
 
 
+LONGEST_PRODUCT = 4  # small letters that are typed without a space
 DECIMALS = 3  # digits before an e behind which nobody adds a whole number
 _POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")  # with two digits, as computers print it
 
@@ -192,6 +193,7 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     applied = applied or (word == "Li" and opening in (["_"], ["("]))  # the logarithmic integral, and polylogarithms
     cost = word == "cost" and first and behind == "("
     initials = first and behind == "(" and word.isupper() and len(word) > 2  # as in MSD(t) =
+    named |= len(word) > LONGEST_PRODUCT and word.islower() and len({*word}) > 2
     named = (named and not _WITH_FUNCTION.search(word)) or applied or cost or initials
     return word.isascii() and named and not inside
 
