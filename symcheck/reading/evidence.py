@@ -208,17 +208,18 @@ _PRODUCT_DERIVED = re.compile(
 _SQUARE_OF = re.compile(r"([A-Za-z]|\\[a-z]+) (?:_ (?:\w|\{ \w \}) )?\^ (?:2|\{ 2 \}) \( [A-Z](?: [A-Z])+ \)")
 # a coefficient before a product: `b(aNP)`
 _OF_PRODUCT = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-eikmr]) \( [a-z](?: [A-Z])+ \)")
-# what a function of the time is equal to: `\sigma(t) = \sigma + b`
-_OF_TIME = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( t \) = ((?:(?!\\quad|\\\\|=).)*)")
-_TEXT = re.compile(r"\\text \{[^{}]*\}")
+# what a function of one letter is equal to: `\sigma(t) = \sigma + b`
+_OF_ONE = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( ([A-Za-z]|\\[a-z]+) \) = ((?:(?!\\quad|\\\\|=).)*)")
+_TEXT = re.compile(r"\\(?:text|mathrm) \{[^{}]*\}|\\prescript (?:\{(?:[^{}]|\{[^{}]*\})*\} ){3}")
 # rates, in equations in which letters are functions without brackets
-_RATES = re.compile(r"\\d?dot|\\partial|d t|\\mathrm \{ d \}")
+_RATES = re.compile(r"\\d?dot|\\partial|d t|\{ d |\\mathrm \{ d \}")
 # a word before brackets that hold a number and a letter
 _WORD_TIMES = re.compile(
     r"\\(?:text|mathrm) (\{ [a-z](?: [a-z])+ \}) (?:\\left )?\( \d+ [-+] (?:[a-z]|\\[a-z]+) (?:\\right )?\)"
 )
 # what has a number above it that a sum or a product runs over
 _ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})")
+_NO_VARIABLES = frozenset("ABCDEFGHKLMNPQRSTUVW")  # of which a series in powers is hardly made
 # such a sum or product, from 1 to a number
 _FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z]|\{ [A-Za-z] \})")
 # `fct(x)` and `fc_i(x)`, names of functions
@@ -246,17 +247,19 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
-    if "( t ) = " in text and not _RATES.search(text):
-        for value, rest in _OF_TIME.findall(text):
+    if " ) = " in text and not _RATES.search(text):
+        for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
-                yield value, f"is {value} what {value}(t) is? write {value}(t), or name the constant otherwise"
+                yield value, f"is {value} what {value}({by}) is? write {value}({by}), or name the constant otherwise"
     function = _OF_FUNCTION.search(text)
     if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
         yield "f", f"a factor, or part of the name f{function[1]}? say what it is"
     for run in {*_FROM_ONE.findall(text)} if " = 1 } ^ " in text else ():
         over = [base for base, *above in _ABOVE.findall(text) if run in above]
         if tex.texts(text).count(run) != len(over) + len(_FROM_ONE.findall(text)):
-            over = [base for base in over if re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)]
+            over = [
+                base for base in over if base in _NO_VARIABLES or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
+            ]
         yield from ((base, f"a power, or an index? say what {run} is above it") for base in over)
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):

@@ -364,7 +364,7 @@ def _is_dotted(of: Evidence) -> bool:
     """Does a dot stand between it and another letter, where both have accents?"""
     near = {x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside}
     if of.spelling.startswith(r"\nabla"):
-        return any(map(is_accented, near))
+        return any(is_accented(x) or x.startswith(r"\nabla") for x in near)
     return bool(is_accented(of.spelling)) and any(is_accented(x) or x.startswith(r"\nabla") for x in near)
 
 

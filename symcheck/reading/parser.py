@@ -549,6 +549,8 @@ class Builder:
         numbers = itertools.pairwise(isinstance(member, Number) for member in members)
         if any(sign == r"\sim" and all(pair) for sign, pair in zip(signs, numbers, strict=True)):
             raise self.fail(_place(nodes[0]), "numbers from one to the other? write between which a letter is")
+        if len(signs) > 2 and isinstance(members[0], Name) and all(map(_is_value_and_name, members[1:-1])):
+            raise self.fail(_place(nodes[0]), "do several equations stand in a row here? write commas between them")
         lists = any(isinstance(member, Tuple) for member in members[1:]) and not _is_of_capitals(members[0])
         if self.notation.inferred and _is_bracket(members[0]) and not lists:
             raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
@@ -1566,6 +1568,11 @@ def _changes(name: Name, of: Tree | None) -> bool:
     r"""Is this the change of another letter, `\delta\alpha` behind `\alpha`?"""
     changes = (r"\delta", r"\Delta")
     return isinstance(of, Name) and any(name.letter.split() == [sign, *of.letter.split()] for sign in changes)
+
+
+def _is_value_and_name(tree: Tree) -> bool:
+    """Is this a number before a name, as where values of several letters are printed without a comma?"""
+    return isinstance(tree, Mul) and [type(part) for part in tree.factors] == [Number, Name]
 
 
 def _has_chain(listing: Listing) -> bool:

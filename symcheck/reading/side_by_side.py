@@ -1,7 +1,7 @@
 r"""Letters side by side that may be one name: `UA`, `rpm`, `LHV`, beside the products `mg` and `Ax`.
 
-Print does not tell a name of several letters in italics from a product. It is a product where each of its letters stands
-elsewhere without the others; otherwise it may be either, and what is usual decides no more than the products below.
+Print does not tell a name of several letters in italics from a product. It is a product where each of its letters
+stands elsewhere without the others; otherwise it may be either, and what is usual decides the products below alone.
 """
 
 from __future__ import annotations
@@ -33,6 +33,9 @@ _SIGN = re.compile(r"[A-Za-z0-9}_] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|tex
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|[Rr]\w|i[A-Z]?\w")
+_UNITS = frozenset(
+    {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
+)
 _APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
@@ -52,9 +55,10 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     found: dict[str, str] = {}
     for run in several:
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
-        if alone and _may_be_name(run, alone, signed=signed, matrices=matrices, first=_begins(run, texts)):
+        unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
+        if unit or (alone and _may_be_name(run, alone, signed=signed, matrices=matrices, first=_begins(run, texts))):
             told = f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
-            found |= dict.fromkeys(alone, told)
+            found |= dict.fromkeys(alone or run, told)
     return found
 
 

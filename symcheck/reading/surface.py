@@ -51,7 +51,7 @@ _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # f
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
-_ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
+_ITALIC = re.compile(r"\\math(?:it|sf|tt)\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 _BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
 # the name of an operator, perhaps with spaces
 _OPERATOR = re.compile(
