@@ -222,6 +222,10 @@ _ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?
 _NO_VARIABLES = frozenset("ABCDEFGHKLMNPQRSTUVW")  # of which a series in powers is hardly made
 # such a sum or product, from 1 to a number
 _FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z]|\{ [A-Za-z] \})")
+# `2F_1(a, b, c, x)`
+_HYPERGEOMETRIC = re.compile(
+    r"\d F _ (?:\d|\{ \d \}) (?:\\left )?\( [^()]*(?:\([^()]*\)[^()]*)*,[^()]*(?:\([^()]*\)[^()]*)*,"
+)
 # `fct(x)` and `fc_i(x)`, names of functions
 _OF_FUNCTION = re.compile(r"(?<![A-Za-z\\])f ([a-z]) (?:t )?(?:_ (?:\w|\{[^{}]*\}) )?(?:\\left )?\(")
 # all that is integrated, and by what
@@ -251,6 +255,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
                 yield value, f"is {value} what {value}({by}) is? write {value}({by}), or name the constant otherwise"
+    if _HYPERGEOMETRIC.search(text):
+        yield "F", "a factor before a function, or a hypergeometric one? write the number as a subscript at its left"
     function = _OF_FUNCTION.search(text)
     if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
         yield "f", f"a factor, or part of the name f{function[1]}? say what it is"
@@ -281,9 +287,7 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
     return found
 
 
-_BASE = (
-    r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[a-z]+) \}|\\(?:beta|theta|mu|phi|psi|xi))"
-)
+_BASE = r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[a-z]+) \}|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
 _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
 # a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA'
 _TRANSPOSED = re.compile(
@@ -294,6 +298,11 @@ _TRANSPOSED = re.compile(
 _NO_TRANSPOSES = re.compile(r"' '|\\d?dot |' (?:\\left )?\( [a-z] \)|\^ (?:\{ )?(?:T|\\top|\\mathsf)(?![A-Za-z])")
 
 
+# what may be transposed before a factor, where T is a letter, too
+_POWER_OF_T = re.compile(
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}}) (?={_BASE})"
+)
+_ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed
 _ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
 
@@ -305,6 +314,9 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
         primed = []
     found = {match[1] or match[2] for formula in primed for match in _TRANSPOSED.finditer(formula)}
     told = dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
+    if any(map(_POWER_OF_T.search, formulas)) and "T" in {x for f in formulas for x in tex.texts(_ABOVE_T.sub("", f))}:
+        bases = {m[1] for formula in formulas for m in _POWER_OF_T.finditer(formula)}
+        told |= dict.fromkeys(map(canonical, bases), "transposed, or raised to the power of T? say what T is")
     raised = sum(len(_ADJOINT.findall(formula)) for formula in formulas)
     if raised and raised == sum(tex.texts(formula).count("H") for formula in formulas):
         told["H"] = "a power, or conjugated and transposed? say what H is"

@@ -409,8 +409,12 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     latex = of.spelling
     derived = any(p.role == "derived" and p.before in ("d", r"\partial") and p.superscript is None for p in of.places)
     alone = all(place.before in ("", "=", "&", r"\\") and not place.powered for place in of.places)
-    if latex == r"\pi" and alone and not of.bare and _common_arguments(of):
-        return []  # a profit, or a policy
+    if latex == r"\pi" and not of.bare and _common_arguments(of):
+        if not (alone or of.by or any(place.before.isdigit() or place.powered for place in of.places)):
+            function = Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
+            return [in_doubt(function, "the number pi, or a function? say what it is")]
+        if alone:
+            return []  # a profit, or a policy
     if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":

@@ -94,7 +94,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if _is_power(each.above)},
         {each.above for each in scripted if each.applied and each.word != each.bare and _letters(each.above)},
         loose,
-        {each.word for each in scripted if each.above == ("0",) and each.word != each.bare},
+        {each.word for each in scripted if each.above in (("0",), ("1",)) and each.word != each.bare},
         {word for formula in raised for word in _APPLIED.findall(formula)},
         {
             each.above[0]
@@ -427,6 +427,8 @@ def _unit(latex: str, formula: str) -> str:
     if latex.startswith(r"\nabla"):
         raised = re.search(rf"{re.escape(latex)} \^ (?:\{{ )?[\w\\](?<!T)(?!mathrm|top|text|dagger)", formula)
         return "the gradient of a power, or a power of the gradient? write brackets" if raised else ""
+    if latex.startswith(r"\delta") and re.search(rf"\( {re.escape(latex)} (?:\\right )?\) \^ \{{ - 1 \}}", formula):
+        return "a change, or a factor before a letter? write \\cdot, or say what it is"
     if not latex.startswith("["):
         return ""
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):

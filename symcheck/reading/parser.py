@@ -103,6 +103,7 @@ _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
 _BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
+_MEAN = re.compile(r"(?<![A-Za-z\\])E\s*(?:\\left|\\[bB]igg?l?)?\s*\[")  # the sign of an expectation
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 # signs beside which an interval stands
 _OF_SETS = re.compile(r"\\(?:in|notin|subset|subseteq|supset|cup|cap|setminus)(?![a-z])")
@@ -795,6 +796,16 @@ class Builder:
         bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
         if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
+        if (
+            isinstance(name, Name)
+            and name.letter == "E"
+            and not after.square
+            and bracketed
+            and _MEAN.search(self.source)
+        ):
+            raise self.fail(after.at, "the expectation of what is in these brackets, or times it? write square ones")
+        if isinstance(name, Name) and name.letter in (r"\Delta", r"\delta") and after.kind == "function":
+            raise self.fail(item.at, "the change of what follows, or times it? write \\cdot, or brackets")
         if isinstance(name, Name) and _OPERATOR.match(name.letter) and _STATE.match(to_latex(after.node or Blank())):
             raise self.fail(item.at, f"{to_latex(name)} applied to what follows, or times it? say what it is")
         if not self.in_brackets(after):
@@ -1024,7 +1035,8 @@ class Builder:
         counts = counted and (
             self.is_sequence(name) or any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
         )
-        return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
+        upright = name.letter.startswith(r"\text{")
+        return (inside,) if counts or upright or isinstance(inside, Name | Number | Call) else ()
 
     def is_sequence(self, name: Name) -> bool:
         """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""

@@ -49,7 +49,8 @@ _SPELLINGS: Sequence[
     (
         "[ ",
         re.compile(
-            rf"(?<== )(?:\\left |\\[bB]igg?l? )?\[ {_CELL}(?: {_WIDTHS.pattern}{_CELL}){{2,}} (?:\\right |\\[bB]igg?r? )?\]"
+            rf"(?<== )(?:\\left |\\[bB]igg?l? )?\[ {_CELL}(?: {_WIDTHS.pattern}{_CELL}){{2,}}"
+            r" (?:\\right |\\[bB]igg?r? )?\]"
         ),
         lambda found: _WIDTHS.sub(", ", found[0]),
     ),

@@ -27,12 +27,12 @@ _FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=-]*?\\cdot")  # whose 
 _DERIVATIVE = re.compile(r"\\int|\{ d ")
 _LETTERS = re.compile(r"(?<![A-Za-z\\])[A-Za-z](?: [A-Za-z])*(?![A-Za-z])")
 # what shows that capitals are matrices
-_OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:T|- 1|\\top) \}|\\top|\{ \* \})(?![A-Za-z])|\\(?:begin|det)(?![A-Za-z])")
+_OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:T|- 1|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x")
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
-_SIGN = re.compile(r"[A-Za-z0-9}_] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
+_SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
-_USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|[Rr]\w|i[A-Z]?\w")
+_USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
@@ -56,7 +56,10 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     for run in several:
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
-        if unit or (alone and _may_be_name(run, alone, signed=signed, matrices=matrices, first=_begins(run, texts))):
+        if unit or (
+            alone
+            and _may_be_name(run, alone, signed=signed, matrices=matrices, named=_is_name_on_sight(run, several, texts))
+        ):
             told = f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
             found |= dict.fromkeys(alone or run, told)
     return found
@@ -77,21 +80,30 @@ def _runs(text: str) -> Iterator[str]:
 
 
 def _stands_elsewhere(letter: str, run: str, runs: Collection[str]) -> bool:
-    """Does a letter of a run stand anywhere alone, or at another place of another run?"""
+    """Does a letter of a run stand anywhere alone, or at another place of another run; a small one, at any?"""
+    small = letter.islower() and len(run) == 2 and run.islower()
     return any(
-        other == letter or any(x == letter and run[k : k + 1] != letter for k, x in enumerate(other))
+        other == letter or any(x == letter and (small or run[k : k + 1] != letter) for k, x in enumerate(other))
         for other in runs
-        if other != run
+        if other != run and not (small and len(other) == 2 and other[1] == run[1])
     )
 
 
-def _begins(run: str, texts: Sequence[str]) -> bool:
-    """Is a run all that stands on the left of an equation, in small letters with an index?"""
-    index = "_?" if run.isupper() else "_"
-    return any(re.match(rf"(?:& )?{' '.join(run)}{index}(?: &)? =", text.strip()) for text in texts)
+def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> bool:
+    """Is a run in capitals a whole left side, or one of several with one end; has one in small letters an index?"""
+    printed = " ".join(run)
+    if run.isupper():
+        paired = any(
+            len(other) == 2 and other.isupper() and other[0] != run[0] and other[1] == run[1] for other in runs
+        )
+        return (len(run) == 2 and paired) or any(
+            re.match(rf"(?:& )?{printed}_?(?: &)? =", text.strip()) for text in texts
+        )
+    places = [found[1] for text in texts for found in re.finditer(rf"(?<![A-Za-z\\]){printed} ?(_?)", text)]
+    return run[0] not in "gkmd" and all(places)  # gravity, springs, masses, differentials
 
 
-def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, first: bool) -> bool:
+def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:
     """May these letters, of which some stand nowhere else, be one name?"""
     if "o" in run or "O" in run:  # which are hardly letters
         return True
@@ -100,9 +112,9 @@ def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bo
     if signed:
         return True
     if run.isupper() and len(run) == 2 and len(alone) < len({*run}):
-        return first
+        return named and not matrices
     if run.isupper():
         return not matrices
     if len(run) == 2 and (run.islower() or _FACTOR_FIRST.fullmatch(run)):
-        return first and len(alone) == 2
+        return named and len(alone) == 2 and run.islower()
     return not run.islower() or len(run) > LONGEST or len(alone) == len({*run})
