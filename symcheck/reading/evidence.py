@@ -222,6 +222,9 @@ _ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?
 _NO_VARIABLES = frozenset("ABCDEFGHKLMNPQRSTUVW")  # of which a series in powers is hardly made
 # such a sum or product, from 1 to a number
 _FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z]|\{ [A-Za-z] \})")
+_RAISED_CHANGE = re.compile(
+    r"\\Delta \^ (?:\d|\{ \d \}) (?:[A-Za-z]|\\(?:theta|phi|tau|nu|lambda))(?![A-Za-z])"
+)  # `\Delta^2 t`
 # `2F_1(a, b, c, x)`
 _HYPERGEOMETRIC = re.compile(
     r"\d F _ (?:\d|\{ \d \}) (?:\\left )?\( [^()]*(?:\([^()]*\)[^()]*)*,[^()]*(?:\([^()]*\)[^()]*)*,"
@@ -255,6 +258,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
                 yield value, f"is {value} what {value}({by}) is? write {value}({by}), or name the constant otherwise"
+    if r"\Delta ^ " in text and _RAISED_CHANGE.search(text):
+        yield r"\Delta", "the power of a change, or times what follows? write brackets"
     if _HYPERGEOMETRIC.search(text):
         yield "F", "a factor before a function, or a hypergeometric one? write the number as a subscript at its left"
     function = _OF_FUNCTION.search(text)
@@ -287,7 +292,10 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
     return found
 
 
-_BASE = r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[a-z]+) \}|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
+_BASE = (
+    r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[a-z]+) \}"
+    r"|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
+)
 _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
 # a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA'
 _TRANSPOSED = re.compile(

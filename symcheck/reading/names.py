@@ -230,6 +230,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(letters[0])
     if not of.framed and any(letter in told.numbers for letter in letters):
         return None
+    members = {number.partition("_")[0] for number in told.numbers if "_" in number}
+    if not of.framed and len(letters) == 1 and "_" in letters[0] and letters[0].partition("_")[0] in members:
+        return None  # one of several numbers
     points = "_" in letters[0] or len(letters) > 1 or letters[0] in FRAMES
     if of.framed or "," in inside or letters[0].startswith(BOLD):
         return ""
@@ -543,6 +546,7 @@ def _begins_letter(text: str) -> bool:
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    bracketed = bracketed and not ("^" in inside or {"_", "+"} <= {*inside})  # that is a power
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
         return True
     if [*inside] == ["i", "g"]:  # of an ideal gas

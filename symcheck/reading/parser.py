@@ -839,6 +839,8 @@ class Builder:
                 f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or "
                 r"write \cdot",
             )
+        if isinstance(inside, Call) and isinstance(inside.function, str) and inside.function in ("div", "curl"):
+            return  # their operator needs brackets behind a factor
         constant = letter is not None and (letter.depends == "" or letter.number)
         # a sum and a power of a product need their brackets, so that they are no sign of a function
         if isinstance(inside, Pair) and all(map(self.is_vector, children(inside))):

@@ -13,8 +13,8 @@ from collections.abc import Collection, Iterator, Sequence
 ONE_NAME = "one name"  # how the doubt begins
 # names, environments and frames, whose letters are no factors
 _NAMED = re.compile(
-    r"\\(?:text|mathrm|operatorname|begin|end|mathbf|mathsf|bm|boldsymbol|pmb|mathcal|mathbb|mathscr|mathfrak|prescript|"
-    r"vec|hat|widehat|bar|tilde|overline|dot|ddot) (?:\{(?:[^{}]|\{[^{}]*\})*\}|\S)(?: \{ [lcr |]+ \})?"
+    r"\\(?:text|mathrm|operatorname|begin|end|mathbf|mathsf|bm|boldsymbol|pmb|mathcal|mathbb|mathscr|mathfrak|"
+    r"prescript|vec|hat|widehat|bar|tilde|overline|dot|ddot) (?:\{(?:[^{}]|\{[^{}]*\})*\}|\S)(?: \{ [lcr |]+ \})?"
 )
 _BELOW = re.compile(r" ?_ (?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\S+)")
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z\\])d (?:\^ (?:\w|\{ \w+ \}) )?(?=[A-Za-z])")
@@ -33,6 +33,7 @@ _SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|te
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
+_GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
@@ -97,7 +98,7 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
             len(other) == 2 and other.isupper() and other[0] != run[0] and other[1] == run[1] for other in runs
         )
         return (len(run) == 2 and paired) or any(
-            re.match(rf"(?:& )?{printed}_?(?: &)? =", text.strip()) for text in texts
+            re.match(rf"(?:& )?{printed}_?(?: \( [^()]* \))?(?: &)? =", text.strip()) for text in texts
         )
     places = [found[1] for text in texts for found in re.finditer(rf"(?<![A-Za-z\\]){printed} ?(_?)", text)]
     return run[0] not in "gkmd" and all(places)  # gravity, springs, masses, differentials
@@ -105,7 +106,7 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
 
 def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:
     """May these letters, of which some stand nowhere else, be one name?"""
-    if "o" in run or "O" in run:  # which are hardly letters
+    if "o" in run or "O" in run or run in _GREEK:  # an o is hardly a letter
         return True
     if _USUAL.fullmatch(run) or (_APPLIED.fullmatch(run) and not signed):
         return False
@@ -114,7 +115,7 @@ def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bo
     if run.isupper() and len(run) == 2 and len(alone) < len({*run}):
         return named and not matrices
     if run.isupper():
-        return not matrices
+        return named or not matrices
     if len(run) == 2 and (run.islower() or _FACTOR_FIRST.fullmatch(run)):
         return named and len(alone) == 2 and run.islower()
     return not run.islower() or len(run) > LONGEST or len(alone) == len({*run})

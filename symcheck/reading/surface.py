@@ -60,7 +60,7 @@ _OPERATOR = re.compile(
     r"\\operatorname(\*?)\s*\{([^{}]*)\}|(?<!\{)\\(?:mathrm|text|textrm)()\s*\{\s*(arg\W*(?:max|min))\s*\}"
 )
 # spaces with their lengths; the wide ones part relations
-_HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*(\d*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
+_HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*([\d.]*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
 _UNITS = re.compile(  # of which the last has a power
     r"(?<![_^{])\\(?:mathrm|text)\s*\{((?:\s*[A-Za-z]+\s*\\,)*\s*[A-Za-z]+)\s*\\,\s*([A-Za-z]+)\s*\}(?=\s*\^)"
 )
@@ -528,12 +528,13 @@ _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold 
 _WORDS = re.compile(
     r"\\(?:text|mbox|textrm|textnormal|hbox)\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\$(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}"
 )
-# the gamma function, which stands before its argument
 # a function of the usual letters that is said to be something without an integral, a product or a factorial
 _FUNCTION_OF = re.compile(
-    r"\s*\\Gamma\s*\(\s*(?:[trkfE]|\\omega|\\theta|\\tau)\s*\)\s*=(?!.*\\(?:Gamma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
+    r"\s*\\Gamma\s*\(\s*(?:[trkfE]|\\omega|\\theta|\\tau)\s*\)\s*="
+    r"(?!.*\\(?:Gamma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
     re.DOTALL,
 )
+# the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|\\[!,;:]|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")
 # an upright d before the letter of an integration or derivative
 _DIFFERENTIAL = re.compile(r"\\(?:mathrm|text|operatorname|rm)\s*\{\s*d\s*\}(?=\s*(?:[A-Za-z\\^]))")

@@ -15,7 +15,7 @@ _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)  # a command, an escape
 _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
 # the number of a formula at its end: "\tag{2.1}", or "\quad (2.1)"
 _TAG = re.compile(
-    rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+\.\d+[a-zа-я]?)\))(?={_SPACE}*$)"
+    rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+(?:\.\d+)?[a-zа-я]?)\))(?={_SPACE}*$)"
 )
 _TAGGED = (r"\tag", r"\eqno", "quad")  # one of these stands before it
 _TAIL = re.compile(rf"(?:{_SPACE}|(?<!\\right)(?<!\\right )[.,;])+$")  # spaces and punctuation at the end of a formula
