@@ -585,7 +585,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "V_s = \\frac{1}{2} k \\left| \\bar{r}^{P/Q} \\right|^2 = \\frac{1}{2} k \\bar{r}^{P/Q} \\cdot \\bar{r}^{P/Q}",
-        "Chain(V_s, Mul(Div(1; 2), k, Pow(Bars(\\bar { r } ^ { P / Q }); 2)), Mul(Div(1; 2), k, \\bar { r } ^ { P / Q }, \\bar { r } ^ { P / Q }); =, =)",
+        "Chain(V_s, Mul(Div(1; 2), k, Pow(Bars(\\bar { r } ^ { P / Q }); 2)), Mul(Div(1; 2), k, \\bar { r } ^ { P / Q }, \\bar { r } ^ { P / Q }; 3); =, =)",
         "moorepants/learn-multibody-dynamics/energy.rst",
     ),
     (

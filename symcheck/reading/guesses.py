@@ -260,12 +260,14 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
-    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_")
+    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if _is_stepped(of):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
         yield in_doubt(function, FACTOR)
+    elif typical and any(place.exponent for place in of.places):
+        yield from (in_doubt(function, FACTOR), product)
     else:
         yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
 
@@ -276,6 +278,7 @@ def _is_stepped(of: Evidence) -> bool:
     return len(times) > 1 and len(times) == len({*of.arguments}) and any("+" in each.split() for each in times)
 
 
+_OF_ORDER = re.compile(r"[A-Z]_\{?\\")  # a Bessel function, say
 _AFFINE = re.compile(r"[A-Z](?: _ \S+| _ \{[^{}]*\})* [a-z].*\+")  # W x + b, of which a layer is a function
 _MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
 

@@ -136,7 +136,7 @@ class Scan(tex.Reader):
                     name,
                     dots,
                     arguments=arguments,
-                    powered=arguments is not None and self.peek_at(self.behind()) == "^",
+                    powered=arguments is not None and name[0] != "[" and self.peek_at(self.behind()) == "^",
                     role=scope.role,
                     by=scope.by,
                     before=before,

@@ -91,7 +91,10 @@ def _stands_elsewhere(letter: str, run: str, runs: Collection[str]) -> bool:
 
 
 def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> bool:
-    """Is a run in capitals a whole left side, or one of several with one end; has one in small letters an index?"""
+    """Is a run in capitals a whole left side, or one of several with one end; has one in small letters an index?
+
+    Nor is a product said to be something of several arguments.
+    """
     printed = " ".join(run)
     if run.isupper():
         paired = any(
@@ -100,6 +103,8 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
         return (len(run) == 2 and paired) or any(
             re.match(rf"(?:& )?{printed}_?(?: \( [^()]* \))?(?: &)? =", text.strip()) for text in texts
         )
+    if any(re.match(rf"(?:& )?{printed}_? \( [^()]*,[^()]* \)(?: &)? =", text.strip()) for text in texts):
+        return True  # a distance, say
     places = [found[1] for text in texts for found in re.finditer(rf"(?<![A-Za-z\\]){printed} ?(_?)", text)]
     return run[0] not in "gkmd" and all(places)  # gravity, springs, masses, differentials
 
