@@ -66,11 +66,6 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def standing_alone(formula: str) -> set[str]:
-    """The letters of a formula that stand in it without other letters beside them."""
-    return {run for run in _runs(_apart(formula)) if len(run) == 1}
-
-
 def _apart(text: str) -> str:
     text = _CHANGE.sub("", _RAISED.sub(r", \1 ", _OF_EULER.sub("", _BELOW.sub("_", _NAMED.sub(r"\\", text)))))
     return _DIFFERENTIAL.sub("", text) if _DERIVATIVE.search(text) else text
