@@ -22,7 +22,7 @@ from pathlib import Path
 
 from peers import PARSERS
 
-from symcheck.core.verdicts import SymcheckError
+from symcheck.core.verdicts import Doubt, SymcheckError
 from symcheck.reading import lower, read
 from symcheck.reading.inference import inferred
 from symcheck.reading.surface import plain, with_plain_differentials
@@ -42,6 +42,8 @@ def ours(latex: str) -> tuple[bool, bool]:
             found = read(text, inference.notation)
             tree = True
             lower(found, inference.notation)
+        except Doubt:
+            break
         except SymcheckError:
             continue
         return True, True

@@ -3,33 +3,103 @@
 # ruff: noqa: E501 (a display is not broken)
 
 LICENCES = {  # of the repositories from whose packages displays were taken
+    "CURENT/andes": "GPL-3.0-or-later",
     "CalebBell/chemicals": "MIT",
     "CalebBell/ht": "MIT",
     "CalebBell/thermo": "MIT",
+    "CamDavidsonPilon/lifelines": "MIT",
+    "GAA-UAM/scikit-fda": "BSD-3-Clause",
+    "GPflow/GPflow": "Apache-2.0",
+    "GeoStat-Framework/GSTools": "LGPL-3.0",
+    "LCAV/pyroomacoustics": "MIT",
+    "LSSTDESC/CCL": "BSD-3-Clause",
+    "NREL/MoorPy": "BSD-3-Clause",
+    "Ouranosinc/xclim": "Apache-2.0",
+    "PMEAL/OpenPNM": "MIT",
+    "PMEAL/porespy": "MIT",
+    "PennyLaneAI/pennylane": "Apache-2.0",
     "PlasmaPy/PlasmaPy": "BSD-3-Clause",
     "PyAbel/PyAbel": "MIT",
+    "PyPSA/PyPSA": "MIT",
+    "PyPortfolio/PyPortfolioOpt": "MIT",
+    "PythonOT/POT": "MIT",
+    "QuantEcon/QuantEcon.py": "MIT",
+    "SALib/SALib": "MIT",
     "SasView/sasmodels": "BSD-3-Clause",
     "Unidata/MetPy": "BSD-3-Clause",
+    "XanaduAI/strawberryfields": "Apache-2.0",
+    "acoular/acoular": "BSD-3-Clause",
+    "ase/ase": "LGPL-2.1-or-later",
+    "astroML/astroML": "BSD-2-Clause",
     "bdaiinstitute/spatialmath-python": "MIT",
+    "bilby-dev/bilby": "MIT",
+    "bjodah/chempy": "BSD-2-Clause",
     "bumps/bumps": "public domain",
+    "bwohlberg/sporco": "BSD-3-Clause",
     "ceres-solver/ceres-solver": "BSD-3-Clause",
+    "climlab/climlab": "MIT",
     "cornellius-gp/gpytorch": "MIT",
     "csu-hmc/opty": "BSD-2-Clause",
     "cvxpy/cvxpy": "Apache-2.0",
+    "dcajasn/Riskfolio-Lib": "BSD-3-Clause",
+    "derrynknife/SurPyval": "MIT",
+    "devitocodes/devito": "MIT",
+    "dfm/emcee": "MIT",
     "esys-escript/esys-escript.github.io": "Apache-2.0",
+    "evalf/nutils": "MIT",
+    "fatiando/boule": "BSD-3-Clause",
+    "fatiando/harmonica": "BSD-3-Clause",
     "geomstats/geomstats": "MIT",
     "gromacs/gromacs": "LGPL-2.1-or-later",
     "jobovy/galpy": "BSD-3-Clause",
+    "jonathf/chaospy": "MIT",
+    "joshspeagle/dynesty": "MIT",
+    "kinnala/scikit-fem": "BSD-3-Clause",
     "lammps/lammps": "GPL-2.0",
+    "lenstronomy/lenstronomy": "BSD-3-Clause",
+    "lightkurve/lightkurve": "MIT",
+    "ljvmiranda921/pyswarms": "MIT",
     "lmfit/lmfit-py": "BSD-3-Clause",
+    "mne-tools/mne-python": "BSD-3-Clause",
+    "mph-/lcapy": "LGPL-2.1",
     "mpmath/mpmath": "BSD-3-Clause",
+    "netket/netket": "Apache-2.0",
+    "neuropsychology/NeuroKit": "MIT",
+    "nilearn/nilearn": "BSD-3-Clause",
+    "obspy/obspy": "LGPL-3.0",
+    "oemof/tespy": "MIT",
     "openmm/openmm": "MIT",
+    "petrobras/ross": "Apache-2.0",
+    "pleiszenburg/hapsira": "MIT",
+    "pvlib/pvlib-python": "BSD-3-Clause",
+    "py-why/dowhy": "MIT",
     "pyRiemann/pyRiemann": "BSD-3-Clause",
+    "pybamm-team/PyBaMM": "BSD-3-Clause",
     "pydy/pydy": "BSD-3-Clause",
+    "pyet-org/pyet": "MIT",
+    "pyfar/pyfar": "MIT",
     "pygae/clifford": "BSD-3-Clause",
     "pygae/galgebra": "BSD-3-Clause",
+    "pykalman/pykalman": "BSD-3-Clause",
+    "pymc-devs/pymc": "Apache-2.0",
+    "pynucastro/pynucastro": "BSD-3-Clause",
     "pyro-ppl/pyro": "Apache-2.0",
+    "pyscf/pyscf": "Apache-2.0",
+    "pyspeckit/pyspeckit": "BSD-3-Clause",
+    "python-acoustics/python-acoustics": "BSD-3-Clause",
+    "python-periodictable/periodictable": "public domain",
+    "raphaelvallat/pingouin": "GPL-3.0",
+    "refnx/refnx": "BSD-3-Clause",
+    "robbievanleeuwen/section-properties": "MIT",
+    "scikit-rf/scikit-rf": "BSD-3-Clause",
+    "simpeg/simpeg": "MIT",
+    "sncosmo/sncosmo": "BSD-3-Clause",
+    "soft-matter/trackpy": "BSD-3-Clause",
+    "spacetelescope/poppy": "BSD-3-Clause",
     "stevengj/nlopt": "MIT",
+    "unitaryfoundation/mitiq": "GPL-3.0",
+    "usnistgov/fipy": "public domain",
+    "vnmabus/dcor": "MIT",
 }
 
 JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, repository and path
@@ -515,7 +585,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "V_s = \\frac{1}{2} k \\left| \\bar{r}^{P/Q} \\right|^2 = \\frac{1}{2} k \\bar{r}^{P/Q} \\cdot \\bar{r}^{P/Q}",
-        "Chain(V_s, Mul(Div(1; 2), k, Pow(Bars(\\bar { r } ^ { P / Q }); 2)), Mul(Div(1; 2), k, \\bar { r } ^ { P / Q }, \\bar { r } ^ { P / Q }); =, =)",
+        "Chain(V_s, Mul(Div(1; 2), k, Pow(Bars(\\bar { r } ^ { P / Q }); 2)), Mul(Div(1; 2), k, \\bar { r } ^ { P / Q }, \\bar { r } ^ { P / Q }; 3); =, =)",
         "moorepants/learn-multibody-dynamics/energy.rst",
     ),
     (
@@ -15233,6 +15303,3676 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(cos; \\theta), Call(cos; Neg(\\theta)); =)",
         "PlasmaPy/PlasmaPy/docs/development/testing_guide.rst",
     ),
+    (
+        "\\Gamma = R \\Gamma' R^T",
+        "Chain(\\varGamma, Mul(R, \\varGamma', Transpose(R)); =)",
+        "usnistgov/fipy/examples/diffusion/anisotropy.py",
+    ),
+    (
+        "\\frac{1}{M_\\xi} \\frac{\\partial \\xi}{\\partial t}\n=  \\kappa_\\xi \\nabla^2 \\xi - 2\\xi(1-\\xi)(1-2\\xi) W",
+        "Chain(Mul(Div(1; M_\\xi), Derivative(Call(\\xi); t, 1; True)), Add(Mul(\\kappa_\\xi, Call(laplacian; Call(\\xi))), Neg(Mul(2, Call(\\xi), Add(1, Neg(Call(\\xi))), Add(1, Neg(Mul(2, Call(\\xi)))), W))); =)",
+        "usnistgov/fipy/examples/elphf/phase.py",
+    ),
+    (
+        "f_A(\\phi, T) = p(\\phi) f_A^S(T)\n+ \\left(1 - p(\\phi)\\right) f_A^L(T) + \\frac{W_A}{2} g(\\phi)",
+        "Chain(Call(f_A; \\phi, T), Add(Mul(Call(p; \\phi), Call(f _ { A } ^ { S }; T)), Mul(Add(1, Neg(Call(p; \\phi))), Call(f _ { A } ^ { L }; T)), Mul(Div(W_A; 2), Call(g; \\phi))); =)",
+        "usnistgov/fipy/examples/phase/binary.py",
+    ),
+    (
+        "S(t; x, y) = \\exp\\left(-\\left(\\frac{t}{\\lambda(x)}\\right)^{\\rho(y)}\\right),",
+        "Chain(Call(S; Given(t; x, y; ;)), Call(exp; Neg(Pow(Div(t; Call(\\lambda; x)); Call(\\rho; y)))); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/weibull_aft_fitter.py",
+    ),
+    (
+        "\\forall i \\in \\text{inlets}",
+        "Forall(Chain(i, \\text{inlets}; \\in))",
+        "oemof/tespy/src/tespy/components/combustion/base.py",
+    ),
+    (
+        "\\psi(x) = \\frac{x^2}{2} - 2x",
+        "Chain(Call(\\psi; x), Add(Div(Pow(x; 2); 2), Neg(Mul(2, x))); =)",
+        "usnistgov/fipy/examples/diffusion/electrostatics.py",
+    ),
+    (
+        "R(\\phi, \\lambda) =\n\\frac{\n    a \\, (1 - f_c) \\, (1 - f_b)\n}{\n    \\sqrt{\n        1\n        - (2 f_c - f_c^2) \\cos^2 \\phi\n        - (2 f_b - f_b^2) \\sin^2 \\phi\n        - (1 - f_c)^2 (2 f_b - f_b^2)\n            \\cos^2 \\phi \\cos^2 (\\lambda - \\lambda_a)\n    }\n},",
+        "Chain(Call(R; \\phi, \\lambda), Div(Mul(a, Add(1, Neg(f_c)), Add(1, Neg(f_b))); Sqrt(Add(1, Neg(Mul(Add(Mul(2, f_c), Neg(Pow(f_c; 2))), Pow(Call(cos; \\phi); 2))), Neg(Mul(Add(Mul(2, f_b), Neg(Pow(f_b; 2))), Pow(Call(sin; \\phi); 2))), Neg(Mul(Pow(Add(1, Neg(f_c)); 2), Add(Mul(2, f_b), Neg(Pow(f_b; 2))), Pow(Call(cos; \\phi); 2), Pow(Call(cos; Add(\\lambda, Neg(\\lambda_a))); 2)))))); =)",
+        "fatiando/boule/src/boule/_triaxialellipsoid.py",
+    ),
+    (
+        "\\nabla \\cdot \\left(D \\nabla \\phi + \\vec{u} \\phi \\right) = 0",
+        "Chain(Call(div; Add(Mul(D, \\nabla \\phi), Mul(\\vec{u}, \\phi))), 0; =)",
+        "usnistgov/fipy/examples/convection/exponential1D/cylindricalMesh1D.py",
+    ),
+    (
+        "\\theta_2 =\n\\begin{bmatrix}\np     &  1 - p \\\\\n1 - q &  q     \\\\\n\\end{bmatrix}",
+        "Chain(\\theta_2, MatrixOf(p, Add(1, Neg(p)), Add(1, Neg(q)), q); =)",
+        "QuantEcon/QuantEcon.py/quantecon/markov/approximation.py",
+    ),
+    (
+        "\\eta = \\frac{\\eta_{nom}}{\\eta_{ref}} (-0.0162\\zeta - \\frac{0.0059}\n{\\zeta} + 0.9858)",
+        "Chain(\\eta, Mul(Div(\\eta_{nom}; \\eta_{ref}), Add(Neg(Mul(0.0162, \\zeta)), Neg(Div(0.0059; \\zeta)), 0.9858)); =)",
+        "pvlib/pvlib-python/pvlib/inverter.py",
+    ),
+    (
+        "0 = \\dot m \\cdot\n\\frac{ h_\\text{out} - h_\\text{in}}{1 - \\dot Q_\\text{diss,rel}}\n- P",
+        "Chain(0, Add(Mul(Call(\\dot{m}), Div(Add(h_{out}, Neg(h_{in})); Add(1, Neg(Call(\\dot{Q}_{diss,rel}))))), Neg(P)); =)",
+        "oemof/tespy/src/tespy/components/displacementmachinery/polynomial_compressor.py",
+    ),
+    (
+        "f_r = \\omega^2 (R + h) \\cos^2 \\theta",
+        "Chain(f_r, Mul(Pow(\\omega; 2), Add(R, h), Pow(Call(cos; \\theta); 2)); =)",
+        "fatiando/boule/src/boule/_sphere.py",
+    ),
+    (
+        "0 = T_{in} - T_{out,j}\\\\\n\\forall j \\in \\text{outlets}",
+        "System(Chain(0, Add(T_{in}, Neg(T_{out,j})); =), Forall(Chain(j, \\text{outlets}; \\in)))",
+        "oemof/tespy/src/tespy/components/nodes/separator.py",
+    ),
+    (
+        "0 < colatitude < \\pi",
+        "Chain(0, \\text{colatitude}, \\pi; <, <)",
+        "pyfar/pyfar/pyfar/classes/coordinates.py",
+    ),
+    (
+        "\\frac{\\partial^2 v_0}{\\partial x^2} + \\frac{\\partial v_1}{\\partial t} &= 0 \\\\\n\\frac{\\partial^2 v_1}{\\partial x^2} - \\frac{\\partial v_0}{\\partial t} &= 0",
+        "System(Chain(Add(Derivative(Call(v_0); x, 2; True), Derivative(Call(v_1); t, 1; True)), 0; =), Chain(Add(Derivative(Call(v_1); x, 2; True), Neg(Derivative(Call(v_0); t, 1; True))), 0; =))",
+        "usnistgov/fipy/examples/diffusion/coupled.py",
+    ),
+    (
+        "\\tilde{A} =\n\\begin{bmatrix}\nA  & 0    & 0  \\\\\nKG & A-KG & KH \\\\\n0  & 0    & 0 \\\\\n\\end{bmatrix}",
+        "Chain(\\tilde{A}, MatrixOf(A, 0, 0, Mul(K, G), Add(A, Neg(Mul(K, G))), Mul(K, H), 0, 0, 0); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_kalman.py",
+    ),
+    (
+        "\\frac{1}{M_\\phi}\\frac{\\partial \\phi}{\\partial t} =\n\\kappa_\\phi \\nabla^2\\phi\n- \\frac{\\partial f}{\\partial \\phi}",
+        "Chain(Mul(Div(1; M_\\phi), Derivative(Call(\\phi); t, 1; True)), Add(Mul(\\kappa_\\phi, Call(laplacian; Call(\\phi))), Neg(Derivative(Call(f); \\phi, 1; True))); =)",
+        "usnistgov/fipy/examples/phase/simple.py",
+    ),
+    (
+        "\\xi(x) = \\frac{1}{2}(1 - \\tanh\\frac{x - L/2}{2d})",
+        "Chain(Call(\\xi; x), Mul(Div(1; 2), Add(1, Neg(Call(tanh; Div(Add(x, Neg(Div(L; 2))); Mul(2, d)))))); =)",
+        "usnistgov/fipy/examples/elphf/phase.py",
+    ),
+    (
+        "\\varepsilon = \\frac{1 - \\exp\\left(-\\text{NTU} \\cdot\n\\left(1 - C_r\\right)\\right)}{1 - C_r \\cdot \\exp\\left(-\\text{NTU}\n\\cdot \\left(1 - C_r\\right)\\right)}",
+        "Chain(\\varepsilon, Div(Add(1, Neg(Call(exp; Neg(Mul(\\text{NTU}, Add(1, Neg(C_r))))))); Add(1, Neg(Mul(C_r, Call(exp; Neg(Mul(\\text{NTU}, Add(1, Neg(C_r))))))))); =)",
+        "oemof/tespy/src/tespy/components/heat_exchangers/ntu.py",
+    ),
+    (
+        "0 = \\text{expression}",
+        "Chain(0, \\text{expression}; =)",
+        "oemof/tespy/docs/building_blocks/solver.rst",
+    ),
+    (
+        "g_{bg} = 2 \\pi G (\\rho_w - \\rho_c) |h|",
+        "Chain(g_{bg}, Mul(2, \\pi, G, Add(\\rho_w, Neg(\\rho_c)), Bars(h)); =)",
+        "fatiando/harmonica/harmonica/_gravity_corrections.py",
+    ),
+    (
+        "\\frac{\\partial C}{\\partial t}\n= \\nabla\\cdot\\left( D_C \\nabla C \\right) + \\nabla\\cdot\\left(D_\\phi \\nabla \\phi \\right)",
+        "Chain(Derivative(Call(C); t, 1; True), Add(Call(div; Mul(D_C, \\nabla C)), Call(div; Mul(D_\\phi, \\nabla \\phi))); =)",
+        "usnistgov/fipy/examples/phase/binaryCoupled.py",
+    ),
+    (
+        "\\Gamma' = \\begin{pmatrix}\n    0.2 & 0 \\\\\n      0 & 1\n\\end{pmatrix}",
+        "Chain(\\varGamma', MatrixOf(0.2, 0, 0, 1); =)",
+        "usnistgov/fipy/examples/diffusion/anisotropy.py",
+    ),
+    (
+        "f_c = \\frac{a - c}{a},",
+        "Chain(f_c, Div(Add(a, Neg(c)); a); =)",
+        "fatiando/boule/src/boule/_triaxialellipsoid.py",
+    ),
+    (
+        "l = \\sqrt{ (x - x_p)^2 + (y - y_p)^2 + (z - z_p)^2 }.",
+        "Chain(l, Sqrt(Add(Pow(Add(x, Neg(x_p)); 2), Pow(Add(y, Neg(y_p)); 2), Pow(Add(z, Neg(z_p)); 2))); =)",
+        "fatiando/harmonica/harmonica/_forward/point.py",
+    ),
+    (
+        "g_r = -\\dfrac{GM}{(R + h)^2}",
+        "Chain(g_r, Neg(Div(Mul(G, M); Pow(Add(R, h); 2))); =)",
+        "fatiando/boule/src/boule/_sphere.py",
+    ),
+    (
+        "P = A \\varepsilon \\sigma T^4",
+        "Chain(P, Mul(A, \\varepsilon, \\sigma, Pow(T; 4)); =)",
+        "climlab/climlab/climlab/radiation/boltzmann.py",
+    ),
+    (
+        "\\rho(r) =\n\\begin{cases}\n\\left(1-s\\cdot\\frac{r}{\\ell}\\right)^{\\nu} & r<\\frac{\\ell}{s}\\\\\n0 & r\\geq\\frac{\\ell}{s}\n\\end{cases}",
+        "Chain(Call(\\rho; r), Piecewise(Pow(Add(1, Neg(Mul(s, Div(r; \\ell)))); \\nu), Chain(r, Div(\\ell; s); <), 0, Chain(r, Div(\\ell; s); \\ge)); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/tpl_models.py",
+    ),
+    (
+        "w = \\min\\!\\left(w_\\text{fluid\\_data},\\; w_\\text{sat}(p, T)\\right)",
+        "Chain(w, Call(min; w_{fluid\\_data}, Call(w_{sat}; p, T)); =)",
+        "oemof/tespy/src/tespy/tools/fluid_properties/mixtures.py",
+    ),
+    (
+        "A = \\sqrt{P^2 + 4D}",
+        "Chain(A, Sqrt(Add(Pow(P; 2), Mul(4, D))); =)",
+        "usnistgov/fipy/examples/convection/robin.py",
+    ),
+    (
+        "\\vec{u}'_{P} = - \\frac{ V_P (\\nabla p')_P }{ a_P }",
+        "Chain(\\vec{u}_P', Neg(Div(Mul(V_P, Marked(\\nabla p'; _{ P })); a_P)); =)",
+        "usnistgov/fipy/examples/flow/stokesCavity.py",
+    ),
+    (
+        "\\eta = \\frac{\\dot{Q}_\\text{consumer}}\n{\\dot{Q}_\\text{production} + \\dot W_\\text{pump}}",
+        "Chain(\\eta, Div(Call(\\dot{Q}_{consumer}); Add(Call(\\dot{Q}_{production}), Call(\\dot{W}_{pump}))); =)",
+        "oemof/tespy/docs/basic_tutorials/district_heating.rst",
+    ),
+    (
+        "\\int_V \\frac{\\partial (\\rho \\phi)}{\\partial t} dV \\simeq\n\\frac{(\\rho_{P} \\phi_{P} - \\rho_{P}^\\text{old} \\phi_P^\\text{old}) V_P}{\\Delta t}",
+        "Chain(Over(\\int; _ { V }; Derivative(Mul(Call(\\rho), Call(\\phi)); t, 1; True); V), Div(Mul(Add(Mul(\\rho_P, \\phi_P), Neg(Mul(\\rho _ { P } ^ { \\text { o l d } }, \\phi _ { P } ^ { \\text { o l d } }))), V_P); \\Delta t); \\simeq)",
+        "usnistgov/fipy/fipy/terms/transientTerm.py",
+    ),
+    (
+        "\\frac{\\partial\\phi}{\\partial t}\n= M_\\phi \\left( \\kappa_\\phi \\nabla^2 \\phi\n               - \\frac{\\partial f}{\\partial \\phi} \\right)",
+        "Chain(Derivative(Call(\\phi); t, 1; True), Mul(M_\\phi, Add(Mul(\\kappa_\\phi, Call(laplacian; Call(\\phi))), Neg(Derivative(Call(f); \\phi, 1; True)))); =)",
+        "usnistgov/fipy/examples/phase/binary.py",
+    ),
+    (
+        "\\begin{cases}\n\\Delta H = \\Delta H^\\circ + \\Delta C_p \\left( T_m - T^\\circ \\right) \\\\\n\\Delta S = \\Delta S^\\circ + \\Delta C_p \\ln\\left( \\frac{T_m}{T^\\circ} \\right)\n\\end{cases}",
+        "System(Chain(\\Delta H, Add(\\Delta H ^ { \\circ }, Mul(\\Delta C _ { p }, Add(T_m, Neg(T ^ { \\circ })))); =), Chain(\\Delta S, Add(\\Delta S ^ { \\circ }, Mul(\\Delta C _ { p }, Call(ln; Div(T_m; T ^ { \\circ })))); =))",
+        "bjodah/chempy/examples/protein_binding_unfolding_4state_model.ipynb",
+    ),
+    (
+        "a_j = a_{j-1} a_{j-1}",
+        "Chain(a_j, Mul(a_{j-1}, a_{j-1}); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_matrix_eqn.py",
+    ),
+    (
+        "\\dot{\\theta} = J v \\theta - k_c v \\theta",
+        "Chain(Call(\\dot{\\theta}), Add(Mul(J, v, Call(\\theta)), Neg(Mul(k_c, v, Call(\\theta)))); =)",
+        "usnistgov/fipy/examples/levelSet/electroChem/gold.py",
+    ),
+    (
+        "y = y_0 + \\frac{x-x_0}{x_1-x_0} \\cdot \\left(y_1-y_0 \\right)",
+        "Chain(y, Add(y_0, Mul(Div(Add(x, Neg(x_0)); Add(x_1, Neg(x_0))), Add(y_1, Neg(y_0)))); =)",
+        "oemof/tespy/docs/extend/characteristics.rst",
+    ),
+    (
+        "I(w) = \\frac{1}{n} \\Big[ \\sum_{t=0}^{n-1} x_t e^{itw} \\Big] ^2",
+        "Chain(Call(I; w), Mul(Div(1; n), Pow(BigSum(t; 0; Add(n, Neg(1)); Mul(x_t, Pow(e; Mul(i, t, w)))); 2)); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_estspec.py",
+    ),
+    (
+        "\\frac{I_{0}}{1 + G_{p} R_{s}} (\\exp(\\frac{V + I R_{s}}{nN_sV_{th}})\n- 1) \\approx 0",
+        "Chain(Mul(Div(I_0; Add(1, Mul(G_p, R_s))), Add(Call(exp; Div(Add(V, Mul(I, R_s)); Mul(n, N_s, V_{th}))), Neg(1))), 0; \\approx)",
+        "pvlib/pvlib-python/pvlib/ivtools/sde.py",
+    ),
+    (
+        "0 = \\text{eff}_\\text{hot} \\cdot\n\\left(h\\left(p_{out,1}, T_{in,2}\\right) - h_{in,1}\\right)\n- \\left( h_{out,1} - h_{in,1}\\right)",
+        "Chain(0, Add(Mul(\\text{eff}_{hot}, Add(Call(h; p_{out,1}, T_{in,2}), Neg(h_{in,1}))), Neg(Add(h_{out,1}, Neg(h_{in,1})))); =)",
+        "oemof/tespy/src/tespy/components/heat_exchangers/base.py",
+    ),
+    (
+        "(e_i - e_0)\\dfrac{\\partial f_i}{\\partial e} +\n(n_i - n_0)\\dfrac{\\partial f_i}{\\partial n} +\n(u_i - u_0)\\dfrac{\\partial f_i}{\\partial u} =\n\\eta (b - f_i),",
+        "Chain(Add(Mul(Add(e_i, Neg(e_0)), Derivative(Call(f_i); e, 1; True)), Mul(Add(n_i, Neg(n_0)), Derivative(Call(f_i); n, 1; True)), Mul(Add(u_i, Neg(u_0)), Derivative(Call(f_i); u, 1; True))), Mul(\\eta, Add(b, Neg(Call(f_i)))); =)",
+        "fatiando/harmonica/harmonica/_euler_deconvolution.py",
+    ),
+    (
+        "D = \\arcsin \\frac{B_e}{\\sqrt{B_e^2 + B_n^2}}",
+        "Chain(D, Call(arcsin; Div(B_e; Sqrt(Add(Pow(B_e; 2), Pow(B_n; 2))))); =)",
+        "fatiando/harmonica/harmonica/_utils.py",
+    ),
+    (
+        "f(w) = \\sum_k \\gamma(k) \\exp(-ikw)",
+        "Chain(Call(f; w), BigSum(k; Mul(Call(\\gamma; k), Call(exp; Neg(Mul(i, k, w))))); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_arma.py",
+    ),
+    (
+        "y=\\begin{cases}\n\\frac{(x+s)^{\\lambda} - 1}{\\lambda} & \\lambda\\neq 0 \\\\\n\\log(x+s) & \\lambda = 0\n\\end{cases}",
+        "Chain(y, Piecewise(Div(Add(Pow(Add(x, s); \\lambda), Neg(1)); \\lambda), Chain(\\lambda, 0; \\ne), Call(log; Add(x, s)), Chain(\\lambda, 0; =)); =)",
+        "GeoStat-Framework/GSTools/src/gstools/normalizer/methods.py",
+    ),
+    (
+        "f(T) = \\frac{L^2 r q^*(T)}{c_p R_v T^2}",
+        "Chain(Call(f; T), Div(Mul(Pow(L; 2), r, Call(q ^ { * }; T)); Mul(c_p, R_v, Pow(T; 2))); =)",
+        "climlab/climlab/climlab/dynamics/meridional_moist_diffusion.py",
+    ),
+    (
+        "\\vec{g} = \\nabla V",
+        "Chain(\\vec{g}, \\nabla V; =)",
+        "fatiando/harmonica/harmonica/_forward/point.py",
+    ),
+    (
+        "\\psi(z') = \\arctan \\left [\n    \\frac{(1 - z') \\sin \\beta}\n         {\\mathrm{GCR}^{-1} + (z' - 1) \\cos \\beta}\n\\right ]",
+        "Chain(Call(\\psi; z'), Call(arctan; Div(Mul(Add(1, Neg(z')), Call(sin; \\beta)); Add(Pow(\\text{GCR}; Neg(1)), Mul(Add(z', Neg(1)), Call(cos; \\beta))))); =)",
+        "pvlib/pvlib-python/pvlib/shading.py",
+    ),
+    (
+        "T_{C} = T_{m} + \\frac{E}{E_{0}} \\Delta T",
+        "Chain(T_C, Add(T_m, Mul(Div(E; E_0), \\Delta T)); =)",
+        "pvlib/pvlib-python/pvlib/temperature.py",
+    ),
+    (
+        "S(t) = c + \\left(1 - c\\right)S_b(t),  \\;\\; 1 > c > 0",
+        "System(Chain(Call(S; t), Add(c, Mul(Add(1, Neg(c)), Call(S_b; t))); =), Chain(1, c, 0; >, >))",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/mixture_cure_fitter.py",
+    ),
+    (
+        "\\nabla\\cdot\\tau=\\nabla p",
+        "Chain(Call(div; \\tau), \\nabla p; =)",
+        "usnistgov/fipy/examples/flow/stokesNonNewtonian.ipynb",
+    ),
+    (
+        "h_i = h_i(p_i, T), \\quad p_i = p \\cdot y_i",
+        "System(Chain(Call(h_i), Call(h_i; p_i, T); =), Chain(p_i, Mul(p, y_i); =))",
+        "oemof/tespy/src/tespy/tools/fluid_properties/mixtures.py",
+    ),
+    (
+        "colatitude &= \\arccos(\\frac{z}{r}),",
+        "Chain(\\text{colatitude}, Call(arccos; Div(z; r)); =)",
+        "pyfar/pyfar/pyfar/classes/coordinates.py",
+    ),
+    (
+        "T_c = T_m + \\frac{E}{E_0} \\Delta T",
+        "Chain(T_c, Add(T_m, Mul(Div(E; E_0), \\Delta T)); =)",
+        "pvlib/pvlib-python/docs/tutorials/pvsystem.ipynb",
+    ),
+    (
+        "g_r(P) =  - \\frac{G m}{l^3} (r - r_p \\cos \\Psi).",
+        "Chain(Call(g_r; P), Neg(Mul(Div(Mul(G, m); Pow(l; 3)), Add(r, Neg(Mul(r_p, Call(cos; \\Psi)))))); =)",
+        "fatiando/harmonica/harmonica/_forward/point.py",
+    ),
+    (
+        "0 = A_h - \\sum_j \\frac{\\dot{Q}_j}{U_j \\cdot \\text{LMTD}_j}",
+        "Chain(0, Add(A_h, Neg(BigSum(j; Div(Call(\\dot{Q}_j); Mul(U_j, \\text{LMTD}_j))))); =)",
+        "oemof/tespy/src/tespy/components/heat_exchangers/sectioned.py",
+    ),
+    (
+        "\\nabla \\cdot \\left(D \\nabla \\phi + \\vec{u} \\phi \\right) + S_0 = 0.",
+        "Chain(Add(Call(div; Add(Mul(D, \\nabla \\phi), Mul(\\vec{u}, \\phi))), S_0), 0; =)",
+        "usnistgov/fipy/examples/convection/exponential1DSource/mesh1D.py",
+    ),
+    (
+        "\\rho(r) =\n\\begin{cases}\n\\frac{2}{\\pi}\\cdot\n\\left(\n\\cos^{-1}\\left(s\\cdot\\frac{r}{\\ell}\\right) -\ns\\cdot\\frac{r}{\\ell}\\cdot\\sqrt{1-\\left(s\\cdot\\frac{r}{\\ell}\\right)^{2}}\n\\right)\n& r<\\frac{\\ell}{s}\\\\\n0 & r\\geq\\frac{\\ell}{s}\n\\end{cases}",
+        "Chain(Call(\\rho; r), Piecewise(Mul(Div(2; \\pi), Add(Call(arccos; Mul(s, Div(r; \\ell))), Neg(Mul(s, Div(r; \\ell), Sqrt(Add(1, Neg(Pow(Mul(s, Div(r; \\ell)); 2)))))))), Chain(r, Div(\\ell; s); <), 0, Chain(r, Div(\\ell; s); \\ge)); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/models.py",
+    ),
+    (
+        "0=\\dot E_\\text{in} \\cdot \\eta - \\dot E_\\text{out}",
+        "Chain(0, Add(Mul(Call(\\dot{E}_{in}), \\eta), Neg(Call(\\dot{E}_{out}))); =)",
+        "oemof/tespy/src/tespy/components/energy/_converter.py",
+    ),
+    (
+        "\\frac{\\partial C}{\\partial t}\n= \\nabla\\cdot\\left( M_C \\nabla \\frac{\\partial f}{\\partial C} \\right)",
+        "Chain(Derivative(Call(C); t, 1; True), Call(div; Mul(M_C, Call(grad; Derivative(Call(f); C, 1; True)))); =)",
+        "usnistgov/fipy/examples/phase/binary.py",
+    ),
+    (
+        "U(\\theta, h) = V(h) + \\Phi(\\theta, h) = \\dfrac{GM}{(R + h)}\n+ \\dfrac{1}{2} \\omega^2 \\left(R + h\\right)^2 \\cos^2(\\theta)",
+        "Chain(Call(U; \\theta, h), Add(Call(V; h), Call(\\Phi; \\theta, h)), Add(Div(Mul(G, M); Add(R, h)), Mul(Div(1; 2), Pow(\\omega; 2), Pow(Add(R, h); 2), Pow(Call(cos; \\theta); 2))); =, =)",
+        "fatiando/boule/src/boule/_sphere.py",
+    ),
+    (
+        "0 = T\\left(p, h\\right) - \\left[\nT\\left(p_\\text{ref},h_\\text{ref}\\right) \\cdot \\text{factor} + \\text{delta}\n\\right]",
+        "Chain(0, Add(Call(T; p, h), Neg(Add(Mul(Call(T; p_{ref}, h_{ref}), \\text{factor}), \\text{delta}))); =)",
+        "oemof/tespy/src/tespy/connections/connection.py",
+    ),
+    (
+        "F_{gnd,sky} = 1 - \\min{\\left(1, \\text{GCR} \\left|\\cos \\beta +\n\\sin \\beta \\tan \\phi \\right|\\right)}",
+        "Chain(F_{gnd,sky}, Add(1, Neg(Call(min; 1, Mul(\\text{GCR}, Bars(Add(Call(cos; \\beta), Mul(Call(sin; \\beta), Call(tan; \\phi)))))))); =)",
+        "pvlib/pvlib-python/pvlib/bifacial/utils.py",
+    ),
+    (
+        "\\frac{\\partial f}{\\partial \\phi} &= (a^2/2) 2 \\phi (1 - \\phi) (1 - 2 \\phi) \\\\\n\\frac{\\partial^2 f}{\\partial \\phi^2} &= (a^2/2) 2 \\left[1 - 6 \\phi(1 - \\phi)\\right]",
+        "System(Chain(Derivative(Call(f); \\phi, 1; True), Mul(Div(Pow(a; 2); 2), 2, \\phi, Add(1, Neg(\\phi)), Add(1, Neg(Mul(2, \\phi)))); =), Chain(Derivative(Call(f); \\phi, 2; True), Mul(Div(Pow(a; 2); 2), 2, Add(1, Neg(Mul(6, \\phi, Add(1, Neg(\\phi)))))); =))",
+        "usnistgov/fipy/examples/cahnHilliard/mesh2DCoupled.py",
+    ),
+    (
+        "||f(\\vec{x}_i)|| > \\epsilon",
+        "Chain(Norm(Call(f; \\vec{x}_i)), \\epsilon; >)",
+        "oemof/tespy/docs/building_blocks/solver.rst",
+    ),
+    (
+        "0 = \\mu_A(1, C_S, T) - \\mu_A(0, C_L, T) &=\n\\frac{L_A\\left(T - T_M^A\\right)}{T_M^A} V_m\n+ R T \\ln (1 - C_S) - R T \\ln (1 - C_L) \\\\\n0 = \\mu_B(1, C_S, T) - \\mu_B(0, C_L, T) &=\n\\frac{L_B\\left(T - T_M^B\\right)}{T_M^B} V_m\n+ R T \\ln C_S - R T \\ln C_L",
+        "System(Chain(0, Add(Call(\\mu_A; 1, C_S, T), Neg(Call(\\mu_A; 0, C_L, T))), Add(Mul(Div(Mul(L_A, Add(T, Neg(T _ { M } ^ { A }))); T _ { M } ^ { A }), V_m), Mul(R, T, Call(ln; Add(1, Neg(C_S)))), Neg(Mul(R, T, Call(ln; Add(1, Neg(C_L)))))); =, =), Chain(0, Add(Call(\\mu_B; 1, C_S, T), Neg(Call(\\mu_B; 0, C_L, T))), Add(Mul(Div(Mul(L_B, Add(T, Neg(T _ { M } ^ { B }))); T _ { M } ^ { B }), V_m), Mul(R, T, Call(ln; C_S)), Neg(Mul(R, T, Call(ln; C_L)))); =, =))",
+        "usnistgov/fipy/examples/phase/binary.py",
+    ),
+    (
+        "T = \\begin{bmatrix}\n    1 & Z \\\\\n    0 & 1\n    \\end{bmatrix}",
+        "Chain(T, MatrixOf(1, Z, 0, 1); =)",
+        "pyfar/pyfar/pyfar/classes/transmission_matrix.py",
+    ),
+    (
+        "C \\frac{\\partial T}{\\partial t} = -\\frac{1}{\\cos\\phi} \\frac{\\partial}{\\partial \\phi} \\left[ -D \\cos\\phi \\frac{\\partial T}{\\partial \\phi} \\right]",
+        "Chain(Mul(C, Derivative(Call(T); t, 1; True)), Neg(Mul(Div(1; Call(cos; \\phi)), Derivative(Neg(Mul(D, Call(cos; \\phi), Derivative(Call(T); \\phi, 1; True))); \\phi, 1; True))); =)",
+        "climlab/climlab/climlab/dynamics/meridional_heat_diffusion.py",
+    ),
+    (
+        "\\frac{\\partial f}{\\partial C}\n= \\left[\n    \\frac{L_B\\left(T - T_M^B\\right)}{T_M^B}\n    - \\frac{L_A\\left(T - T_M^A\\right)}{T_M^A}\n\\right] p(\\phi)\n+ \\frac{R T}{V_m} \\left[\\ln C - \\ln (1-C)\\right]\n+ \\frac{W_B - W_A}{2} g(\\phi)",
+        "Chain(Derivative(Call(f); C, 1; True), Add(Mul(Add(Div(Mul(L_B, Add(T, Neg(T _ { M } ^ { B }))); T _ { M } ^ { B }), Neg(Div(Mul(L_A, Add(T, Neg(T _ { M } ^ { A }))); T _ { M } ^ { A }))), Call(p; \\phi)), Mul(Div(Mul(R, T); V_m), Add(Call(ln; C), Neg(Call(ln; Add(1, Neg(C)))))), Mul(Div(Add(W_B, Neg(W_A)); 2), Call(g; \\phi))); =)",
+        "usnistgov/fipy/examples/phase/binary.py",
+    ),
+    (
+        "0=\\dot E + P",
+        "Chain(0, Add(Call(\\dot{E}), P); =)",
+        "oemof/tespy/src/tespy/components/reactors/fuel_cell.py",
+    ),
+    (
+        "\\frac{\\partial \\phi}{\\partial t} = \\nabla \\cdot (D \\nabla \\phi)",
+        "Chain(Derivative(Call(\\phi); t, 1; True), Call(div; Mul(D, \\nabla \\phi)); =)",
+        "usnistgov/fipy/examples/diffusion/explicit/mesh1D.py",
+    ),
+    (
+        "S(\\varphi) = S_{\\textrm{input}}",
+        "Chain(Call(S; \\varphi), S_{input}; =)",
+        "climlab/climlab/docs/source/models.rst",
+    ),
+    (
+        "L(M) = \\sum_{i = 1}^{n} w_i \\lVert \\mathbf{A}_i -\n\\mathbf{M} \\rVert^2 ,",
+        "Chain(Call(L; M), BigSum(i; 1; n; Mul(w_i, Pow(Norm(Add(\\mathbf{A}_i, Neg(\\mathbf{M}))); 2))); =)",
+        "pyfar/pyfar/pyfar/classes/orientations.py",
+    ),
+    (
+        "l = \\sqrt{ r^2 + r_p^2 - 2 r r_p \\cos \\Psi },",
+        "Chain(l, Sqrt(Add(Pow(r; 2), Pow(r_p; 2), Neg(Mul(2, r, r_p, Call(cos; \\Psi))))); =)",
+        "fatiando/harmonica/harmonica/_forward/point.py",
+    ),
+    (
+        "u_t = - F x_t",
+        "Chain(u_t, Neg(Mul(F, x_t)); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_robustlq.py",
+    ),
+    (
+        "P_0 (x) = 1",
+        "Chain(Call(P_0; x), 1; =)",
+        "climlab/climlab/climlab/utils/legendre.py",
+    ),
+    (
+        "I &\\approx \\frac{I_{L}}{1 + G_{p} R_{s}}\n- \\frac{G_{p}}{1 + G_{p}R_{s}} V\n&= \\beta_{0} + \\beta_{1} V",
+        "Chain(I, Add(Div(I_L; Add(1, Mul(G_p, R_s))), Neg(Mul(Div(G_p; Add(1, Mul(G_p, R_s))), V))), Add(\\beta_0, Mul(\\beta_1, V)); \\approx, =)",
+        "pvlib/pvlib-python/pvlib/ivtools/sde.py",
+    ),
+    (
+        "s(A) = \\frac{m - \\sum_j a_{jj} }{m - 1} \\in (0, 1)",
+        "Chain(Call(s; A), Div(Add(m, Neg(BigSum(j; a_{jj}))); Add(m, Neg(1))), Pair(0; 1); =, \\in)",
+        "QuantEcon/QuantEcon.py/quantecon/_inequality.py",
+    ),
+    (
+        "\\frac{d \\theta}{d t} = J v \\theta",
+        "Chain(Derivative(Call(\\theta); t, 1), Mul(J, v, Call(\\theta)); =)",
+        "usnistgov/fipy/examples/levelSet/surfactant/circle.py",
+    ),
+    (
+        "\\tilde{x}_t = [x+{t}, \\hat{x}_{t}, v_{t}]",
+        "Chain(\\tilde{x}_t, Tuple(Add(x, t), \\hat{x}_t, v_t; []); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_kalman.py",
+    ),
+    (
+        "\\phi = \\begin{cases}\n0& \\text{at $x = 0$,} \\\\\n1& \\text{at $x = L$,}\n\\end{cases}",
+        "Chain(\\phi, Piecewise(0, Chain(x, 0; =), 1, Chain(x, L; =)); =)",
+        "usnistgov/fipy/examples/convection/exponential1D/mesh1D.py",
+    ),
+    (
+        "& H_0: h_1(t) = h_2(t) \\\\\n & H_A: h_1(t) = c h_2(t), \\;\\; c \\ne 1",
+        "System(Located(H_0; Chain(Call(h_1; t), Call(h_2; t); =)), Located(H_A; Chain(Call(h_1; t), Mul(c, Call(h_2; t)); =)), Chain(c, 1; \\ne))",
+        "CamDavidsonPilon/lifelines/lifelines/statistics.py",
+    ),
+    (
+        "H(t; x, y) = \\left(\\frac{t}{\\lambda(x)} \\right)^{\\rho(y)},",
+        "Chain(Call(H; Given(t; x, y; ;)), Pow(Div(t; Call(\\lambda; x)); Call(\\rho; y)); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/weibull_aft_fitter.py",
+    ),
+    (
+        "\\frac{ \\partial \\phi } { \\partial t } + \\vec{u} \\cdot \\nabla \\phi = 0",
+        "Chain(Add(Derivative(Call(\\phi); t, 1; True), Mul(\\vec{u}, \\nabla \\phi; 1)), 0; =)",
+        "usnistgov/fipy/examples/levelSet/advection/circle.py",
+    ),
+    (
+        "0 = \\dot m \\cdot \\left(h_\\text{out}-h_\\text{in}\\right)-\n\\Delta T_\\text{log} \\cdot A \\cdot U",
+        "Chain(0, Add(Mul(Call(\\dot{m}), Add(h_{out}, Neg(h_{in}))), Neg(Mul(\\Delta T _ { \\text { l o g } }, A, U))); =)",
+        "oemof/tespy/src/tespy/components/piping/pipe.py",
+    ),
+    (
+        "0 =\\dot{m}_{in,1} \\cdot \\left(h_{out,1}-h_{in,1}\\right)-\\dot{Q}",
+        "Chain(0, Add(Mul(Call(\\dot{m}_{in,1}), Add(h_{out,1}, Neg(h_{in,1}))), Neg(Call(\\dot{Q}))); =)",
+        "oemof/tespy/src/tespy/components/heat_exchangers/base.py",
+    ),
+    (
+        "0 = P \\cdot \\eta - \\dot{m}_{H_2,out,3} \\cdot e_0",
+        "Chain(0, Add(Mul(P, \\eta), Neg(Mul(Call(\\dot{m}_{H_2,out,3}), e_0))); =)",
+        "oemof/tespy/src/tespy/components/reactors/water_electrolyzer.py",
+    ),
+    (
+        "\\phi(x, y) = \\phi(L - x, y) = \\phi(L - x, y) = \\phi(L - x, L - y),\n0 \\le x \\le L / 2,\n0 \\le y \\le L / 2",
+        "System(Chain(Call(\\phi; x, y), Call(\\phi; Add(L, Neg(x)), y), Call(\\phi; Add(L, Neg(x)), y), Call(\\phi; Add(L, Neg(x)), Add(L, Neg(y))); =, =, =), Chain(0, x, Div(L; 2); \\le, \\le), Chain(0, y, Div(L; 2); \\le, \\le))",
+        "usnistgov/fipy/examples/phase/symmetry.py",
+    ),
+    (
+        "\\mathbf{b} = \\mathbf{b}_O + \\mathsf{L}_O \\mathbf{b}_{O-2} \\frac{1}{V_P}",
+        "Chain(\\mathbf{b}, Add(\\mathbf{b}_O, Mul(\\mathsf{L}_O, \\mathbf{b}_{O-2}, Div(1; V_P))); =)",
+        "usnistgov/fipy/fipy/terms/abstractDiffusionTerm.py",
+    ),
+    (
+        "\\alpha_f = \\frac{1}{2}",
+        "Chain(\\alpha_f, Div(1; 2); =)",
+        "usnistgov/fipy/docs/source/numerical/scheme.rst",
+    ),
+    (
+        "\\ell = \\ell_{\\mathrm{up}} -\\ell_{\\mathrm{low}}",
+        "Chain(\\ell, Add(\\ell_{up}, Neg(\\ell_{low})); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/tpl_models.py",
+    ),
+    (
+        "0 = T_\\text{bubble}\\left(p\\right) - T\\left(p,h\\right) - \\Delta T",
+        "Chain(0, Add(Call(T_{bubble}; p), Neg(Call(T; p, h)), Neg(\\Delta T)); =)",
+        "oemof/tespy/src/tespy/connections/connection.py",
+    ),
+    (
+        "I = \\arctan \\frac{- B_u}{\\sqrt{B_e^2 + B_n^2}}",
+        "Chain(I, Call(arctan; Div(Neg(B_u); Sqrt(Add(Pow(B_e; 2), Pow(B_n; 2))))); =)",
+        "fatiando/harmonica/harmonica/_utils.py",
+    ),
+    (
+        "x = \\begin{bmatrix}\n    x_I\\\\\n    x_D\n\\end{bmatrix}",
+        "Chain(x, MatrixOf(x_I, x_D); =)",
+        "kinnala/scikit-fem/skfem/utils.py",
+    ),
+    (
+        "\\delta = 23.45 \\sin \\left( \\frac{2 \\pi}{365} \\left(n_{day} + 284\n\\right) \\right) = -23.45 \\cos \\left( \\frac{2 \\pi}{365}\n\\left(n_{day} + 10 \\right) \\right)",
+        "Chain(\\delta, Mul(23.45, Call(sin; Mul(Div(Mul(2, \\pi); 365), Add(n_{day}, 284)))), Neg(Mul(23.45, Call(cos; Mul(Div(Mul(2, \\pi); 365), Add(n_{day}, 10))))); =, =)",
+        "pvlib/pvlib-python/pvlib/solarposition.py",
+    ),
+    (
+        "V(\\beta, u) = \\dfrac{GM}{E} \\arctan{\\dfrac{E}{u}} + \\dfrac{1}{3}\n\\omega^2 a^2 \\dfrac{q}{q_0} P_2 (\\sin \\beta)",
+        "Chain(Call(V; \\beta, u), Add(Mul(Div(Mul(G, M); E), Call(arctan; Div(E; u))), Mul(Div(1; 3), Pow(\\omega; 2), Pow(a; 2), Div(q; q_0), Call(P_2; Call(sin; \\beta)))); =)",
+        "fatiando/boule/src/boule/_ellipsoid.py",
+    ),
+    (
+        "k = \\frac{\\mathrm{N_{waves}} \\lambda}{2\\sqrt{3}} .",
+        "Chain(k, Div(Mul(\\text{N\\_waves}, \\lambda); Mul(2, Sqrt(3))); =)",
+        "spacetelescope/poppy/notebooks/ThinLens_ZernikeWFE_and_ParameterizedWFE.ipynb",
+    ),
+    (
+        "I = I_L -\n    I_0 \\left[\n        \\exp \\left(\\frac{V+I R_s}{n N_s V_{th}} \\right)-1\n    \\right] -\n    \\frac{V + I R_s}{R_{sh}}",
+        "Chain(I, Add(I_L, Neg(Mul(I_0, Add(Call(exp; Div(Add(V, Mul(I, R_s)); Mul(n, N_s, V_{th}))), Neg(1)))), Neg(Div(Add(V, Mul(I, R_s)); R_{sh}))); =)",
+        "pvlib/pvlib-python/pvlib/pvsystem.py",
+    ),
+    (
+        "0=\\dot E - P",
+        "Chain(0, Add(Call(\\dot{E}), Neg(P)); =)",
+        "oemof/tespy/src/tespy/components/reactors/water_electrolyzer.py",
+    ),
+    (
+        "\\int_V \\frac{\\partial (\\rho \\phi)}{\\partial t} dV\n\\simeq\n\\frac{(\\rho_{P} \\phi_{P} - \\rho_{P}^\\text{old} \\phi_{P}^\\text{old}) V_P}{\\Delta t}",
+        "Chain(Over(\\int; _ { V }; Derivative(Mul(Call(\\rho), Call(\\phi)); t, 1; True); V), Div(Mul(Add(Mul(\\rho_P, \\phi_P), Neg(Mul(\\rho _ { P } ^ { \\text { o l d } }, \\phi _ { P } ^ { \\text { o l d } }))), V_P); \\Delta t); \\simeq)",
+        "usnistgov/fipy/docs/source/numerical/discret.rst",
+    ),
+    (
+        "x_0 = a * x_1 + b",
+        "Chain(x_0, Add(Operated(*; a; x_1), b); =)",
+        "oemof/tespy/docs/building_blocks/connections.rst",
+    ),
+    (
+        "a_P \\vec{u}'_P = \\sum_f a_A \\vec{u}'_A - V_P (\\nabla p')_P",
+        "Chain(Mul(a_P, \\vec{u}_P'), Add(BigSum(f; Mul(a_A, \\vec{u}_A')), Neg(Mul(V_P, Marked(\\nabla p'; _{ P })))); =)",
+        "usnistgov/fipy/examples/flow/stokesCavity.py",
+    ),
+    (
+        "\\text{RMST}(t) = \\int_0^t S(\\tau) d\\tau",
+        "Chain(Call(\\text{RMST}; t), Integral(Call(S; \\tau); \\tau; 0; t); =)",
+        "CamDavidsonPilon/lifelines/lifelines/utils/__init__.py",
+    ),
+    (
+        "u_i\\left(x\\right)= \\bar{u_i} \\delta_{i1} +\n\\bar{u_i}\\sqrt{\\frac{\\sigma^{2}}{N}}\\cdot\n\\sum_{j=1}^{N}p_i(k_{j})\\left(\nZ_{1,j}\\cdot\\cos\\left(\\left\\langle k_{j},x\\right\\rangle \\right)+\nZ_{2,j}\\cdot\\sin\\left(\\left\\langle k_{j},x\\right\\rangle \\right)\n\\right)",
+        "Chain(Call(u_i; x), Add(Mul(\\bar{u}_i, \\delta_{i1}), Mul(\\bar{u}_i, Sqrt(Div(Pow(\\sigma; 2); N)), BigSum(j; 1; N; Mul(Call(p_i; k_j), Add(Mul(Z_{1j}, Call(cos; Pair(k_j; x))), Mul(Z_{2j}, Call(sin; Pair(k_j; x)))))))); =)",
+        "GeoStat-Framework/GSTools/src/gstools/field/generator.py",
+    ),
+    (
+        "H_0(t) = \\exp{\\left( \\phi_0 + \\phi_1\\log{t} + \\sum_{j=2}^N \\phi_j v_j(\\log{t})\\right)}",
+        "Chain(Call(H_0; t), Call(exp; Add(\\phi_0, Mul(\\phi_1, Call(log; t)), BigSum(j; 2; N; Mul(\\phi_j, Call(v_j; Call(log; t)))))); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/coxph_fitter.py",
+    ),
+    (
+        "\\rho_v = 216.7 R_H e_s /T",
+        "Chain(\\rho_v, Div(Mul(216.7, R_H, e_s); T); =)",
+        "pvlib/pvlib-python/pvlib/atmosphere.py",
+    ),
+    (
+        "\\eta=\\frac{\\dot{E}_\\text{component}}{\\dot{E}_\\text{bus}}",
+        "Chain(\\eta, Div(Call(\\dot{E}_{component}); Call(\\dot{E}_{bus})); =)",
+        "oemof/tespy/docs/whats_new/v0-3-0.rst",
+    ),
+    (
+        "P_{ac} = \\min(\\eta P_{dc}, P_{ac0})",
+        "Chain(P_{ac}, Call(min; Mul(\\eta, P_{dc}), P_{ac0}); =)",
+        "pvlib/pvlib-python/pvlib/inverter.py",
+    ),
+    (
+        "H(\\varphi) = \\frac{D}{\\cos \\varphi}\\frac{\\partial}{\\partial \\varphi} \\left( \\cos\\varphi \\frac{\\partial T(\\varphi)}{\\partial \\varphi} \\right)",
+        "Chain(Call(H; \\varphi), Mul(Div(D; Call(cos; \\varphi)), Derivative(Mul(Call(cos; \\varphi), Derivative(Call(T; \\varphi); \\varphi, 1; True)); \\varphi, 1; True)); =)",
+        "climlab/climlab/docs/source/models.rst",
+    ),
+    (
+        "y_t = G x_t + H v_t",
+        "Chain(y_t, Add(Mul(G, x_t), Mul(H, v_t)); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_lss.py",
+    ),
+    (
+        "0 = \\dot m \\cdot\n\\frac{ h_\\text{out} - h_\\text{in}}{1 - \\dot Q_\\text{diss,rel}}\n- \\dot E",
+        "Chain(0, Add(Mul(Call(\\dot{m}), Div(Add(h_{out}, Neg(h_{in})); Add(1, Neg(Call(\\dot{Q}_{diss,rel}))))), Neg(Call(\\dot{E}))); =)",
+        "oemof/tespy/src/tespy/components/displacementmachinery/polynomial_compressor.py",
+    ),
+    (
+        "p(k \\,|\\, n, a, b) =\n{n \\choose k} \\frac{B(k + a, n - k + b)}{B(a, b)},\n\\qquad k = 0, \\ldots, n,",
+        "System(Chain(Call(p; Given(k; n, a, b; |)), Mul(Binomial(n; k), Div(Call(B; Add(k, a), Add(n, Neg(k), b)); Call(B; a, b))); =), Values(k; 0, Dots(), n))",
+        "QuantEcon/QuantEcon.py/quantecon/distributions.py",
+    ),
+    (
+        "g(\\mathbf{k}) =\n    e^{\n        - \\frac{1}{2} \\left( \\frac{|\\mathbf{k}|}{k_c} \\right)^2\n    }",
+        "Chain(Call(g; \\mathbf{k}), Pow(e; Neg(Mul(Div(1; 2), Pow(Div(Bars(\\mathbf{k}); k_c); 2)))); =)",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "\\gamma(h) = \\|\\vec{\\nabla}V(h)\\| = \\dfrac{GM}{(R + h)^2}",
+        "Chain(Call(\\gamma; h), Norm(Call(\\nabla V; h)), Div(Mul(G, M); Pow(Add(R, h); 2)); =, =)",
+        "fatiando/boule/src/boule/_sphere.py",
+    ),
+    (
+        "\\varepsilon = \\frac{1 - \\exp\\left(-C_r \\cdot \\left(1 -\n\\exp\\left(-\\text{NTU}\\right)\\right)\\right)}{C_r}",
+        "Chain(\\varepsilon, Div(Add(1, Neg(Call(exp; Neg(Mul(C_r, Add(1, Neg(Call(exp; Neg(\\text{NTU}))))))))); C_r); =)",
+        "oemof/tespy/src/tespy/components/heat_exchangers/ntu.py",
+    ),
+    (
+        "g(\\mathbf{k}) = (i k_n)^n",
+        "Chain(Call(g; \\mathbf{k}), Pow(Mul(i, k_n); n); =)",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "p_\\text{inlet} - p_\\text{outlet} = \\text{dp}",
+        "Chain(Add(p_{inlet}, Neg(p_{outlet})), \\text{dp}; =)",
+        "oemof/tespy/docs/extend/custom_components.rst",
+    ),
+    (
+        "\\gamma(r)=\n\\sigma^{2}\n\\left(1-\\exp\\left(-s\\cdot\\frac{r}{\\ell}\\right)\\right)+n",
+        "Chain(Call(\\gamma; r), Add(Mul(Pow(\\sigma; 2), Add(1, Neg(Call(exp; Neg(Mul(s, Div(r; \\ell))))))), n); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/models.py",
+    ),
+    (
+        "Q_{2,\\mathrm{in}} = CQ_{1,\\mathrm{out}} + DQ_{2,\\mathrm{in}}",
+        "Chain(Q_{2,in}, Add(Mul(C, Q_{1,out}), Mul(D, Q_{2,in})); =)",
+        "pyfar/pyfar/pyfar/classes/transmission_matrix.py",
+    ),
+    (
+        "s_\\text{mix}(p, T) = \\sum_i x_i \\cdot s_i(p, T)",
+        "Chain(Call(s_{mix}; p, T), BigSum(i; Mul(x_i, Call(s_i; p, T))); =)",
+        "oemof/tespy/src/tespy/tools/fluid_properties/mixtures.py",
+    ),
+    (
+        "e_s = \\exp \\left(22.330 - 49.140 \\frac{100}{T} -\n    10.922 \\left(\\frac{100}{T}\\right)^2 -\n    0.39015 \\frac{T}{100} \\right)",
+        "Chain(e_s, Call(exp; Add(22.330, Neg(Mul(49.140, Div(100; T))), Neg(Mul(10.922, Pow(Div(100; T); 2))), Neg(Mul(0.39015, Div(T; 100))))); =)",
+        "pvlib/pvlib-python/pvlib/atmosphere.py",
+    ),
+    (
+        "\\eta_\\text{mix}(p, T) = \\sum_i x_i \\cdot \\eta_i(p, T)",
+        "Chain(Call(\\eta_{mix}; p, T), BigSum(i; Mul(x_i, Call(\\eta_i; p, T))); =)",
+        "oemof/tespy/src/tespy/tools/fluid_properties/mixtures.py",
+    ),
+    (
+        "g(\\mathbf{k}) = (i k_e)^n",
+        "Chain(Call(g; \\mathbf{k}), Pow(Mul(i, k_e); n); =)",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "\\begin{split}\nP = & -\\dot{m}_{in,2} \\cdot \\left( h_{in,2} - h_{in,2,ref}\n\\right)\\\\\n& + \\dot{m}_{in,1} \\cdot \\left( h_{out,1} - h_{in,1} \\right)\\\\\n& + \\dot{m}_{out,2} \\cdot \\left( h_{out,2} - h_{out,2,ref}\n\\right)\\\\\n& - \\dot{m}_{out,3} \\cdot \\left( h_{out,3} - h_{out,3,ref}\n+ e_0\\right)\\\\\n\\end{split}",
+        "Chain(P, Add(Neg(Mul(Call(\\dot{m}_{in,2}), Add(h_{in,2}, Neg(h_{in,2,ref})))), Mul(Call(\\dot{m}_{in,1}), Add(h_{out,1}, Neg(h_{in,1}))), Mul(Call(\\dot{m}_{out,2}), Add(h_{out,2}, Neg(h_{out,2,ref}))), Neg(Mul(Call(\\dot{m}_{out,3}), Add(h_{out,3}, Neg(h_{out,3,ref}), e_0)))); =)",
+        "oemof/tespy/src/tespy/components/reactors/water_electrolyzer.py",
+    ),
+    (
+        "Z_\\text{ref} = \\rho_\\text{atm} \\cdot c_\\text{ref} \\approx 413.2\n\\, \\text{Pa s/m}",
+        "System(Chain(Z_{ref}, Mul(\\rho_{atm}, c_{ref}), 413.2; =, \\approx), Words(\\text{Pa~s/m}))",
+        "pyfar/pyfar/pyfar/constants/__init__.py",
+    ),
+    (
+        "u\\left(x\\right)=\n\\sum_{i=1}^{N}\\sqrt{2S(k_{i})\\Delta k}\\left(\nZ_{1,i}\\cdot\\cos\\left(\\left\\langle k_{i},x\\right\\rangle \\right)+\nZ_{2,i}\\cdot\\sin\\left(\\left\\langle k_{i},x\\right\\rangle \\right)\n\\right)",
+        "Chain(Call(u; x), BigSum(i; 1; N; Mul(Sqrt(Mul(2, Call(S; k_i), \\Delta k)), Add(Mul(Z_{1i}, Call(cos; Pair(k_i; x))), Mul(Z_{2i}, Call(sin; Pair(k_i; x)))))); =)",
+        "GeoStat-Framework/GSTools/src/gstools/field/generator.py",
+    ),
+    (
+        "f(T_s) = \\frac{L^2 r q^*(T_s)}{c_p R_v T_s^2}",
+        "Chain(Call(f; T_s), Div(Mul(Pow(L; 2), r, Call(q ^ { * }; T_s)); Mul(c_p, R_v, Pow(T_s; 2))); =)",
+        "climlab/climlab/climlab/dynamics/meridional_moist_diffusion.py",
+    ),
+    (
+        "S(t) = \\exp\\left(\\frac{-t}{\\lambda}\\right),   \\lambda >0",
+        "System(Chain(Call(S; t), Call(exp; Div(Neg(t); \\lambda)); =), Chain(\\lambda, 0; >))",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/exponential_fitter.py",
+    ),
+    (
+        "\\sum_{n=0}^{N-1}|x[n]|^2=\\frac{1}{N}\\sum_{k=0}^{N-1}|X[k]|^2,",
+        "Chain(BigSum(n; 0; Add(N, Neg(1)); Pow(Bars(Indexed(x; n)); 2)), Mul(Div(1; N), BigSum(k; 0; Add(N, Neg(1)); Pow(Bars(Indexed(X; k)); 2))); =)",
+        "pyfar/pyfar/pyfar/dsp/dsp.py",
+    ),
+    (
+        "0=\\dot{m}_{in}\\cdot\\left(h_{out}-h_{in}\\right)-P",
+        "Chain(0, Add(Mul(Call(\\dot{m}_{in}), Add(h_{out}, Neg(h_{in}))), Neg(P)); =)",
+        "oemof/tespy/src/tespy/components/displacementmachinery/base.py",
+    ),
+    (
+        "H(t) = \\left(\\frac{t}{\\lambda}\\right)^\\rho,",
+        "Chain(Call(H; t), Pow(Div(t; \\lambda); \\rho); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/weibull_fitter.py",
+    ),
+    (
+        "\\log(\\beta_{0} - \\beta_{1} V - I)\n&\\approx \\log(\\frac{I_{0}}{1 + G_{p} R_{s}} + \\frac{V}{nN_sV_{th}}\n+ \\frac{I R_{s}}{nN_sV_{th}}) \\\\\n&= \\beta_{2} + \\beta_{3} V + \\beta_{4} I",
+        "Chain(Call(log; Add(\\beta_0, Neg(Mul(\\beta_1, V)), Neg(I))), Call(log; Add(Div(I_0; Add(1, Mul(G_p, R_s))), Div(V; Mul(n, N_s, V_{th})), Div(Mul(I, R_s); Mul(n, N_s, V_{th})))), Add(\\beta_2, Mul(\\beta_3, V), Mul(\\beta_4, I)); \\approx, =)",
+        "pvlib/pvlib-python/pvlib/ivtools/sde.py",
+    ),
+    (
+        "0=\\dot{Q}-kA\\cdot\\Delta\\vartheta_\\mathrm{log}",
+        "Chain(0, Add(Call(\\dot{Q}), Neg(Mul(k, A, \\Delta \\vartheta _ { \\mathrm { l o g } }))); =)",
+        "oemof/tespy/paper.md",
+    ),
+    (
+        "H(t) = \\log\\left(\\left(\\frac{t}{\\alpha}\\right) ^ {\\beta} + 1\\right)",
+        "Chain(Call(H; t), Call(log; Add(Pow(Div(t; \\alpha); \\beta), 1)); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/log_logistic_fitter.py",
+    ),
+    (
+        "\\mathcal{F}(x_0) &= F(x_0)   &    \\mathcal{F}(x_J) &= F(x_J)",
+        "System(Chain(Call(\\mathcal{F}; x_0), Call(F; x_0); =), Chain(Call(\\mathcal{F}; x_J), Call(F; x_J); =))",
+        "climlab/climlab/climlab/dynamics/adv_diff_numerics.py",
+    ),
+    (
+        "g(\\mathbf{k}) = \\frac{1}{\\Theta_m \\Theta_f}",
+        "Chain(Call(g; \\mathbf{k}), Div(1; Mul(\\Theta_m, \\Theta_f)); =)",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "\\left[\\begin{array}{c}\nconst\\\\\nx_{2,t+1}\n\\end{array}\\right]=\\left[\\begin{array}{cc}\nI & 0\\\\\nA_{21} & A_{22}\n\\end{array}\\right]\\left[\\begin{array}{c}\n1\\\\\nx_{2,t}\n\\end{array}\\right]+\\left[\\begin{array}{c}\n0\\\\\nC_{2}\n\\end{array}\\right]w_{t+1}",
+        "Chain(MatrixOf(\\text{const}, x_{2,t+1}), Add(Mul(MatrixOf(I, 0, A_{21}, A_{22}), MatrixOf(1, x_{2,t})), Mul(MatrixOf(0, C_2), w_{t+1})); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_lss.py",
+    ),
+    (
+        "h(t|x)  = b_0(t) + b_1(t) x_1 + ... + b_N(t) x_N",
+        "Chain(Call(h; Given(t; x; |)), Add(Call(b_0; t), Mul(Call(b_1; t), x_1), Dots(), Mul(Call(b_N; t), x_N)); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/aalen_additive_fitter.py",
+    ),
+    (
+        "g(\\mathbf{k}) = e^{-|\\mathbf{k}| \\Delta h}",
+        "Chain(Call(g; \\mathbf{k}), Pow(e; Neg(Mul(Bars(\\mathbf{k}), \\Delta h))); =)",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "\\phi(\\bar{x}, \\bar{x}') = \\frac{1}{||\\bar{x} - \\bar{x}'||}",
+        "Chain(Call(\\phi; \\bar{x}, \\bar{x}'), Div(1; Norm(Add(\\bar{x}, Neg(\\bar{x}')))); =)",
+        "fatiando/harmonica/harmonica/_equivalent_sources/cartesian.py",
+    ),
+    (
+        "\\gamma(\\theta, h) = \\|\\vec{\\nabla}U(\\theta, h)\\|",
+        "Chain(Call(\\gamma; \\theta, h), Norm(Call(\\nabla U; \\theta, h)); =)",
+        "fatiando/boule/src/boule/_sphere.py",
+    ),
+    (
+        "g_{upward}(P) = - \\frac{G m}{l^3} (z - z_p).",
+        "Chain(Call(g_{upward}; P), Neg(Mul(Div(Mul(G, m); Pow(l; 3)), Add(z, Neg(z_p)))); =)",
+        "fatiando/harmonica/harmonica/_forward/point.py",
+    ),
+    (
+        "g_{easting}(P) = - \\frac{G m}{l^3} (y - y_p)",
+        "Chain(Call(g_{easting}; P), Neg(Mul(Div(Mul(G, m); Pow(l; 3)), Add(y, Neg(y_p)))); =)",
+        "fatiando/harmonica/harmonica/_forward/point.py",
+    ),
+    (
+        "\\rho(r) =\n\\begin{cases}\n1- 7 \\left(s\\cdot\\frac{r}{\\ell}\\right)^{2}\n+ \\frac{35}{4} \\left(s\\cdot\\frac{r}{\\ell}\\right)^{3}\n- \\frac{7}{2} \\left(s\\cdot\\frac{r}{\\ell}\\right)^{5}\n+ \\frac{3}{4} \\left(s\\cdot\\frac{r}{\\ell}\\right)^{7}\n& r<\\frac{\\ell}{s}\\\\\n0 & r\\geq\\frac{\\ell}{s}\n\\end{cases}",
+        "Chain(Call(\\rho; r), Piecewise(Add(1, Neg(Mul(7, Pow(Mul(s, Div(r; \\ell)); 2))), Mul(Div(35; 4), Pow(Mul(s, Div(r; \\ell)); 3)), Neg(Mul(Div(7; 2), Pow(Mul(s, Div(r; \\ell)); 5))), Mul(Div(3; 4), Pow(Mul(s, Div(r; \\ell)); 7))), Chain(r, Div(\\ell; s); <), 0, Chain(r, Div(\\ell; s); \\ge)); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/models.py",
+    ),
+    (
+        "T = \\sqrt{B_e^2 + B_n^2 + B_u^2}",
+        "Chain(T, Sqrt(Add(Pow(B_e; 2), Pow(B_n; 2), Pow(B_u; 2))); =)",
+        "fatiando/harmonica/harmonica/_utils.py",
+    ),
+    (
+        "x_t = A x_{t-1} + C u_t",
+        "Chain(x_t, Add(Mul(A, x_{t-1}), Mul(C, u_t)); =)",
+        "QuantEcon/QuantEcon.py/quantecon/markov/approximation.py",
+    ),
+    (
+        "\\rho(r) =\n\\exp\\left(- \\left(s\\cdot\\frac{r}{\\ell}\\right)^{\\alpha}\\right)",
+        "Chain(Call(\\rho; r), Call(exp; Neg(Pow(Mul(s, Div(r; \\ell)); \\alpha))); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/models.py",
+    ),
+    (
+        "x = F(\\widehat{x}) = \\sum_{i=1}^N x_i \\phi_i(\\widehat{x}),",
+        "Chain(x, Call(F; \\widehat{x}), BigSum(i; 1; N; Mul(x_i, Call(\\phi_i; \\widehat{x}))); =, =)",
+        "kinnala/scikit-fem/skfem/mapping/mapping_isoparametric.py",
+    ),
+    (
+        "I = I_{L} - I_{0} \\left (\\exp \\frac{V_{d}}{nN_{s}V_{th}} - 1 \\right )\n- \\frac{V_{d}}{R_{sh}}\n- \\frac{I_{L} \\frac{d^{2}}{\\mu \\tau}}{N_{s} V_{bi} - V_{d}}\n- a \\frac{V_{d}}{R_{sh}} \\left (1 - \\frac{V_{d}}{V_{br}} \\right )^{-m}",
+        "Chain(I, Add(I_L, Neg(Mul(I_0, Add(Call(exp; Div(V_d; Mul(n, N_s, V_{th}))), Neg(1)))), Neg(Div(V_d; R_{sh})), Neg(Div(Mul(I_L, Div(Pow(d; 2); Mul(\\mu, \\tau))); Add(Mul(N_s, V_{bi}), Neg(V_d)))), Neg(Mul(a, Div(V_d; R_{sh}), Pow(Add(1, Neg(Div(V_d; V_{br}))); Neg(m))))); =)",
+        "pvlib/pvlib-python/pvlib/singlediode.py",
+    ),
+    (
+        "X_t = \\phi X_{t-1} + \\epsilon_t + \\theta \\epsilon_{t-1}",
+        "Chain(X_t, Add(Mul(\\phi, X_{t-1}), \\epsilon_t, Mul(\\theta, \\epsilon_{t-1})); =)",
+        "QuantEcon/QuantEcon.py/quantecon/_arma.py",
+    ),
+    (
+        "A= \\left[ \\begin{array}{cccc}\n1       & 1         & 1         & 1         \\\\\n\\tau_0 & 1         & 1         & 1         \\\\\n\\tau_1 & \\tau_1   & 1         & 1         \\\\\n\\tau_2 & \\tau_2   & \\tau_2   & 1         \\\\\n\\end{array} \\right]",
+        "Chain(A, MatrixOf(1, 1, 1, 1, \\tau_0, 1, 1, 1, \\tau_1, \\tau_1, 1, 1, \\tau_2, \\tau_2, \\tau_2, 1); =)",
+        "climlab/climlab/climlab/radiation/transmissivity.py",
+    ),
+    (
+        "h_{lsc} = C \\left(\\frac{\\partial T}{\\partial t}\\right)_{lsc}",
+        "Chain(h_{lsc}, Mul(C, Marked(Derivative(Call(T); t, 1; True); _{ l s c })); =)",
+        "climlab/climlab/climlab/dynamics/large_scale_condensation.py",
+    ),
+    (
+        "\\mathcal{H} = -2 \\pi a^2 D_m \\frac{\\partial T_m}{\\partial \\phi}",
+        "Chain(\\mathcal{H}, Neg(Mul(2, \\pi, Pow(a; 2), D_m, Derivative(Call(T_m); \\phi, 1; True))); =)",
+        "climlab/climlab/climlab/dynamics/meridional_moist_diffusion.py",
+    ),
+    (
+        "L_p = 20\\log_{10}\\biggl(\\frac{p}{p_0}\\biggr),",
+        "Chain(L_p, Mul(20, Call(lg; Div(p; p_0))); =)",
+        "pyfar/pyfar/pyfar/dsp/dsp.py",
+    ),
+    (
+        "\\text{tilt}(f) = \\tan^{-1} \\left(\n    \\frac{\n        \\frac{\\partial M}{\\partial z}\n    }{\n        \\sqrt{\n            \\left( \\frac{\\partial M}{\\partial x} \\right)^2\n            +\n            \\left( \\frac{\\partial M}{\\partial y} \\right)^2\n        }\n    }\n\\right)",
+        "Chain(Call(\\text{tilt}; f), Call(arctan; Div(Derivative(Call(M); z, 1; True); Sqrt(Add(Pow(Derivative(Call(M); x, 1; True); 2), Pow(Derivative(Call(M); y, 1; True); 2))))); =)",
+        "fatiando/harmonica/harmonica/_transformations.py",
+    ),
+    (
+        "\\frac{1}{f_{sys}} = \\frac{1}{f_1} + \\frac{1}{f_2} - \\frac{d}{f_1  f_2}",
+        "Chain(Div(1; f_{sys}), Add(Div(1; f_1), Div(1; f_2), Neg(Div(d; Mul(f_1, f_2)))); =)",
+        "spacetelescope/poppy/notebooks/Fresnel_Propagation_Demo.ipynb",
+    ),
+    (
+        "\\gamma(\\phi, h) = \\|\\vec{\\nabla}U(\\phi, h)\\|",
+        "Chain(Call(\\gamma; \\phi, h), Norm(Call(\\nabla U; \\phi, h)); =)",
+        "fatiando/boule/src/boule/_ellipsoid.py",
+    ),
+    (
+        "h(t|x(t)) = h_0(t)\\exp((x(t)-\\overline{x})'\\beta)",
+        "Chain(Call(h; Given(t; Call(x; t); |)), Mul(Call(h_0; t), Call(exp; Mul(Marked(Add(Call(x; t), Neg(\\overline{x})); '), \\beta))); =)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/cox_time_varying_fitter.py",
+    ),
+    (
+        "\\max_{z_0, z_1, z_2}\\ \\ & z_0 - z_1 - 4z_2 \\\\\n\\mbox{such that}\\ \\ & -3z_0 + 3z_1 + z_2 \\leq 9, \\\\\n& z_0 - z_1 + 2z_2 \\leq 10, \\\\\n& z_0, z_1, z_2 \\geq 0.",
+        "System(Words(Limiting(max; _{ z _ { 0 } , z _ { 1 } , z _ { 2 } }; Add(z_0, Neg(z_1), Neg(Mul(4, z_2))))), Words(\\text{subject~to}), Chain(Add(Neg(Mul(3, z_0)), Mul(3, z_1), z_2), 9; \\le), Chain(Add(z_0, Neg(z_1), Mul(2, z_2)), 10; \\le), Chain(z_0, 0; \\ge), Chain(z_1, 0; \\ge), Chain(z_2, 0; \\ge))",
+        "QuantEcon/QuantEcon.py/quantecon/optimize/linprog_simplex.py",
+    ),
+    (
+        "a(u,v) = \\int_\\Omega u v \\,\\mathrm{d}x\n\\quad \\mathrm{and} \\quad\nl(v) = \\int_\\Omega x^2v \\,\\mathrm{d}x.",
+        "System(Chain(Call(a; u, v), Over(\\int; _ { \\Omega }; Mul(u, v); x); =), Chain(Call(l; v), Over(\\int; _ { \\Omega }; Mul(Pow(x; 2), v); x); =))",
+        "kinnala/scikit-fem/skfem/assembly/__init__.py",
+    ),
+    (
+        "\\begin{cases}\n    f_e = \\sin D \\cos I \\\\\n    f_n = \\cos D \\cos I \\\\\n    f_u = \\sin I\n\\end{cases}",
+        "System(Chain(f_e, Mul(Call(sin; D), Call(cos; I)); =), Chain(f_n, Mul(Call(cos; D), Call(cos; I)); =), Chain(f_u, Call(sin; I); =))",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "\\lambda_{\\nu} = \\frac{\\mathrm{OLR}_{\\nu}(\\mathrm{SST}+1)- \\mathrm{OLR}_{\\nu}(\\mathrm{SST})}{1\\mathrm{K}}",
+        "Chain(\\lambda_\\nu, Div(Add(Call(\\text{OLR}_\\nu; Add(\\text{SST}, 1)), Neg(Call(\\text{OLR}_\\nu; \\text{SST}))); Mul(1, \\text{K})); =)",
+        "climlab/climlab/docs/source/courseware/Spectral_OLR_with_RRTMG.ipynb",
+    ),
+    (
+        "g(\\mathbf{k}) = |\\mathbf{k}| ^ n",
+        "Chain(Call(g; \\mathbf{k}), Pow(Bars(\\mathbf{k}); n); =)",
+        "fatiando/harmonica/harmonica/filters/_filters.py",
+    ),
+    (
+        "H(\\omega) = \\frac{Y(\\omega)}{X(\\omega)},",
+        "Chain(Call(H; \\omega), Div(Call(Y; \\omega); Call(X; \\omega)); =)",
+        "pyfar/pyfar/pyfar/dsp/dsp.py",
+    ),
+    (
+        "S(k) = \\left(\\frac{1}{2\\pi}\\right)^n \\cdot\n\\frac{(2\\pi)^{n/2}}{k^{n/2-1}}\n\\int_0^\\infty r^{n/2} C(r) J_{n/2-1}(kr) dr",
+        "Chain(Call(S; k), Mul(Pow(Div(1; Mul(2, \\pi)); n), Div(Pow(Mul(2, \\pi); Div(n; 2)); Pow(k; Add(Div(n; 2), Neg(1)))), Integral(Mul(Pow(r; Div(n; 2)), Call(C; r), Call(J_{n/2-1}; Mul(k, r))); r; 0; Infinity())); =)",
+        "GeoStat-Framework/GSTools/src/gstools/covmodel/base.py",
+    ),
+    (
+        "OLR(\\varphi) = \\sigma \\cdot \\varepsilon \\cdot T_s(\\varphi)^4",
+        "Chain(Call(\\text{OLR}; \\varphi), Mul(\\sigma, \\varepsilon, Pow(Call(T_s; \\varphi); 4)); =)",
+        "climlab/climlab/docs/source/courseware/Boltzmann_EBM.ipynb",
+    ),
+    (
+        "t = \\frac{f}{f_L} - \\frac{f_L}{f}  \\approx 2 \\frac{f − f_L}{f_L}",
+        "Chain(t, Add(Div(f; f_L), Neg(Div(f_L; f))), Mul(2, Div(Add(f, Neg(f_L)); f_L)); =, \\approx)",
+        "scikit-rf/scikit-rf/skrf/qfactor.py",
+    ),
+    (
+        "R_{F} = \\frac{\\sqrt{N(N +1 - |\\Gamma_{opt}|^2)}}{N + 1}",
+        "Chain(R_F, Div(Sqrt(Mul(N, Add(N, 1, Neg(Pow(Bars(\\varGamma_{opt}); 2))))); Add(N, 1)); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "p({\\cal M}) \\propto {\\cal M}",
+        "Chain(Call(p; \\mathcal{M}), \\mathcal{M}; \\propto)",
+        "bilby-dev/bilby/bilby/gw/prior.py",
+    ),
+    (
+        "\\frac{\\partial \\mathbf{f_m}}{\\partial \\mathbf{m}} =\n\\frac{\\partial \\mu(\\mathbf{m})}{\\partial \\mathbf{m}}",
+        "Chain(Derivative(Call(\\mathbf{f}_m); \\mathbf{m}, 1; True), Derivative(Call(\\mu; \\mathbf{m}); \\mathbf{m}, 1; True); =)",
+        "simpeg/simpeg/simpeg/regularization/base.py",
+    ),
+    (
+        "\\alpha_{R_s} = 4 R_s^2 \\rho_0(1 + \\ln(1/2))",
+        "Chain(\\alpha_{R_s}, Mul(4, Pow(R_s; 2), \\rho_0, Add(1, Call(ln; Div(1; 2)))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/nfw.py",
+    ),
+    (
+        "\\beta_0 = \\gamma \\frac{\\lambda_d}{\\lambda_m}",
+        "Chain(\\beta_0, Mul(\\gamma, Div(\\lambda_d; \\lambda_m)); =)",
+        "simpeg/simpeg/simpeg/directives/_directives.py",
+    ),
+    (
+        "\\sigma_v = c \\sqrt{\\sigma_0 \\frac{R_s R_a}{R_s - R_a} \\frac{D_{\\rm S}}{D_{\\rm LS}} \\frac{1}{2\\pi} }",
+        "Chain(\\sigma_v, Mul(c, Sqrt(Mul(\\sigma_0, Div(Mul(R_s, R_a); Add(R_s, Neg(R_a))), Div(D_S; D_{LS}), Div(1; Mul(2, \\pi))))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/Cosmo/lens_cosmo.py",
+    ),
+    (
+        "\\sum_i \\frac{Z_i X_i}{A_i} - Y_e =0",
+        "Chain(Add(BigSum(i; Div(Mul(Z_i, X_i); A_i)), Neg(Y_e)), 0; =)",
+        "pynucastro/pynucastro/docs/source/NSE-direct-integration.ipynb",
+    ),
+    (
+        "\\phi (\\mathbf{m}) =\n\\left\\lVert\n\\mathbf{W}\n\\mathbf{G_x}\n\\left[ \\mu(\\mathbf{m}) - \\mu(\\mathbf{m}^\\text{ref}) \\right]\n\\right\\rVert^2.",
+        "Chain(Call(\\phi; \\mathbf{m}), Pow(Norm(Mul(\\mathbf{W}, \\mathbf{G}_x, Add(Call(\\mu; \\mathbf{m}), Neg(Call(\\mu; \\mathbf { m } ^ { \\text { r e f } }))))); 2); =)",
+        "simpeg/simpeg/simpeg/regularization/base.py",
+    ),
+    (
+        "\\mathbf{W} = \\begin{bmatrix}\n\\sqrt{c_1} W_i \\\\ \\vdots \\\\ \\sqrt{c_N} W_N\n\\end{bmatrix}",
+        "Chain(\\mathbf{W}, MatrixOf(Mul(Sqrt(c_1), W_i), Dots(), Mul(Sqrt(c_N), W_N)); =)",
+        "simpeg/simpeg/simpeg/objective_function.py",
+    ),
+    (
+        "f(x \\mid q, \\beta) = q^{x^{\\beta}} - q^{(x + 1)^{\\beta}}",
+        "Chain(Call(f; Given(x; q, \\beta; |)), Add(Pow(q; Pow(x; \\beta)), Neg(Pow(q; Pow(Add(x, 1); \\beta)))); =)",
+        "pymc-devs/pymc/pymc/distributions/discrete.py",
+    ),
+    (
+        "\\mathbf{A}_k \\mathbf{h}_k = \\mathbf{q}_k - \\mathbf{B}_k \\mathbf{h}_{k-1}",
+        "Chain(Mul(\\mathbf{A}_k, \\mathbf{h}_k), Add(\\mathbf{q}_k, Neg(Mul(\\mathbf{B}_k, \\mathbf{h}_{k-1}))); =)",
+        "simpeg/simpeg/simpeg/electromagnetics/time_domain/simulation.py",
+    ),
+    (
+        "\\mathbf{u}(\\mathbf{m}) = \\begin{bmatrix} \\mathbf{v_x} \\\\ \\mathbf{v_y} \\\\ \\mathbf{v_z} \\end{bmatrix}",
+        "Chain(Call(\\mathbf{u}; \\mathbf{m}), MatrixOf(\\mathbf{v}_x, \\mathbf{v}_y, \\mathbf{v}_z); =)",
+        "simpeg/simpeg/simpeg/maps/_base.py",
+    ),
+    (
+        "J = \\frac{1}{3} (L_a + \\mu L_c) t^3 - 3.361 \\frac{t^4}{16} \\frac{1 + {\\mu}^2}{1 + \\mu}",
+        "Chain(J, Add(Mul(Div(1; 3), Add(L_a, Mul(\\mu, L_c)), Pow(t; 3)), Neg(Mul(3.361, Div(Pow(t; 4); 16), Div(Add(1, Pow(\\mu; 2)); Add(1, \\mu))))); =)",
+        "robbievanleeuwen/section-properties/docs/examples/validation/pilkey_composite.ipynb",
+    ),
+    (
+        "\\mathbf{f}(\\mathbf{m}) = \\lambda_1 \\mathbf{m_1} + \\lambda_2 \\mathbf{m_2} + \\lambda_3",
+        "Chain(Call(\\mathbf{f}; \\mathbf{m}), Add(Mul(\\lambda_1, \\mathbf{m}_1), Mul(\\lambda_2, \\mathbf{m}_2), \\lambda_3); =)",
+        "simpeg/simpeg/simpeg/regularization/correspondence.py",
+    ),
+    (
+        "\\tau_\\nu = \\frac{c^2}{8 \\pi \\nu^2} A_{ij} N_u \\phi_\\nu\n            \\left[ \\exp\\left( \\frac{h \\nu}{k_B T_{ex}} \\right)  - 1 \\right]",
+        "Chain(\\tau_\\nu, Mul(Div(Pow(c; 2); Mul(8, \\pi, Pow(\\nu; 2))), A_{ij}, N_u, \\phi_\\nu, Add(Call(exp; Div(Mul(h, \\nu); Mul(k_B, T_{ex}))), Neg(1))); =)",
+        "pyspeckit/pyspeckit/pyspeckit/spectrum/models/lte_molecule.py",
+    ),
+    (
+        "\\chi^2 =  (d-Ax)^TC^{-1}(d-Ax) = \\frac{1}{\\sigma^2}(d^TA^{-1}d - 2x^Td + x^TAx)",
+        "Chain(Pow(\\chi; 2), Mul(Transpose(Add(d, Neg(Mul(A, x)))), Pow(C; Neg(1)), Add(d, Neg(Mul(A, x)))), Mul(Div(1; Pow(\\sigma; 2)), Add(Mul(Transpose(d), Pow(A; Neg(1)), d), Neg(Mul(2, Transpose(x), d)), Mul(Transpose(x), A, x))); =, =)",
+        "lenstronomy/lenstronomy/lenstronomy/Data/imaging_data.py",
+    ),
+    (
+        "\\xi(x, y) = \\sqrt{qx^2 + \\frac{y^2}{q}}",
+        "Chain(Call(\\xi; x, y), Sqrt(Add(Mul(q, Pow(x; 2)), Div(Pow(y; 2); q))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/cored_steep_ellipsoid.py",
+    ),
+    (
+        "C_{L} = \\frac{g_{L}S_{22}^*}{1 - (1 - g_{L})|S_{22}|^{2}}",
+        "Chain(C_L, Div(Mul(g_L, S _ { 2 2 } ^ { * }); Add(1, Neg(Mul(Add(1, Neg(g_L)), Pow(Bars(S_{22}); 2))))); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "\\phi (m) = \\phi_d (m) + \\beta \\, \\phi_m (m)",
+        "Chain(Call(\\phi; m), Add(Call(\\phi_d; m), Mul(\\beta, Call(\\phi_m; m))); =)",
+        "simpeg/simpeg/simpeg/regularization/__init__.py",
+    ),
+    (
+        "\\gamma = \\frac{1}{2} \\left(\\frac{1}{\\mu_t} - \\frac{1}{\\mu_r}\\right)\r\n\\kappa = 1 - \\gamma - \\frac{1}{\\mu_r}",
+        "Chain(\\gamma, Mul(Div(1; 2), Add(Div(1; \\mu_t), Neg(Div(1; \\mu_r))), \\kappa), Add(1, Neg(\\gamma), Neg(Div(1; \\mu_r))); =, =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/const_mag.py",
+    ),
+    (
+        "f(x \\mid \\mu) = \\frac{e^{-\\mu}\\mu^x}{x!}",
+        "Chain(Call(f; Given(x; \\mu; |)), Div(Mul(Pow(e; Neg(\\mu)), Pow(\\mu; x)); Factorial(x)); =)",
+        "pymc-devs/pymc/pymc/distributions/discrete.py",
+    ),
+    (
+        "\\frac{d }{d t} Y_A = \\frac{d }{d t} Y_B = \\frac{d }{d t} Y_C = \\frac{d }{d t} Y_D = 0",
+        "Chain(Derivative(Call(Y_A); t, 1), Derivative(Call(Y_B); t, 1), Derivative(Call(Y_C); t, 1), Derivative(Call(Y_D); t, 1), 0; =, =, =, =)",
+        "pynucastro/pynucastro/docs/source/derived-rates.rst",
+    ),
+    (
+        "\\mathbf{\\bar{m}} = \\bigg (\n\\Big [ \\mathbf{m}_p - \\mathbf{m}_p^{(ref)} \\Big ]^2 +\n\\Big [ \\mathbf{m}_s - \\mathbf{m}_s^{(ref)} \\Big ]^2 +\n\\Big [ \\mathbf{m}_t - \\mathbf{m}_t^{(ref)} \\Big ]^2 \\bigg )^{1/2}",
+        "Chain(\\bar{\\mathbf{m}}, Pow(Add(Pow(Add(\\mathbf{m}_p, Neg(\\mathbf { m } _ { p } ^ { ( r e f ) })); 2), Pow(Add(\\mathbf{m}_s, Neg(\\mathbf { m } _ { s } ^ { ( r e f ) })); 2), Pow(Add(\\mathbf{m}_t, Neg(\\mathbf { m } _ { t } ^ { ( r e f ) })); 2)); Div(1; 2)); =)",
+        "simpeg/simpeg/simpeg/regularization/vector.py",
+    ),
+    (
+        "\\mathbf{v^\\prime} = (a, t, p)",
+        "Chain(\\mathbf{v}', Tuple(a, t, p; ()); =)",
+        "simpeg/simpeg/simpeg/maps/_base.py",
+    ),
+    (
+        "\\rho({\\bf J}) = \\max_i\\{|\\lambda_i|\\}",
+        "Chain(Call(\\rho; \\mathbf{J}), Limiting(max; _{ i }; Tuple(Bars(\\lambda_i); {})); =)",
+        "pynucastro/pynucastro/docs/source/stiffness.ipynb",
+    ),
+    (
+        "k(x, x') = \\left(1 + \\frac{(x - x')^2}{2\\alpha\\ell^2} \\right)^{-\\alpha}",
+        "Chain(Call(k; x, x'), Pow(Add(1, Div(Pow(Add(x, Neg(x')); 2); Mul(2, \\alpha, Pow(\\ell; 2)))); Neg(\\alpha)); =)",
+        "pymc-devs/pymc/pymc/gp/cov.py",
+    ),
+    (
+        "\\phi (\\mathbf{m}) =\n\\Big \\| \\mathbf{W X m} \\, \\Big \\|^2",
+        "Chain(Call(\\phi; \\mathbf{m}), Pow(Norm(Mul(\\mathbf{W}, \\mathbf{X}, \\mathbf{m})); 2); =)",
+        "simpeg/simpeg/simpeg/regularization/vector.py",
+    ),
+    (
+        "\\phi (m_1, m_2) = \\int_\\Omega \\, w(r) \\,\n\\Big [ \\, \\big | \\nabla m_1 \\big |^2 \\, + \\, \\big | \\nabla m_2 \\big |^2 \\, \\Big ]^{1/2} \\, dv",
+        "Chain(Call(\\phi; m_1, m_2), Over(\\int; _ { \\Omega }; Mul(Call(w; r), Pow(Add(Pow(Bars(\\nabla m _ { 1 }); 2), Pow(Bars(\\nabla m _ { 2 }); 2)); Div(1; 2))); v); =)",
+        "simpeg/simpeg/simpeg/regularization/jtv.py",
+    ),
+    (
+        "N_A \\ \\mu^\\mathrm{eq}_A + N_B \\ \\mu^\\mathrm{eq}_B = N_C \\ \\mu^\\mathrm{eq}_C + N_D \\ \\mu^\\mathrm{eq}_D",
+        "Chain(Add(Mul(N_A, \\mu _ { A } ^ { \\mathrm { e q } }), Mul(N_B, \\mu _ { B } ^ { \\mathrm { e q } })), Add(Mul(N_C, \\mu _ { C } ^ { \\mathrm { e q } }), Mul(N_D, \\mu _ { D } ^ { \\mathrm { e q } })); =)",
+        "pynucastro/pynucastro/docs/source/derived-rates.rst",
+    ),
+    (
+        "\\phi \\big ( \\mathbf{m}^{(k)} \\big ) \\approx \\Big \\| \\,\n\\mathbf{W}^{(k)} \\, \\mathbf{G_x} \\, \\mathbf{\\bar{m}}^{(k)} \\Big \\|^2",
+        "Chain(Call(\\phi; \\mathbf { m } ^ { ( k ) }), Pow(Norm(Mul(\\mathbf { W } ^ { ( k ) }, \\mathbf{G}_x, \\bar { \\mathbf { m } } ^ { ( k ) })); 2); \\approx)",
+        "simpeg/simpeg/simpeg/regularization/vector.py",
+    ),
+    (
+        "\\frac{\\partial \\phi}{\\partial \\mathbf{m}} =\n\\begin{bmatrix} \\dfrac{\\partial \\phi}{\\partial \\mathbf{m_1}} \\\\\n\\dfrac{\\partial \\phi}{\\partial \\mathbf{m_2}} \\\\ \\vdots \\end{bmatrix}",
+        "Chain(Derivative(Call(\\phi); \\mathbf{m}, 1; True), MatrixOf(Derivative(Call(\\phi); \\mathbf{m}_1, 1; True), Derivative(Call(\\phi); \\mathbf{m}_2, 1; True), Dots()); =)",
+        "simpeg/simpeg/simpeg/regularization/jtv.py",
+    ),
+    (
+        "\\mathcal{E}(p) = m_e c^2 \\left [ \\left (1 + \\left(\\frac{p}{m_e c}\\right )^2 \\right )^{1/2} - 1 \\right ]",
+        "Chain(Call(\\mathcal{E}; p), Mul(m_e, Pow(c; 2), Add(Pow(Add(1, Pow(Div(p; Mul(m_e, c)); 2)); Div(1; 2)), Neg(1))); =)",
+        "pynucastro/pynucastro/docs/source/fermi-integrals.ipynb",
+    ),
+    (
+        "w[n] = a_0 - a_1 \\cos(2\\pi n/M) + a_2 \\cos(4\\pi n/M)\n+ a_3 \\cos(6\\pi n/M) + a_4 \\cos(8\\pi n/M), n=0,\\ldots,N-1",
+        "System(Chain(Indexed(w; n), Add(a_0, Neg(Mul(a_1, Call(cos; Div(Mul(2, \\pi, n); M)))), Mul(a_2, Call(cos; Div(Mul(4, \\pi, n); M))), Mul(a_3, Call(cos; Div(Mul(6, \\pi, n); M))), Mul(a_4, Call(cos; Div(Mul(8, \\pi, n); M)))); =), Values(n; 0, Dots(), Add(N, Neg(1))))",
+        "LCAV/pyroomacoustics/pyroomacoustics/windows.py",
+    ),
+    (
+        "\\varepsilon = \\varepsilon_0 \\varepsilon_r",
+        "Chain(\\varepsilon, Mul(\\varepsilon_0, \\varepsilon_r); =)",
+        "scikit-rf/scikit-rf/skrf/media/freespace.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\rho_0}{(r/R_s) (1 + r/R_s)^2}",
+        "Chain(Call(\\rho; r), Div(\\rho_0; Mul(Div(r; R_s), Pow(Add(1, Div(r; R_s)); 2))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/nfw.py",
+    ),
+    (
+        "\\mathbf{e_0} = \\mathbf{G} \\, \\boldsymbol{\\phi_0}",
+        "Chain(\\mathbf{e}_0, Mul(\\mathbf{G}, \\boldsymbol{\\phi}_0); =)",
+        "simpeg/simpeg/simpeg/electromagnetics/time_domain/simulation.py",
+    ),
+    (
+        "\\frac{\\partial \\phi}{\\partial \\mathbf{m}} =\n\\begin{bmatrix} \\dfrac{\\partial \\phi}{\\partial \\mathbf{m_1}} \\\\\n\\dfrac{\\partial \\phi}{\\partial \\mathbf{m_2}} \\end{bmatrix}",
+        "Chain(Derivative(Call(\\phi); \\mathbf{m}, 1; True), MatrixOf(Derivative(Call(\\phi); \\mathbf{m}_1, 1; True), Derivative(Call(\\phi); \\mathbf{m}_2, 1; True)); =)",
+        "simpeg/simpeg/simpeg/regularization/correspondence.py",
+    ),
+    (
+        "f(x \\mid \\alpha, \\beta) =\n    \\frac{\\alpha x^{\\alpha - 1}\n    \\exp(-(\\frac{x}{\\beta})^{\\alpha})}{\\beta^\\alpha}",
+        "Chain(Call(f; Given(x; \\alpha, \\beta; |)), Div(Mul(\\alpha, Pow(x; Add(\\alpha, Neg(1))), Call(exp; Neg(Pow(Div(x; \\beta); \\alpha)))); Pow(\\beta; \\alpha)); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "p = - g",
+        "Chain(p, Neg(g); =)",
+        "simpeg/simpeg/simpeg/optimization.py",
+    ),
+    (
+        "k(x, x') = \\mathrm{cos}\\left( 2 \\pi \\frac{||x - x'||}{ \\ell^2} \\right)",
+        "Chain(Call(k; x, x'), Call(cos; Mul(2, \\pi, Div(Norm(Add(x, Neg(x'))); Pow(\\ell; 2)))); =)",
+        "pymc-devs/pymc/pymc/gp/cov.py",
+    ),
+    (
+        "\\mu = \\frac{G_c}{G_a} = \\frac{E_c}{E_a} = \\frac{18.5}{10.4}",
+        "Chain(\\mu, Div(G_c; G_a), Div(E_c; E_a), Div(18.5; 10.4); =, =, =)",
+        "robbievanleeuwen/section-properties/docs/examples/validation/pilkey_composite.ipynb",
+    ),
+    (
+        "f(x \\mid \\mu,\\sigma) = \\frac{1}{\\sqrt{2\\pi}\\sigma}e^{-\\frac{1}{2}\\left(z + e^{-z}\\right)},",
+        "Chain(Call(f; Given(x; \\mu, \\sigma; |)), Mul(Div(1; Mul(Sqrt(Mul(2, \\pi)), \\sigma)), Pow(e; Neg(Mul(Div(1; 2), Add(z, Pow(e; Neg(z))))))); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "\\vec{j} &= \\sigma \\vec{e} \\\\\n\\vec{h} &= \\mu^{-1} \\vec{b}",
+        "System(Chain(\\vec{j}, Mul(\\sigma, \\vec{e}); =), Chain(\\vec{h}, Mul(Pow(\\mu; Neg(1)), \\vec{b}); =))",
+        "simpeg/simpeg/simpeg/electromagnetics/time_domain/simulation.py",
+    ),
+    (
+        "f(x \\mid \\alpha, \\beta, n) =\n    \\binom{n}{x}\n    \\frac{B(x + \\alpha, n - x + \\beta)}{B(\\alpha, \\beta)}",
+        "Chain(Call(f; Given(x; \\alpha, \\beta, n; |)), Mul(Binomial(n; x), Div(Call(B; Add(x, \\alpha), Add(n, Neg(x), \\beta)); Call(B; \\alpha, \\beta))); =)",
+        "pymc-devs/pymc/pymc/distributions/discrete.py",
+    ),
+    (
+        "\\mathbf{m_{ref}} (\\Theta ,{\\mathbf{z}^\\ast}) = \\boldsymbol{\\mu}_{\\mathbf{z}^\\ast}",
+        "Chain(Call(\\mathbf{m}_{ref}; \\Theta, \\mathbf { z } ^ { * }), \\boldsymbol{\\mu}_{\\mathbf z^*}; =)",
+        "simpeg/simpeg/simpeg/regularization/pgi.py",
+    ),
+    (
+        "\\text{CVaR}_{\\alpha}(X) = \\text{VaR}_{\\alpha}(X) +\n\\frac{1}{\\alpha T} \\sum_{t=1}^{T} \\max(-X_{t} -\n\\text{VaR}_{\\alpha}(X), 0)",
+        "Chain(Call(\\text{CVaR}_\\alpha; X), Add(Call(\\text{VaR}_\\alpha; X), Mul(Div(1; Mul(\\alpha, T)), BigSum(t; 1; T; Call(max; Add(Neg(X_t), Neg(Call(\\text{VaR}_\\alpha; X))), 0)))); =)",
+        "dcajasn/Riskfolio-Lib/riskfolio/src/RiskFunctions.py",
+    ),
+    (
+        "K_{rs} = 1-10",
+        "Chain(K_{rs}, Add(1, Neg(10)); =)",
+        "NREL/MoorPy/moorpy/library/readme.md",
+    ),
+    (
+        "Z \\equiv \\int d\\theta \\, l(\\theta) p(\\theta)",
+        "Chain(Z, Antiderivative(Mul(Call(l; \\theta), Call(p; \\theta)); \\theta); \\equiv)",
+        "refnx/refnx/refnx/_lib/ptemcee/util.py",
+    ),
+    (
+        "P_\\mathrm{path} = \\prod_{\\lambda \\in \\mbox{path}} p_\\lambda",
+        "Chain(P_{path}, Limiting(prod; _{ \\lambda \\in \\text { p a t h } }; p_{\\lambda}); =)",
+        "pynucastro/pynucastro/docs/source/most-probable-path.ipynb",
+    ),
+    (
+        "\\text{EVaR}_{\\alpha}(X) = \\inf_{z>0} \\left \\{ z\n\\ln \\left (\\frac{M_X(z^{-1})}{\\alpha} \\right ) \\right \\}",
+        "Chain(Call(\\text{EVaR}_\\alpha; X), Limiting(inf; _{ z > 0 }; Tuple(Mul(z, Call(ln; Div(Call(M_X; Pow(z; Neg(1))); \\alpha))); {})); =)",
+        "dcajasn/Riskfolio-Lib/riskfolio/src/RiskFunctions.py",
+    ),
+    (
+        "\\theta_{\\rm E, SIS} = 4\\pi  \\frac{D_{\\rm LS}}{D_{\\rm S}} \\left(\\frac{\\sigma_v}{c} \\right)^2",
+        "Chain(\\theta_{E,SIS}, Mul(4, \\pi, Div(D_{LS}; D_S), Pow(Div(\\sigma_v; c); 2)); =)",
+        "lenstronomy/lenstronomy/lenstronomy/Cosmo/lens_cosmo.py",
+    ),
+    (
+        "f_{max} = \\big \\| \\, \\mathbf{f_m} \\, \\big \\|_\\infty",
+        "Chain(f_{max}, Marked(Norm(\\mathbf{f}_m); _{ \\infty }); =)",
+        "simpeg/simpeg/simpeg/regularization/sparse.py",
+    ),
+    (
+        "Q = \\frac{1}{2}\\left(\n    1 + \\frac{1}{\\alpha^2 - 1} \\left[\n        1 - \\frac{1}{\\chi}\\tan^{-1}(\\chi)\n    \\right]\n\\right)",
+        "Chain(Q, Mul(Div(1; 2), Add(1, Mul(Div(1; Add(Pow(\\alpha; 2), Neg(1))), Add(1, Neg(Mul(Div(1; \\chi), Call(arctan; \\chi))))))); =)",
+        "simpeg/simpeg/simpeg/maps/_property_maps.py",
+    ),
+    (
+        "\\mathbf{f_m}(\\mathbf{m}) = \\mathbf{X m}",
+        "Chain(Call(\\mathbf{f}_m; \\mathbf{m}), Mul(\\mathbf{X}, \\mathbf{m}); =)",
+        "simpeg/simpeg/simpeg/regularization/vector.py",
+    ),
+    (
+        "\\phi = \\dfrac{\\lambda}{\\mu}",
+        "Chain(\\phi, Div(\\lambda; \\mu); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "z & = \\frac{E[y x^*]}{E[|y|^2]}",
+        "Chain(z, Div(Indexed(E; Mul(y, x ^ { * })); Indexed(E; Pow(Bars(y); 2))); =)",
+        "LCAV/pyroomacoustics/pyroomacoustics/bss/common.py",
+    ),
+    (
+        "r_x = \\sqrt{\\frac{I_{xx}}{A}} \\\\\nr_y = \\sqrt{\\frac{I_{yy}}{A}} \\\\",
+        "System(Chain(r_x, Sqrt(Div(I_{xx}; A)); =), Chain(r_y, Sqrt(Div(I_{yy}; A)); =))",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "k_x = m \\frac{\\pi}{a}",
+        "Chain(k_x, Mul(m, Div(\\pi; a)); =)",
+        "scikit-rf/scikit-rf/skrf/media/rectangularWaveguide.py",
+    ),
+    (
+        "K_{rd} = 2.08 + 0.39L_m",
+        "Chain(K_{rd}, Add(2.08, Mul(0.39, L_m)); =)",
+        "NREL/MoorPy/moorpy/library/readme.md",
+    ),
+    (
+        "b = \\dfrac{\\nu}{\\sigma}",
+        "Chain(b, Div(\\nu; \\sigma); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "\\phi (m) = \\int_\\Omega \\, w(r) \\,\n\\Bigg | \\, \\frac{\\partial |\\vec{m}|}{\\partial x} \\, \\Bigg |^{p(r)} \\, dv",
+        "Chain(Call(\\phi; Call(m)), Over(\\int; _ { \\Omega }; Mul(Call(w; r), Pow(Bars(Derivative(Bars(Call(\\vec{m})); x, 1; True)); Call(p; r))); v); =)",
+        "simpeg/simpeg/simpeg/regularization/vector.py",
+    ),
+    (
+        "E = \\frac{\\theta_E}{\\left( \\frac{3 - \\gamma}{2} \\right)^{1/(1 - \\gamma)} \\sqrt{q}}.",
+        "Chain(E, Div(\\theta_E; Mul(Pow(Div(Add(3, Neg(\\gamma)); 2); Div(1; Add(1, Neg(\\gamma)))), Sqrt(q))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/spep.py",
+    ),
+    (
+        "\\mathbf{u}(\\mathbf{m}) = sigmoid(\\mathbf{m}) = \\frac{1}{1+\\exp{-\\mathbf{m}}}",
+        "Chain(Call(\\mathbf{u}; \\mathbf{m}), Call(\\text{sigmoid}; \\mathbf{m}), Div(1; Add(1, Call(exp; Neg(\\mathbf{m})))); =, =)",
+        "simpeg/simpeg/simpeg/maps/_property_maps.py",
+    ),
+    (
+        "h = \\eta d.",
+        "Chain(h, Mul(\\eta, d); =)",
+        "bilby-dev/bilby/bilby/gw/detector/calibration.py",
+    ),
+    (
+        "Z_N = \\dfrac{1}{N!}Z_{1-p}^N",
+        "Chain(Z_N, Mul(Div(1; Factorial(N)), Pow(Z_{1-p}; N)); =)",
+        "pynucastro/pynucastro/docs/source/derived-rates.rst",
+    ),
+    (
+        "\\nabla^2 \\Psi &= 2(I_{\\overline{xy}}  y - I_{\\overline{xx}} x) \\\\\n\\nabla^2 \\Phi &= 2(I_{\\overline{xy}} x - I_{\\overline{yy}} y)",
+        "System(Chain(Call(laplacian; \\Psi), Mul(2, Add(Mul(I_{\\overline xy}, y), Neg(Mul(I_{\\overline xx}, x)))); =), Chain(Call(laplacian; \\Phi), Mul(2, Add(Mul(I_{\\overline xy}, x), Neg(Mul(I_{\\overline yy}, y)))); =))",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "\\mu_i = Z_i \\mu_p + N_i \\mu_n",
+        "Chain(\\mu_i, Add(Mul(Z_i, \\mu_p), Mul(N_i, \\mu_n)); =)",
+        "pynucastro/pynucastro/docs/source/NSE-direct-integration.ipynb",
+    ),
+    (
+        "D = S_{11} S_{22} - S_{12} S_{21}",
+        "Chain(D, Add(Mul(S_{11}, S_{22}), Neg(Mul(S_{12}, S_{21}))); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "\\rho\\left(r, \\rho_0, r_c, \\gamma\\right) = \\rho_0\n\\frac{{r_c}^\\gamma}{\\left(r^2 + r_c^2\\right)^{\\frac{\\gamma}{2}}}",
+        "Chain(Call(\\rho; r, \\rho_0, r_c, \\gamma), Mul(\\rho_0, Div(Pow(r_c; \\gamma); Pow(Add(Pow(r; 2), Pow(r_c; 2)); Div(\\gamma; 2)))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/splcore.py",
+    ),
+    (
+        "\\xi(x, y) = \\sqrt{x^2 + \\frac{y^2}{q^2}}",
+        "Chain(Call(\\xi; x, y), Sqrt(Add(Pow(x; 2), Div(Pow(y; 2); Pow(q; 2)))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/cored_steep_ellipsoid.py",
+    ),
+    (
+        "\\mathbf{J} = \\dfrac{\\partial \\mathbf{d}}{\\partial \\mathbf{m}}",
+        "Chain(\\mathbf{J}, Derivative(Call(\\mathbf{d}); \\mathbf{m}, 1; True); =)",
+        "simpeg/simpeg/simpeg/electromagnetics/frequency_domain/simulation.py",
+    ),
+    (
+        "p(z) \\propto \\frac{d V_{c}}{dz}",
+        "Chain(Call(p; z), Derivative(Call(V_c); z, 1); \\propto)",
+        "bilby-dev/bilby/bilby/gw/prior.py",
+    ),
+    (
+        "\\mathbf{f_m}(\\mathbf{m}) =\n\\mathbf{G_x} \\left[ \\mu(\\mathbf{m}) - \\mu(\\mathbf{m}^\\text{ref}) \\right]",
+        "Chain(Call(\\mathbf{f}_m; \\mathbf{m}), Mul(\\mathbf{G}_x, Add(Call(\\mu; \\mathbf{m}), Neg(Call(\\mu; \\mathbf { m } ^ { \\text { r e f } })))); =)",
+        "simpeg/simpeg/simpeg/regularization/base.py",
+    ),
+    (
+        "r = \\frac{ (a-b)(c-d) }{ (a-d)(c-b) }",
+        "Chain(r, Div(Mul(Add(a, Neg(b)), Add(c, Neg(d))); Mul(Add(a, Neg(d)), Add(c, Neg(b)))); =)",
+        "scikit-rf/scikit-rf/skrf/mathFunctions.py",
+    ),
+    (
+        "\\frac{\\lambda^\\mathrm{scn}_\\mathrm{rev}}{\\lambda^\\mathrm{scn}_\\mathrm{for}} = \\rho^{\\nu_r - \\nu_p} \\ \\frac{Y^{N_A}_{\\mathrm{eq},A} Y^{N_B}_{\\mathrm{eq},B}}{Y^{N_C}_{\\mathrm{eq},C} Y^{N_D}_{\\mathrm{eq},D}} \\ \\frac{N_C! N_D!}{N_A! N_B!}",
+        "Chain(Div(\\lambda _ { \\mathrm { r e v } } ^ { \\mathrm { s c n } }; \\lambda _ { \\text { f o r } } ^ { \\mathrm { s c n } }), Mul(Pow(\\rho; Add(\\nu_r, Neg(\\nu_p))), Div(Mul(Pow(Y_{eq,A}; N_A), Pow(Y_{eq,B}; N_B)); Mul(Pow(Y_{eq,C}; N_C), Pow(Y_{eq,D}; N_D))), Div(Mul(Factorial(N_C), Factorial(N_D)); Mul(Factorial(N_A), Factorial(N_B)))); =)",
+        "pynucastro/pynucastro/docs/source/derived-rates.rst",
+    ),
+    (
+        "\\mathbf{d} = \\mathbf{P}(\\mathbf{u})",
+        "Chain(\\mathbf{d}, Call(\\mathbf{P}; \\mathbf{u}); =)",
+        "simpeg/simpeg/simpeg/electromagnetics/natural_source/receivers.py",
+    ),
+    (
+        "{\\cal O} = \\frac{4 \\Delta f}{N_{a} N_{b}} \\sum_{i} \\frac{h^{*}_{a,i} h_{b,i}}{S_{i}}",
+        "Chain(\\mathcal{O}, Mul(Div(Mul(4, \\Delta f); Mul(N_a, N_b)), BigSum(i; Div(Mul(h _ { a , i } ^ { * }, h_{b,i}); S_i))); =)",
+        "bilby-dev/bilby/bilby/gw/utils.py",
+    ),
+    (
+        "\\mathbf{u}(\\mathbf{m}) = \\mathbf{w} \\dot \\mathbf{m},",
+        "Chain(Call(\\mathbf{u}; Call(\\mathbf{m})), Mul(\\mathbf{w}, Call(\\dot{\\mathbf{m}})); =)",
+        "simpeg/simpeg/simpeg/maps/_property_maps.py",
+    ),
+    (
+        "\\lambda_{{}^{14}\\mathrm{N}(pp,e^+\\nu){}^{16}\\mathrm{O}} = \\lambda_{{}^{14}\\mathrm{N}(p,\\gamma){}^{15}\\mathrm{O}} \\frac{\\lambda_{{}^{15}\\mathrm{N}(p,\\gamma){}^{16}\\mathrm{O}}}{\\lambda_{{}^{15}\\mathrm{N}(p,\\alpha){}^{12}\\mathrm{C}} + \\lambda_{{}^{15}\\mathrm{N}(p,\\gamma){}^{16}\\mathrm{O}}}",
+        "Chain(\\lambda_{\\prescript14N(pp,e^+\\nu)\\prescript16O}, Mul(\\lambda_{\\prescript14N(p,\\gamma)\\prescript15O}, Div(\\lambda_{\\prescript15N(p,\\gamma)\\prescript16O}; Add(\\lambda_{\\prescript15N(p,\\alpha)\\prescript12C}, \\lambda_{\\prescript15N(p,\\gamma)\\prescript16O}))); =)",
+        "pynucastro/pynucastro/docs/source/branched-rates.ipynb",
+    ),
+    (
+        "\\frac{dY_i}{dt} = - \\sum_{j,k} \\rho Y_i Y_j \\lambda_{i(j,k)l} + \\sum_{j,k} \\rho Y_l Y_k \\lambda_{l(k,j)i}",
+        "Chain(Derivative(Call(Y_i); t, 1), Add(Neg(BigSum(j, k; Mul(\\rho, Call(Y_i), Y_j, \\lambda_{i(j,k)l}))), BigSum(j, k; Mul(\\rho, Y_l, Y_k, \\lambda_{l(k,j)i}))); =)",
+        "pynucastro/pynucastro/docs/source/intro.rst",
+    ),
+    (
+        "Zload_{i} = \\frac{1}{\\sum_{j\\neq i}\\frac{1}{Z_j}}",
+        "Chain(\\text{Zload}_i, Div(1; Limiting(sum; _{ j \\ne i }; Div(1; Z_j))); =)",
+        "scikit-rf/scikit-rf/skrf/media/media.py",
+    ),
+    (
+        "\\mathrm{nullity}(S) \\leq \\mathrm{MAX\\_DIM}",
+        "Chain(Call(\\text{nullity}; S), \\text{MAX\\_DIM}; \\le)",
+        "pynucastro/pynucastro/docs/source/NSE-direct-integration.ipynb",
+    ),
+    (
+        "d = | \\, \\overrightarrow{PQ} \\times \\overrightarrow{u} \\, |",
+        "Chain(d, Bars(Cross(\\vec { P Q }; \\vec{u})); =)",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "J = \\frac{1}{2} \\textrm{det} \\, \\textbf{J}",
+        "Chain(J, Mul(Div(1; 2), Call(det; \\mathbf{J})); =)",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "d_1 &= I_{\\overline{xx}} r - I_{\\overline{xy}} q & d_2 &= I_{\\overline{xy}} r + I_{\\overline{xx}} q \\\\\nh_1 &= -I_{\\overline{xy}} r + I_{\\overline{yy}} q & h_2 &= -I_{\\overline{yy}} r - I_{\\overline{xy}} q \\\\\nr &= (\\textbf{N} \\textbf{x})^2 - (\\textbf{N} \\textbf{y})^2 & q &= 2 \\textbf{N} \\textbf{x} \\textbf{N} \\textbf{y}",
+        "System(Chain(d_1, Add(Mul(I_{\\overline xx}, r), Neg(Mul(I_{\\overline xy}, q))); =), Chain(d_2, Add(Mul(I_{\\overline xy}, r), Mul(I_{\\overline xx}, q)); =), Chain(h_1, Add(Neg(Mul(I_{\\overline xy}, r)), Mul(I_{\\overline yy}, q)); =), Chain(h_2, Add(Neg(Mul(I_{\\overline yy}, r)), Neg(Mul(I_{\\overline xy}, q))); =), Chain(r, Add(Pow(Mul(\\mathbf{N}, \\mathbf{x}); 2), Neg(Pow(Mul(\\mathbf{N}, \\mathbf{y}); 2))); =), Chain(q, Mul(2, \\mathbf{N}, \\mathbf{x}, \\mathbf{N}, \\mathbf{y}); =))",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "\\textbf{P} = \\textbf{J}^{-1}\n\\begin{bmatrix}\n0 & 0 \\\\\n1 & 0 \\\\\n0 & 1 \\\\\n\\end{bmatrix}",
+        "Chain(\\mathbf{P}, Mul(Pow(\\mathbf{J}; Neg(1)), MatrixOf(0, 0, 1, 0, 0, 1)); =)",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "\\alpha &= \\frac{\\mu^2}{\\sigma^2} \\\\\n\\beta &= \\frac{\\mu}{\\sigma^2}",
+        "System(Chain(\\alpha, Div(Pow(\\mu; 2); Pow(\\sigma; 2)); =), Chain(\\beta, Div(\\mu; Pow(\\sigma; 2)); =))",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "z = \\frac{x-\\mu}{\\sigma}.",
+        "Chain(z, Div(Add(x, Neg(\\mu)); \\sigma); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "\\mathbf{y} = X\\mathbf{w} + \\mathrm{noise}",
+        "Chain(\\mathbf{y}, Add(Mul(X, \\mathbf{w}), \\text{noise}); =)",
+        "lightkurve/lightkurve/src/lightkurve/correctors/regressioncorrector.py",
+    ),
+    (
+        "P_N[k, n] = \\min_{[n-L, n]} P[k, n]",
+        "Chain(Indexed(P_N; k, n), Limiting(min; _{ [ n - L , n ] }; Indexed(P; k, n)); =)",
+        "LCAV/pyroomacoustics/pyroomacoustics/denoise/spectral_subtraction.py",
+    ),
+    (
+        "n = -1/6 - \\gamma.",
+        "Chain(n, Add(Neg(Div(1; 6)), Neg(\\gamma)); =)",
+        "ase/ase/ase/eos.py",
+    ),
+    (
+        "\\delta = \\sqrt{\\frac{ \\rho }{ \\pi f \\mu_r \\mu_0 }}",
+        "Chain(\\delta, Sqrt(Div(\\rho; Mul(\\pi, f, \\mu_r, \\mu_0))); =)",
+        "scikit-rf/scikit-rf/skrf/tlineFunctions.py",
+    ),
+    (
+        "p(z) \\propto \\frac{1}{1 + z}\\frac{dV_{c}}{dz}",
+        "Chain(Call(p; z), Mul(Div(1; Add(1, z)), Derivative(Call(V_c); z, 1)); \\propto)",
+        "bilby-dev/bilby/bilby/gw/prior.py",
+    ),
+    (
+        "\\overrightarrow{QP} \\times \\overrightarrow{u} < 0",
+        "Chain(Cross(\\vec { Q P }; \\vec{u}), 0; <)",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "Q = \\frac{2 \\pi U}{\\Delta U}",
+        "Chain(Q, Div(Mul(2, \\pi, U); \\Delta U); =)",
+        "scikit-rf/scikit-rf/skrf/qfactor.py",
+    ),
+    (
+        "a_{22} = \\frac{b_{22}}{1+b_{12}}",
+        "Chain(a_{22}, Div(b_{22}; Add(1, b_{12})); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "\\lambda = \\exp{\\left (a_0 + \\sum_{i=1}^5  a_i T_9^{(2i-5)/3}  + a_6 \\log T_9\\right )}",
+        "Chain(\\lambda, Call(exp; Add(a_0, BigSum(i; 1; 5; Mul(a_i, Pow(T_9; Div(Add(Mul(2, i), Neg(5)); 3)))), Mul(a_6, Call(log; T_9)))); =)",
+        "pynucastro/pynucastro/docs/source/rate_types.rst",
+    ),
+    (
+        "\\epsilon = \\frac{1-q^2}{1+q^2}",
+        "Chain(\\epsilon, Div(Add(1, Neg(Pow(q; 2))); Add(1, Pow(q; 2))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/epl.py",
+    ),
+    (
+        "S_{xx} &= \\frac{A}{2} \\left| y_{c,t} - y_{c,b} \\right| \\\\\nS_{yy} &= \\frac{A}{2} \\left| x_{c,t} - x_{c,b} \\right|",
+        "System(Chain(S_{xx}, Mul(Div(A; 2), Bars(Add(y_{c,t}, Neg(y_{c,b})))); =), Chain(S_{yy}, Mul(Div(A; 2), Bars(Add(x_{c,t}, Neg(x_{c,b})))); =))",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "k_z = \\pm j \\sqrt {k_0^2 - k_c^2}",
+        "Chain(k_z, PlusMinus(Mul(j, Sqrt(Add(Pow(k_0; 2), Neg(Pow(k_c; 2)))))); =)",
+        "scikit-rf/scikit-rf/skrf/media/circularWaveguide.py",
+    ),
+    (
+        "k(x, x') = \\mathrm{exp}\\left[ -\\frac{(x - x')^2}{\\ell} \\right]",
+        "Chain(Call(k; x, x'), Call(exp; Neg(Div(Pow(Add(x, Neg(x')); 2); \\ell))); =)",
+        "pymc-devs/pymc/pymc/gp/cov.py",
+    ),
+    (
+        "S(\\boldsymbol\\omega) = \\frac{2 (2\\pi\\alpha)^{D/2} \\prod_{i=1}^D \\ell_i}{\\Gamma(\\alpha)}\n                       \\left(\\frac{z}{2}\\right)^{\\nu}\n                       K_{\\nu}(z)",
+        "Chain(Call(S; \\boldsymbol{\\omega}), Mul(Div(Mul(2, Pow(Mul(2, \\pi, \\alpha); Div(D; 2)), BigProduct(i; 1; D; \\ell_i)); Call(Gamma; \\alpha)), Pow(Div(z; 2); \\nu), Call(K_\\nu; z)); =)",
+        "pymc-devs/pymc/pymc/gp/cov.py",
+    ),
+    (
+        "I(R) = I_{\\rm e} \\exp \\left( -b_n \\left[(R/R_{\\rm Sersic})^{\\frac{1}{n}}-1\\right]\\right)",
+        "Chain(Call(I; R), Mul(I_e, Call(exp; Neg(Mul(b_n, Add(Pow(Div(R; R_{Sersic}); Div(1; n)), Neg(1)))))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LightModel/Profiles/sersic.py",
+    ),
+    (
+        "\\beta = \\frac{Q_0}{Q_e}",
+        "Chain(\\beta, Div(Q_0; Q_e); =)",
+        "scikit-rf/scikit-rf/skrf/qfactor.py",
+    ),
+    (
+        "\\gamma = \\frac{1}{2} \\left(\\frac{1}{\\mu_t} + \\frac{1}{\\mu_r}\\right)\r\n\\kappa = 1 - \\gamma + \\frac{1}{\\mu_r}",
+        "Chain(\\gamma, Mul(Div(1; 2), Add(Div(1; \\mu_t), Div(1; \\mu_r)), \\kappa), Add(1, Neg(\\gamma), Div(1; \\mu_r)); =, =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/const_mag.py",
+    ),
+    (
+        "M_t = X \\cdot A_t \\cdot Y    \\\\\nM_l = X \\cdot A_l \\cdot Y\\\\",
+        "System(Chain(M_t, Mul(X, A_t, Y); =), Chain(M_l, Mul(X, A_l, Y); =))",
+        "scikit-rf/scikit-rf/skrf/calibration/calibration.py",
+    ),
+    (
+        "f(x \\mid w, \\mu, \\sigma^2) = \\sum_{i = 1}^n w_i N(x \\mid \\mu_i, \\sigma^2_i)",
+        "Chain(Call(f; Given(x; w, \\mu, Pow(\\sigma; 2); |)), BigSum(i; 1; n; Mul(w_i, Call(N; Given(x; \\mu_i, Pow(\\sigma_i; 2); |)))); =)",
+        "pymc-devs/pymc/pymc/distributions/mixture.py",
+    ),
+    (
+        "Q_x &= \\sum_e \\sum_{i=1}^3 w_i \\textbf{N}_i \\textbf{y}_e J_e \\\\\nQ_y &= \\sum_e \\sum_{i=1}^3 w_i \\textbf{N}_i \\textbf{x}_e J_e \\\\",
+        "System(Chain(Q_x, BigSum(e; BigSum(i; 1; 3; Mul(w_i, \\mathbf{N}_i, \\mathbf{y}_e, J_e))); =), Chain(Q_y, BigSum(e; BigSum(i; 1; 3; Mul(w_i, \\mathbf{N}_i, \\mathbf{x}_e, J_e))); =))",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "r_t &= \\rho r_{t-1} + (1-\\rho)*g^2\\\\\n\\eta_t &= \\frac{\\eta}{\\sqrt{r_t + \\epsilon}}",
+        "System(Chain(r_t, Add(Mul(\\rho, r_{t-1}), Operated(*; Add(1, Neg(\\rho)); Pow(g; 2))); =), Chain(\\eta_t, Div(\\eta; Sqrt(Add(r_t, \\epsilon))); =))",
+        "pymc-devs/pymc/pymc/variational/updates.py",
+    ),
+    (
+        "\\beta = \\frac{\\alpha_{z1}}{\\alpha_{z2}}",
+        "Chain(\\beta, Div(\\alpha_{z1}; \\alpha_{z2}); =)",
+        "lenstronomy/lenstronomy/lenstronomy/Cosmo/background.py",
+    ),
+    (
+        "\\left(\\frac{\\theta'_{\\rm E}}{\\theta_{\\rm E}}\\right)^{2} = \\frac{2q}{1+q^2}.",
+        "Chain(Pow(Div(\\theta_E'; \\theta_E); 2), Div(Mul(2, q); Add(1, Pow(q; 2))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/epl.py",
+    ),
+    (
+        "\\Delta E = -N_A \\sum_i \\Delta Y_i M_i",
+        "Chain(\\Delta E, Neg(Mul(N_A, BigSum(i; Mul(\\Delta Y _ { i }, M_i)))); =)",
+        "pynucastro/pynucastro/docs/source/pynucastro-integration.ipynb",
+    ),
+    (
+        "\\psi(x, y) = \n\\begin{cases} \n\\theta_{E} \\, r & r < r_{\\text{trunc}} \\\\\n\\theta_{E} \\, r_{\\text{trunc}} + \\frac{1}{2} \\theta_{E} \\left(3 - \\frac{r}{r_{\\text{trunc}}}\\right) (r - r_{\\text{trunc}}) & r_{\\text{trunc}} \\leq r < 2 r_{\\text{trunc}} \\\\\n\\frac{3}{2} \\theta_{E} \\, r_{\\text{trunc}} & r \\geq 2 r_{\\text{trunc}}\n\\end{cases}",
+        "Chain(Call(\\psi; x, y), Piecewise(Mul(\\theta_E, r), Chain(r, r_{trunc}; <), Add(Mul(\\theta_E, r_{trunc}), Mul(Div(1; 2), \\theta_E, Add(3, Neg(Div(r; r_{trunc}))), Add(r, Neg(r_{trunc})))), Chain(r_{trunc}, r, Mul(2, r_{trunc}); \\le, <), Mul(Div(3; 2), \\theta_E, r_{trunc}), Chain(r, Mul(2, r_{trunc}); \\ge)); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/sis_truncate.py",
+    ),
+    (
+        "\\ln(P_{(n)}(x)) = \\ln(F(x)^n - F(x-1)^n)",
+        "Chain(Call(ln; Call(P_{(n)}; x)), Call(ln; Add(Pow(Call(F; x); n), Neg(Pow(Call(F; Add(x, Neg(1))); n)))); =)",
+        "pymc-devs/pymc/pymc/logprob/order.py",
+    ),
+    (
+        "x_t = \\cos(\\phi_G) (x - x_c) + \\sin(\\phi_G) (y - y_c)",
+        "Chain(x_t, Add(Mul(Call(cos; \\phi_G), Add(x, Neg(x_c))), Mul(Call(sin; \\phi_G), Add(y, Neg(y_c)))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/spep.py",
+    ),
+    (
+        "\\lambda = \\exp \\left [ a_0 + \\sum_{i=1}^5 a_i T_9^{(2i-5)/3} + a_6 \\ln T_9 \\right ]",
+        "Chain(\\lambda, Call(exp; Add(a_0, BigSum(i; 1; 5; Mul(a_i, Pow(T_9; Div(Add(Mul(2, i), Neg(5)); 3)))), Mul(a_6, Call(ln; T_9)))); =)",
+        "pynucastro/pynucastro/docs/source/pynucastro-examples.ipynb",
+    ),
+    (
+        "f(x \\mid \\mu, \\tau, \\alpha) =\n2 \\Phi((x-\\mu)\\sqrt{\\tau}\\alpha) \\phi(x,\\mu,\\tau)",
+        "Chain(Call(f; Given(x; \\mu, \\tau, \\alpha; |)), Mul(2, Call(\\Phi; Mul(Add(x, Neg(\\mu)), Sqrt(\\tau), \\alpha)), Call(\\phi; x, \\mu, \\tau)); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "w[n] = 0.54  - 0.46 \\cos(2 \\pi n / M), n=0,\\ldots,N-1",
+        "System(Chain(Indexed(w; n), Add(0.54, Neg(Mul(0.46, Call(cos; Div(Mul(2, \\pi, n); M))))); =), Values(n; 0, Dots(), Add(N, Neg(1))))",
+        "LCAV/pyroomacoustics/pyroomacoustics/windows.py",
+    ),
+    (
+        "A + B \\rightarrow C + D",
+        "Chain(Add(A, B), Add(C, D); \\rightarrow)",
+        "pynucastro/pynucastro/docs/source/custom-rates.ipynb",
+    ),
+    (
+        "\\textbf{H} =\n\\begin{bmatrix}\n  \\textbf{N}(\\eta_1, \\xi_1, \\zeta_1) \\\\\n  \\textbf{N}(\\eta_2, \\xi_2, \\zeta_2) \\\\\n  \\textbf{N}(\\eta_3, \\xi_3, \\zeta_3) \\\\\n  \\textbf{N}(\\eta_4, \\xi_4, \\zeta_4) \\\\\n  \\textbf{N}(\\eta_5, \\xi_5, \\zeta_5) \\\\\n  \\textbf{N}(\\eta_6, \\xi_6, \\zeta_6) \\\\\n\\end{bmatrix}",
+        "Chain(\\mathbf{H}, MatrixOf(Call(\\mathbf{N}; \\eta_1, \\xi_1, \\zeta_1), Call(\\mathbf{N}; \\eta_2, \\xi_2, \\zeta_2), Call(\\mathbf{N}; \\eta_3, \\xi_3, \\zeta_3), Call(\\mathbf{N}; \\eta_4, \\xi_4, \\zeta_4), Call(\\mathbf{N}; \\eta_5, \\xi_5, \\zeta_5), Call(\\mathbf{N}; \\eta_6, \\xi_6, \\zeta_6)); =)",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "y[n] = s[n] + d[n],",
+        "Chain(Indexed(y; n), Add(Indexed(s; n), Indexed(d; n)); =)",
+        "LCAV/pyroomacoustics/pyroomacoustics/denoise/iterative_wiener.py",
+    ),
+    (
+        "h_{A} = \\frac{10^{-22}}{d_{L}} \\sum_{i=1}^{5} c_{i} h_{i}",
+        "Chain(h_A, Mul(Div(Pow(10; Neg(22)); d_L), BigSum(i; 1; 5; Mul(c_i, h_i))); =)",
+        "bilby-dev/bilby/bilby/gw/source.py",
+    ),
+    (
+        "f(x \\mid h, z) = cosh^h(\\frac{z}{2})e^{-\\frac{1}{2}xz^2}f(x \\mid h, 0),",
+        "Chain(Call(f; Given(x; h, z; |)), Mul(Pow(Call(cosh; Div(z; 2)); h), Pow(e; Neg(Mul(Div(1; 2), x, Pow(z; 2)))), Call(f; Given(x; h, 0; |))); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "\\sigma_{1,3} = \\frac{\\sigma_{zz}}{2} \\pm \\sqrt{ \\left(\\frac{\\sigma_{zz}}{2}\\right)^2 + \\tau_{zx}^2 + \\tau_{zy}^2  }",
+        "Chain(\\sigma_{1,3}, Add(Div(\\sigma_{zz}; 2), PlusMinus(Sqrt(Add(Pow(Div(\\sigma_{zz}; 2); 2), Pow(\\tau_{zx}; 2), Pow(\\tau_{zy}; 2))))); =)",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "2\\, {}^{14}\\mathrm{N} + 3 \\alpha \\rightarrow 2\\, {}^{20}\\mathrm{Ne}",
+        "Chain(Add(Mul(2, \\prescript { 1 4 } { } { \\mathrm { N } }), Mul(3, \\alpha)), Mul(2, \\prescript { 2 0 } { } { \\mathrm { N e } }); \\rightarrow)",
+        "pynucastro/pynucastro/docs/source/modified-rates.ipynb",
+    ),
+    (
+        "\\tau = \\dfrac{1}{\\sigma^2}",
+        "Chain(\\tau, Div(1; Pow(\\sigma; 2)); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "W = \\frac{1}{N} \\sum_{k=0}^N \\Theta(f_{max} - f_k)\\Theta(f_k - f_{min})",
+        "Chain(W, Mul(Div(1; N), BigSum(k; 0; N; Mul(Call(\\Theta; Add(f_{max}, Neg(f_k))), Call(\\Theta; Add(f_k, Neg(f_{min})))))); =)",
+        "bilby-dev/bilby/bilby/gw/detector/interferometer.py",
+    ),
+    (
+        "f(x \\mid p) = p_x",
+        "Chain(Call(f; Given(x; p; |)), p_x; =)",
+        "pymc-devs/pymc/pymc/distributions/discrete.py",
+    ),
+    (
+        "\\frac{\\partial \\chi^2}{\\partial a_l} = 0.",
+        "Chain(Derivative(Pow(Call(\\chi); 2); a_l, 1; True), 0; =)",
+        "lightkurve/lightkurve/src/lightkurve/correctors/pldcorrector.py",
+    ),
+    (
+        "f(x \\mid \\mu, \\alpha) =\n    \\binom{x + \\alpha - 1}{x}\n    (\\alpha/(\\mu+\\alpha))^\\alpha (\\mu/(\\mu+\\alpha))^x",
+        "Chain(Call(f; Given(x; \\mu, \\alpha; |)), Mul(Binomial(Add(x, \\alpha, Neg(1)); x), Pow(Div(\\alpha; Add(\\mu, \\alpha)); \\alpha), Pow(Div(\\mu; Add(\\mu, \\alpha)); x)); =)",
+        "pymc-devs/pymc/pymc/distributions/discrete.py",
+    ),
+    (
+        "S = S_D + d \\frac{e^{−2j\\delta}}{1 + j Q_L t}",
+        "Chain(S, Add(S_D, Mul(d, Div(Pow(e; Neg(Mul(2, j, \\delta))); Add(1, Mul(j, Q_L, t))))); =)",
+        "scikit-rf/scikit-rf/skrf/qfactor.py",
+    ),
+    (
+        "\\rho(r) = \\begin{cases}\n\\rho_c\\,(r/r_c)^{-\\alpha_c} & r \\le r_c \\\\\n\\rho_c\\,(r/r_c)^{-\\alpha} & r \\ge r_c\n\\end{cases}",
+        "Chain(Call(\\rho; r), Piecewise(Mul(\\rho_c, Pow(Div(r; r_c); Neg(\\alpha_c))), Chain(r, r_c; \\le), Mul(\\rho_c, Pow(Div(r; r_c); Neg(\\alpha))), Chain(r, r_c; \\ge)); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/bpl.py",
+    ),
+    (
+        "p(a) &= \\frac{1}{a_{\\max}} \\\\\np(\\chi_\\perp) &= \\frac{2 N \\chi_\\perp}{\\chi^2 + \\chi_\\perp^2} \\\\\nN^{-1} &= 2 \\ln\\left(\\frac{a_\\max}{|\\chi|}\\right)",
+        "System(Chain(Call(p; a), Div(1; a_\\max); =), Chain(Call(p; \\chi_\\perp), Div(Mul(2, N, \\chi_\\perp); Add(Pow(\\chi; 2), Pow(\\chi_\\perp; 2))); =), Chain(Pow(N; Neg(1)), Mul(2, Call(ln; Div(a_\\max; Bars(\\chi)))); =))",
+        "bilby-dev/bilby/bilby/gw/prior.py",
+    ),
+    (
+        "\\beta = \\frac{k_B T}{m_e c^2}",
+        "Chain(\\beta, Div(Mul(k_B, T); Mul(m_e, Pow(c; 2))); =)",
+        "pynucastro/pynucastro/docs/source/fermi-integrals.ipynb",
+    ),
+    (
+        "\\xi = \\frac{\\partial \\lambda_{\\rm rad}}{\\partial r} \\frac{1}{\\lambda_{\\rm rad}}",
+        "Chain(\\xi, Mul(Derivative(Call(\\lambda_{rad}); r, 1; True), Div(1; Call(\\lambda_{rad}))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/Analysis/lens_profile.py",
+    ),
+    (
+        "\\frac{1}{Q_L} = \\frac{1}{Q_0} + \\frac{1}{Q_e}",
+        "Chain(Div(1; Q_L), Add(Div(1; Q_0), Div(1; Q_e)); =)",
+        "scikit-rf/scikit-rf/skrf/qfactor.py",
+    ),
+    (
+        "Z^{'} = \\gamma  Z_0 \\quad\\quad\nY^{'} = \\frac{\\gamma}{Z_0}",
+        "System(Chain(Z', Mul(\\gamma, Z_0); =), Chain(Y', Div(\\gamma; Z_0); =))",
+        "scikit-rf/scikit-rf/skrf/tlineFunctions.py",
+    ),
+    (
+        "\\phi = \\sigma_0 R_s^2 \\left[ \\log \\left( \\frac{X^2}{4} \\right) + 2 F(X) \\right]",
+        "Chain(\\phi, Mul(\\sigma_0, Pow(R_s; 2), Add(Call(log; Div(Pow(X; 2); 4)), Mul(2, Call(F; X)))); =)",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/hernquist.py",
+    ),
+    (
+        "f(x \\mid lower, upper) = \\frac{1}{upper-lower}",
+        "Chain(Call(f; Given(x; \\text{lower}, \\text{upper}; |)), Div(1; Add(\\text{upper}, Neg(\\text{lower}))); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "R_{S} = |\\frac{S_{12}S_{21}}{|S_{11}|^2 - |D|^{2}}|",
+        "Chain(R_S, Bars(Div(Mul(S_{12}, S_{21}); Add(Pow(Bars(S_{11}); 2), Neg(Pow(Bars(D); 2))))); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "B = A\\cdot A",
+        "Chain(B, Mul(A, A); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "C = \\frac{\\sqrt{\\epsilon_r}}{C_0 Z_n}",
+        "Chain(C, Div(Sqrt(\\epsilon_r); Mul(C_0, Z_n)); =)",
+        "scikit-rf/scikit-rf/skrf/media/definedAEpTandZ0.py",
+    ),
+    (
+        "s_i = (w_i m_i + w_{i+1} m_{i+1}) / (w_i + w_{i+1})",
+        "Chain(s_i, Div(Add(Mul(w_i, m_i), Mul(w_{i+1}, m_{i+1})); Add(w_i, w_{i+1})); =)",
+        "obspy/obspy/obspy/signal/interpolation.py",
+    ),
+    (
+        "K_{rd} = 59 + 0.54L_m",
+        "Chain(K_{rd}, Add(59, Mul(0.54, L_m)); =)",
+        "NREL/MoorPy/moorpy/library/readme.md",
+    ),
+    (
+        "\\delta =  \\frac{1}{N^2} \\sum_{i=1}^{N} \\sum_{j=1}^{N} |S_{ij}^A - S_{ij}^B|^2",
+        "Chain(\\delta, Mul(Div(1; Pow(N; 2)), BigSum(i; 1; N; BigSum(j; 1; N; Pow(Bars(Add(S _ { i j } ^ { A }, Neg(S _ { i j } ^ { B }))); 2)))); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "\\beta_{ij} \\equiv \\frac{D_{ij} D_{\\rm s}}{D_{j} D_{i\\rm s}}.",
+        "Chain(\\beta_{ij}, Div(Mul(D_{ij}, D_s); Mul(D_j, D_{is})); \\equiv)",
+        "lenstronomy/lenstronomy/lenstronomy/ImSim/multiplane_organizer.py",
+    ),
+    (
+        "f(x \\mid \\mu, \\kappa) =\n    \\frac{e^{\\kappa\\cos(x-\\mu)}}{2\\pi I_0(\\kappa)}",
+        "Chain(Call(f; Given(x; \\mu, \\kappa; |)), Div(Pow(e; Mul(\\kappa, Call(cos; Add(x, Neg(\\mu))))); Mul(2, \\pi, Call(I_0; \\kappa))); =)",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "Z_{xx}^+ = \\frac{I_{\\overline{xx}}}{y_{max} - y_c} \\\\\nZ_{xx}^- = \\frac{I_{\\overline{xx}}}{y_c - y_{min}} \\\\\nZ_{yy}^+ = \\frac{I_{\\overline{yy}}}{x_{max} - x_c} \\\\\nZ_{yy}^- = \\frac{I_{\\overline{yy}}}{x_c - x_{min}} \\\\",
+        "System(Chain(Z _ { x x } ^ { + }, Div(I_{\\overline xx}; Add(y_{max}, Neg(y_c))); =), Chain(Z _ { x x } ^ { - }, Div(I_{\\overline xx}; Add(y_c, Neg(y_{min}))); =), Chain(Z _ { y y } ^ { + }, Div(I_{\\overline yy}; Add(x_{max}, Neg(x_c))); =), Chain(Z _ { y y } ^ { - }, Div(I_{\\overline yy}; Add(x_c, Neg(x_{min}))); =))",
+        "robbievanleeuwen/section-properties/docs/user_guide/theory.rst",
+    ),
+    (
+        "\\alpha &= \\mu \\kappa \\\\\n\\beta  &= (1 - \\mu) \\kappa",
+        "System(Chain(\\alpha, Mul(\\mu, \\kappa); =), Chain(\\beta, Mul(Add(1, Neg(\\mu)), \\kappa); =))",
+        "pymc-devs/pymc/pymc/distributions/continuous.py",
+    ),
+    (
+        "\\delta =  \\frac{1}{N^2} \\sum_{i=1}^{N} \\sum_{j=1}^{N} |S_{ij}^A - S_{ij}^B|",
+        "Chain(\\delta, Mul(Div(1; Pow(N; 2)), BigSum(i; 1; N; BigSum(j; 1; N; Bars(Add(S _ { i j } ^ { A }, Neg(S _ { i j } ^ { B })))))); =)",
+        "scikit-rf/scikit-rf/skrf/network.py",
+    ),
+    (
+        "\\mathbf{u}(x) = \\left(\n    \\mathrm{sin} \\left( \\frac{2\\pi x}{T} \\right),\n    \\mathrm{cos} \\left( \\frac{2\\pi x}{T} \\right)\n\\right)",
+        "Chain(Call(\\mathbf{u}; x), Pair(Call(sin; Div(Mul(2, \\pi, x); T)); Call(cos; Div(Mul(2, \\pi, x); T))); =)",
+        "pymc-devs/pymc/pymc/gp/cov.py",
+    ),
+    (
+        "\\mathop{\\mathrm{rampstep}}(t) = t H(t) - (t - 1) H(t - 1)",
+        "Chain(Call(\\text{rampstep}; t), Add(Mul(t, Call(H; t)), Neg(Mul(Add(t, Neg(1)), Call(H; Add(t, Neg(1)))))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "\\nu = 2 \\arctan{D}",
+        "Chain(\\nu, Mul(2, Call(arctan; D)); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/angles.py",
+    ),
+    (
+        "\\text{WS} \\leq \\text{SP} \\leq \\text{EEV}",
+        "Chain(\\text{WS}, \\text{SP}, \\text{EEV}; \\le, \\le)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/stochastic.md",
+    ),
+    (
+        "\\mathbf{v_{i,t}} = -z\\mathbf{v_{i,t}}",
+        "Chain(\\mathbf{v}_{i,t}, Neg(Mul(z, \\mathbf{v}_{i,t})); =)",
+        "ljvmiranda921/pyswarms/pyswarms/backend/handlers.py",
+    ),
+    (
+        "\\mathop{\\mathrm{tri}}(t) = (t + 1) H(t + 1) - 2 t H(t) + (t - 1) H(t - 1)",
+        "Chain(Call(\\text{tri}; t), Add(Mul(Add(t, 1), Call(H; Add(t, 1))), Neg(Mul(2, t, Call(H; t))), Mul(Add(t, Neg(1)), Call(H; Add(t, Neg(1))))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "y=mx+b",
+        "Chain(y, Add(Mul(m, x), b); =)",
+        "joshspeagle/dynesty/demos/Examples -- Linear Regression.ipynb",
+    ),
+    (
+        "H(x) = \\ln \\left ( b - a \\right ) - \\ln \\left ( b - x \\right )",
+        "Chain(Call(H; x), Add(Call(ln; Add(b, Neg(a))), Neg(Call(ln; Add(b, Neg(x))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/uniform.py",
+    ),
+    (
+        "E_m = \\sum_{t \\in \\text{month } m} w_t \\cdot p_{\\text{CCGT},t}",
+        "Chain(E_m, Limiting(sum; _{ t \\in \\text { m o n t h } m }; Mul(w_t, p_{CCGT,t})); =)",
+        "PyPSA/PyPSA/docs/examples/periodic-operational-limits.ipynb",
+    ),
+    (
+        "\\mathbf{A}_s = \\mathbf{f}_x - \\mathbf{f}_y \\mathbf{g}_y^{-1} \\mathbf{g}_x",
+        "Chain(\\mathbf{A}_s, Add(\\mathbf{f}_x, Neg(Mul(\\mathbf{f}_y, Pow(\\mathbf{g}_y; Neg(1)), \\mathbf{g}_x))); =)",
+        "CURENT/andes/docs/source/modeling/concepts/dae-formulation.md",
+    ),
+    (
+        "\\hat\\beta = \\frac{N}{\\sum_{q, i} \\ln(T / t_{qi})},\n\\qquad\n\\hat\\alpha = T \\left(\\frac{k}{N}\\right)^{1 /\n\\hat\\beta}",
+        "System(Chain(\\hat{\\beta}, Div(N; BigSum(q, i; Call(ln; Div(T; t_{qi})))); =), Chain(\\hat{\\alpha}, Mul(T, Pow(Div(k; N); Div(1; \\hat{\\beta}))); =))",
+        "derrynknife/SurPyval/surpyval/recurrent/parametric/crow_amsaa.py",
+    ),
+    (
+        "x(t) = \\mathrm{Re}\\left\\{ A \\exp(\\mathrm{j} \\phi) \\exp(\\mathrm{j} \\omega t)\\right\\}",
+        "Chain(Call(x; t), Call(Re; Mul(A, Call(exp; Mul(\\text{j}, \\phi)), Call(exp; Mul(\\text{j}, \\omega, t)))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "x(n) = \\Delta t \\int_{-\\frac{1}{2\\Delta t}}^{\\frac{1}{2\\Delta t}} X_{\\frac{1}{\\Delta t}}(f) e^{2 \\mathrm{j} \\pi n \\Delta t f} \\mathrm{d}f",
+        "Chain(Call(x; n), Mul(\\Delta t, Integral(Mul(Call(X_{\\frac1\\Delta t}; f), Pow(e; Mul(2, \\text{j}, \\pi, n, \\Delta t, f))); f; Neg(Div(1; Mul(2, \\Delta t))); Div(1; Mul(2, \\Delta t)))); =)",
+        "mph-/lcapy/doc/discretetime.rst",
+    ),
+    (
+        "X_{2\\pi}(\\Omega) = \\sum_{n=-\\infty}^{\\infty} x(n) e^{-\\mathrm{j} n \\Omega}",
+        "Chain(Call(X_{2\\pi}; \\Omega), BigSum(n; Neg(Infinity()); Infinity(); Mul(Call(x; n), Pow(e; Neg(Mul(\\text{j}, n, \\Omega))))); =)",
+        "mph-/lcapy/doc/discretetime.rst",
+    ),
+    (
+        "D_{eff} = \\frac{1}{\\frac{\\beta}{D_1} + \\frac{1 - \\beta}{D_2}},",
+        "Chain(D_{eff}, Div(1; Add(Div(\\beta; D_1), Div(Add(1, Neg(\\beta)); D_2))); =)",
+        "pybamm-team/PyBaMM/src/pybamm/spatial_methods/finite_volume.py",
+    ),
+    (
+        "S_{p} = \\frac{N_{target,effective}}{N_{effective}}",
+        "Chain(S_p, Div(N_{target,effective}; N_{effective}); =)",
+        "joshspeagle/dynesty/docs/source/dynamic.rst",
+    ),
+    (
+        "\\mathcal{Z} = \\int_{0}^{1} \\mathcal{L}(X) \\, dX\n\\approx \\sum_{i=1}^{N} \\, f(\\mathcal{L}_i) \\, f(\\Delta X_i)",
+        "Chain(\\mathcal{Z}, Integral(Call(\\mathcal{L}; X); X; 0; 1), BigSum(i; 1; N; Mul(Call(f; \\mathcal{L}_i), Call(f; \\Delta X _ { i }))); =, \\approx)",
+        "joshspeagle/dynesty/docs/source/overview.rst",
+    ),
+    (
+        "\\dfrac {d\\overline {e}}{dt}=\\dfrac {-3\\overline {n}J_{3}R^{3}_{E}\\sin \\left( \\overline {i}\\right) }{2a^{3}\\left( 1-\\overline {e}^{2}\\right) ^{2}}\\left( 1-\\dfrac {5}{4}\\sin ^{2}\\overline {i}\\right) \\cos \\overline {w}",
+        "Chain(Derivative(Call(\\overline{e}); t, 1), Mul(Div(Neg(Mul(3, \\overline{n}, J_3, Pow(R_E; 3), Call(sin; \\overline{i}))); Mul(2, Pow(a; 3), Pow(Add(1, Neg(Pow(Call(\\overline{e}); 2))); 2))), Add(1, Neg(Mul(Div(5; 4), Pow(Call(sin; \\overline{i}); 2)))), Call(cos; \\overline{w})); =)",
+        "pleiszenburg/hapsira/src/hapsira/twobody/orbit/creation.py",
+    ),
+    (
+        "S = \\mu + \\frac{1}{2} \\ln \\left ( 2\\pi e \\sigma^{2} \\right )",
+        "Chain(S, Add(\\mu, Mul(Div(1; 2), Call(ln; Mul(2, \\pi, e, Pow(\\sigma; 2))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/lognormal.py",
+    ),
+    (
+        "y = g + jb",
+        "Chain(y, Add(g, Mul(j, b)); =)",
+        "PyPSA/PyPSA/docs/user-guide/power-flow.md",
+    ),
+    (
+        "\\vec{p} = \\frac{3}{2}\\frac{J_{2}\\mu R^{2}}{r^{4}}\\left [\\frac{x}{r}\\left ( 5\\frac{z^{2}}{r^{2}}-1 \\right )\\vec{i} + \\frac{y}{r}\\left ( 5\\frac{z^{2}}{r^{2}}-1 \\right )\\vec{j} + \\frac{z}{r}\\left ( 5\\frac{z^{2}}{r^{2}}-3 \\right )\\vec{k}\\right]",
+        "Chain(\\vec{p}, Mul(Div(3; 2), Div(Mul(J_2, \\mu, Pow(R; 2)); Pow(r; 4)), Add(Mul(Div(x; r), Add(Mul(5, Div(Pow(z; 2); Pow(r; 2))), Neg(1)), \\vec{i}), Mul(Div(y; r), Add(Mul(5, Div(Pow(z; 2); Pow(r; 2))), Neg(1)), \\vec{j}), Mul(Div(z; r), Add(Mul(5, Div(Pow(z; 2); Pow(r; 2))), Neg(3)), \\vec{k}))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/perturbations.py",
+    ),
+    (
+        "S = 1 - \\ln \\left ( \\lambda \\right )",
+        "Chain(S, Add(1, Neg(Call(ln; \\lambda))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/exponential.py",
+    ),
+    (
+        "\\tau_{trans} = \\pi \\sqrt{\\frac{(a_{trans})^{3}}{\\mu}}",
+        "Chain(\\tau_{trans}, Mul(\\pi, Sqrt(Div(Pow(a_{trans}; 3); \\mu))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/maneuver.py",
+    ),
+    (
+        "R(x) = \\frac{b - x}{b - a}.",
+        "Chain(Call(R; x), Div(Add(b, Neg(x)); Add(b, Neg(a))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/uniform.py",
+    ),
+    (
+        "R(x_i) = e^{-\\sum_{j \\leq i} \\sum_{k=0}^{d_j-1}\n    \\frac{1}{r_j - k}}",
+        "Chain(Call(R; x_i), Pow(e; Neg(Limiting(sum; _{ j \\leq i }; BigSum(k; 0; Add(d_j, Neg(1)); Div(1; Add(r_j, Neg(k))))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/nonparametric/fleming_harrington.py",
+    ),
+    (
+        "H(\\hat{P}^\\prime|\\hat{P}) = \\int_{\\Omega_{\\boldsymbol{\\Theta}}}\n\\hat{P}^\\prime(\\boldsymbol{\\Theta})\n\\ln\\frac{\\hat{P}^\\prime(\\boldsymbol{\\Theta})}{\\hat{P}(\\boldsymbol{\\Theta})}\n\\, d\\boldsymbol{\\Theta} = \\sum_i \\hat{p}_i^\\prime \\, \\left(\n\\ln \\hat{p}_i^\\prime - \\ln \\hat{p}_i \\right)",
+        "Chain(Call(H; Given(Call(\\hat{P}'); Call(\\hat{P}); |)), Over(\\int; _ { \\Omega _ { \\boldsymbol { \\Theta } } }; Mul(Call(\\hat{P}'; \\boldsymbol{\\Theta}), Call(ln; Div(Call(\\hat{P}'; \\boldsymbol{\\Theta}); Call(\\hat{P}; \\boldsymbol{\\Theta})))); \\boldsymbol{\\Theta}), BigSum(i; Mul(\\hat{p}'_i, Add(Call(ln; \\hat{p}'_i), Neg(Call(ln; \\hat{p}_i))))); =, =)",
+        "joshspeagle/dynesty/docs/source/dynamic.rst",
+    ),
+    (
+        "z_{i+1} = z_{i} - \\frac{F(z_{i})}{F{}'(z_{i})}",
+        "Chain(z_{i+1}, Add(z_i, Neg(Div(Call(F; z_i); Call(F'; z_i)))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/iod.py",
+    ),
+    (
+        "\\int f(x) dx \\approx \\sum W_i f(X_i)",
+        "Chain(Antiderivative(Call(f; x); x), Limiting(sum; ; Mul(W_i, Call(f; X_i))); \\approx)",
+        "jonathf/chaospy/chaospy/quadrature/legendre.py",
+    ),
+    (
+        "V_{max} = U_p(y_{100}) - U_n(x_{100}),",
+        "Chain(V_{max}, Add(Call(U_p; y_{100}), Neg(Call(U_n; x_{100}))); =)",
+        "pybamm-team/PyBaMM/src/pybamm/models/full_battery_models/lithium_ion/electrode_soh.py",
+    ),
+    (
+        "H(\\hat{P}|P) \\equiv \\int_{\\Omega_{\\boldsymbol{\\Theta}}}\n\\hat{P}(\\boldsymbol{\\Theta})\n\\ln\\frac{\\hat{P}(\\boldsymbol{\\Theta})}{P(\\boldsymbol{\\Theta})} \\,\nd\\boldsymbol{\\Theta}",
+        "Chain(Call(H; Given(Call(\\hat{P}); Call(P); |)), Over(\\int; _ { \\Omega _ { \\boldsymbol { \\Theta } } }; Mul(Call(\\hat{P}; \\boldsymbol{\\Theta}), Call(ln; Div(Call(\\hat{P}; \\boldsymbol{\\Theta}); Call(P; \\boldsymbol{\\Theta})))); \\boldsymbol{\\Theta}); \\equiv)",
+        "joshspeagle/dynesty/docs/source/dynamic.rst",
+    ),
+    (
+        "m_k = \\frac{d \\psi_{l,t}(k)}{dk} = 2 r_{l} \\left(\\frac{k}{n} \\cdot \\bar{p}_{l,t} \\overline{P}_{l} \\right)",
+        "Chain(m_k, Derivative(Call(\\psi_{l,t}; k); k, 1), Mul(2, r_l, Mul(Div(k; n), \\bar{p}_{l,t}, \\overline{P}_l)); =, =)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/power-flow.md",
+    ),
+    (
+        "v = -\\frac{1}{\\theta} \\log\n\\frac{w e^{-\\theta} + (1 - w) e^{-\\theta u}}\n      {w + (1 - w) e^{-\\theta u}},",
+        "Chain(v, Neg(Mul(Div(1; \\theta), Call(log; Div(Add(Mul(w, Pow(e; Neg(\\theta))), Mul(Add(1, Neg(w)), Pow(e; Neg(Mul(\\theta, u))))); Add(w, Mul(Add(1, Neg(w)), Pow(e; Neg(Mul(\\theta, u))))))))); =)",
+        "derrynknife/SurPyval/surpyval/multivariate/parametric/copula/archimedean.py",
+    ),
+    (
+        "R(x) = e^{-\\left ( \\frac{x}{\\alpha} \\right )^\\beta}",
+        "Chain(Call(R; x), Pow(e; Neg(Pow(Div(x; \\alpha); \\beta))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/weibull.py",
+    ),
+    (
+        "\\sum_{l\\in L_{\\textrm{carriers}}} d_{l} F_{l} \\leq \\Gamma \\quad \\leftrightarrow  \\quad \\mu",
+        "Chain(Limiting(sum; _{ l \\in L _ { \\text { c a r r i e r s } } }; Mul(d_l, F_l)), \\varGamma, \\mu; \\le, \\leftrightarrow)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/global-constraints.md",
+    ),
+    (
+        "f(x) = \\frac{1}{\\sigma \\sqrt{2\\pi}}e^{-\\frac{1}{2}\\left ( \\frac{x\n- \\mu}{\\sigma} \\right )^{2}}",
+        "Chain(Call(f; x), Mul(Div(1; Mul(\\sigma, Sqrt(Mul(2, \\pi)))), Pow(e; Neg(Mul(Div(1; 2), Pow(Div(Add(x, Neg(\\mu)); \\sigma); 2))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/normal.py",
+    ),
+    (
+        "z_{k} = (b-a) + \\frac{\\exp{-\\alpha k / N} - 1}{\\exp{-\\alpha} - 1} + a,",
+        "Chain(z_k, Add(Add(b, Neg(a)), Div(Add(Call(exp; Neg(Div(Mul(\\alpha, k); N))), Neg(1)); Add(Call(exp; Neg(\\alpha)), Neg(1))), a); =)",
+        "pybamm-team/PyBaMM/src/pybamm/meshes/scikit_fem_submeshes.py",
+    ),
+    (
+        "S = \\alpha - \\ln \\left ( \\beta \\right ) + \\ln \\Gamma \\left (\n\\alpha \\right ) + \\left ( 1 - \\alpha \\right ) \\psi \\left (\n\\alpha \\right )",
+        "Chain(S, Add(\\alpha, Neg(Call(ln; \\beta)), Call(ln; Call(Gamma; \\alpha)), Mul(Add(1, Neg(\\alpha)), Call(\\psi; \\alpha))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/gamma.py",
+    ),
+    (
+        "\\vec{p} = \\mu_{m}\\left ( \\frac{\\vec{r_{m/s}}}{r_{m/s}^3} - \\frac{\\vec{r_{m}}}{r_{m}^3} \\right )",
+        "Chain(\\vec{p}, Mul(\\mu_m, Add(Div(\\vec{r}_{m/s}; Pow(r_{m/s}; 3)), Neg(Div(\\vec{r}_m; Pow(r_m; 3))))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/perturbations.py",
+    ),
+    (
+        "q(u) = \\mu - \\sigma\\ln\\left ( -\\ln\\left ( u \\right ) \\right )",
+        "Chain(Call(q; u), Add(\\mu, Neg(Mul(\\sigma, Call(ln; Neg(Call(ln; u)))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/gumbel_lev.py",
+    ),
+    (
+        "C(u, v) = \\int_0^u P(V \\le v \\mid U = s) \\, ds\n= v - \\int_u^1 P(V \\le v \\mid U = s) \\, ds",
+        "Chain(Call(C; u, v), Integral(Call(P; Given(Chain(V, v; \\le); Chain(U, s; =); |)); s; 0; u), Add(v, Neg(Integral(Call(P; Given(Chain(V, v; \\le); Chain(U, s; =); |)); s; u; 1))); =, =)",
+        "derrynknife/SurPyval/surpyval/multivariate/parametric/copula/elliptical.py",
+    ),
+    (
+        "f(x) = \\frac{1}{\\sigma}e^{-\\left (\\frac{x - \\mu}{\\sigma} +\ne^{-\\frac{x-\\mu}{\\sigma}} \\right)}",
+        "Chain(Call(f; x), Mul(Div(1; \\sigma), Pow(e; Neg(Add(Div(Add(x, Neg(\\mu)); \\sigma), Pow(e; Neg(Div(Add(x, Neg(\\mu)); \\sigma))))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/gumbel_lev.py",
+    ),
+    (
+        "P(T > x \\mid T > u, y) =\n\\frac{\\int S(x \\mid \\theta) p(y \\mid \\theta)\n\\phi(\\theta) d\\theta}\n{\\int S(u \\mid \\theta) p(y \\mid \\theta) \\phi(\\theta)\nd\\theta},",
+        "Chain(Call(P; Given(Chain(T, x; >); Chain(T, u; >), y; |)), Div(Antiderivative(Mul(Call(S; Given(x; \\theta; |)), Call(p; Given(y; \\theta; |)), Call(\\phi; \\theta)); \\theta); Antiderivative(Mul(Call(S; Given(u; \\theta; |)), Call(p; Given(y; \\theta; |)), Call(\\phi; \\theta)); \\theta)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/joint/joint_model.py",
+    ),
+    (
+        "S(f_p, s_p, s_{\\mathcal{Z}}, n) \\equiv \nf_p \\times \\frac{S_p(n)}{s_p} + \n(1 - f_p) \\times \\frac{S_\\mathcal{Z}(n)}{s_{\\mathcal{Z}}} < 1",
+        "Chain(Call(S; f_p, s_p, s_{\\mathcal Z}, n), Add(Cross(f_p; Div(Call(S_p; n); s_p)), Cross(Add(1, Neg(f_p)); Div(Call(S_{\\mathcal Z}; n); s_{\\mathcal Z}))), 1; \\equiv, <)",
+        "joshspeagle/dynesty/docs/source/dynamic.rst",
+    ),
+    (
+        "f(x) = \\frac{\\beta^{\\alpha }}{\\Gamma \\left ( \\alpha \\right )}\nx^{\\alpha - 1}e^{-\\beta x}",
+        "Chain(Call(f; x), Mul(Div(Pow(\\beta; \\alpha); Call(Gamma; \\alpha)), Pow(x; Add(\\alpha, Neg(1))), Pow(e; Neg(Mul(\\beta, x)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/gamma.py",
+    ),
+    (
+        "\\mathrm{RAM} = F_{max} - \\mathrm{FRM} - F_{uaf} - F_{0} - F_{LTN} + \\mathrm{AMR}\n              - \\mathrm{IVA},",
+        "Chain(\\text{RAM}, Add(F_{max}, Neg(\\text{FRM}), Neg(F_{uaf}), Neg(F_0), Neg(F_{LTN}), \\text{AMR}, Neg(\\text{IVA})); =)",
+        "PyPSA/PyPSA/docs/examples/fbmc-simple-example.ipynb",
+    ),
+    (
+        "q(u) = a + u(b - a)",
+        "Chain(Call(q; u), Add(a, Mul(u, Add(b, Neg(a)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/uniform.py",
+    ),
+    (
+        "\\tilde{M} = R^\\frac{1}{2}V\\Gamma U^T",
+        "Chain(\\tilde{M}, Mul(Pow(R; Div(1; 2)), V, \\varGamma, Transpose(U)); =)",
+        "mne-tools/mne-python/mne/minimum_norm/inverse.py",
+    ),
+    (
+        "E = \\frac{\\alpha}{\\alpha + \\beta}",
+        "Chain(E, Div(\\alpha; Add(\\alpha, \\beta)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta.py",
+    ),
+    (
+        "\\vec{r} &= f\\vec{r_{o}} + g\\vec{v_{o}} \\\\\n    \\vec{v} &= \\dot{f}\\vec{r_{o}} + \\dot{g}\\vec{v_{o}} \\\\",
+        "System(Chain(\\vec{r}, Add(Mul(Call(f), \\vec{r}_o), Mul(Call(g), \\vec{v}_o)); =), Chain(\\vec{v}, Add(Mul(Call(\\dot{f}), \\vec{r}_o), Mul(Call(\\dot{g}), \\vec{v}_o)); =))",
+        "pleiszenburg/hapsira/src/hapsira/core/propagation/vallado.py",
+    ),
+    (
+        "P^* = a - b \\sum_{i=1}^{N} q_i^*",
+        "Chain(P ^ { * }, Add(a, Neg(Mul(b, BigSum(i; 1; N; q _ { i } ^ { * })))); =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "\\frac{\\partial}{\\partial q_i} \\big[ P(Q) \\cdot q_i - C_i(q_i) \\big] = P(Q) + P'(Q) \\cdot q_i - C_i'(q_i) = 0",
+        "Chain(Derivative(Add(Mul(Call(P; Q), q_i), Neg(Call(C_i; q_i))); q_i, 1; True), Add(Call(P; Q), Mul(Call(P'; Q), q_i), Neg(Call(C_i'; q_i))), 0; =, =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "F(x) = \\frac{1}{1 + \\left ( x /\\alpha \\right )^{-\\beta}}",
+        "Chain(Call(F; x), Div(1; Add(1, Pow(Div(x; \\alpha); Neg(\\beta)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/loglogistic.py",
+    ),
+    (
+        "E = \\mu + \\sigma\\gamma",
+        "Chain(E, Add(\\mu, Mul(\\sigma, \\gamma)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/gumbel_lev.py",
+    ),
+    (
+        "P(Q) - C_i'(q_i) = 0",
+        "Chain(Add(Call(P; Q), Neg(Call(C_i'; q_i))), 0; =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "\\overline {e}=-\\dfrac {J_{3}R_{E}}{2J_{2}\\overline {a}\\left( 1-\\overline {e}^{2}\\right) }\\left( \\dfrac {\\sin ^{2}\\overline {i}-\\overline {e}\\cos ^{2} \\overline {i}}{\\sin \\overline {i}}\\right)",
+        "Chain(\\overline{e}, Neg(Mul(Div(Mul(J_3, R_E); Mul(2, J_2, \\overline{a}, Add(1, Neg(Pow(\\overline{e}; 2))))), Div(Add(Pow(Call(sin; \\overline{i}); 2), Neg(Mul(\\overline{e}, Pow(Call(cos; \\overline{i}); 2)))); Call(sin; \\overline{i})))); =)",
+        "pleiszenburg/hapsira/src/hapsira/twobody/orbit/creation.py",
+    ),
+    (
+        "s_n = \\sigma(u, n, \\theta)",
+        "Chain(s_n, Call(\\sigma; u, n, \\theta); =)",
+        "jonathf/chaospy/chaospy/distributions/copulas/gumbel.py",
+    ),
+    (
+        "w^\\prime_i \\equiv \\frac{p^\\prime(\\mathbf{x}_i)}{q(\\mathbf{x}_i)} \n= \\frac{p^\\prime(\\mathbf{x}_i)}{p(\\mathbf{x}_i)}\\frac{p(\\mathbf{x}_i)}{q(\\mathbf{x}_i)} =\n\\frac{p^\\prime(\\mathbf{x}_i)}{p(\\mathbf{x}_i)} w_i",
+        "Chain(w_i', Div(Call(p'; \\mathbf{x}_i); Call(q; \\mathbf{x}_i)), Mul(Div(Call(p'; \\mathbf{x}_i); Call(p; \\mathbf{x}_i)), Div(Call(p; \\mathbf{x}_i); Call(q; \\mathbf{x}_i))), Mul(Div(Call(p'; \\mathbf{x}_i); Call(p; \\mathbf{x}_i)), w_i); \\equiv, =, =)",
+        "joshspeagle/dynesty/demos/Examples -- Importance Reweighting.ipynb",
+    ),
+    (
+        "\\left[\\begin{matrix}I_{1}\\\\V_{2}\\end{matrix}\\right] = \\left[\\begin{matrix}G_{11} & G_{12}\\\\G_{21} & G_{22}\\end{matrix}\\right] \\left[\\begin{matrix}V_{1}\\\\I_{2}\\end{matrix}\\right]  + \\left[\\begin{matrix}I_{1g}\\\\V_{2g}\\end{matrix}\\right]",
+        "Chain(MatrixOf(I_1, V_2), Add(Mul(MatrixOf(G_{11}, G_{12}, G_{21}, G_{22}), MatrixOf(V_1, I_2)), MatrixOf(I_{1g}, V_{2g})); =)",
+        "mph-/lcapy/doc/networks.rst",
+    ),
+    (
+        "P(Q) - b \\cdot q_i = C_i'(q_i)",
+        "Chain(Add(Call(P; Q), Neg(Mul(b, q_i))), Call(C_i'; q_i); =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "R(x_i) = e^{-\\sum_{j \\leq i} \\frac{d_{j}}{r_{j}}}",
+        "Chain(Call(R; x_i), Pow(e; Neg(Limiting(sum; _{ j \\leq i }; Div(d_j; r_j)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/nonparametric/nelson_aalen.py",
+    ),
+    (
+        "t_i \\sim \\textrm{Beta}(K_i, 1) ~ , \\quad K_i \\geq K_{i-1}",
+        "System(Chain(t_i, Call(\\text{Beta}; K_i, 1); \\sim), Chain(K_i, K_{i-1}; \\ge))",
+        "joshspeagle/dynesty/docs/source/errors.rst",
+    ),
+    (
+        "R_L = \\alpha^{1/n}",
+        "Chain(R_L, Pow(\\alpha; Div(1; n)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/nonparametric/success_run.py",
+    ),
+    (
+        "h(x) = \\frac{\\beta}{\\alpha} \\left ( \\frac{x}{\\alpha} \\right\n)^{\\beta - 1}",
+        "Chain(Call(h; x), Mul(Div(\\beta; \\alpha), Pow(Div(x; \\alpha); Add(\\beta, Neg(1)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/weibull.py",
+    ),
+    (
+        "F(x) = I_{z}\\left(\\alpha, \\beta\\right), \\quad\nz = \\frac{x - a}{b - a}",
+        "System(Chain(Call(F; x), Call(I_z; \\alpha, \\beta); =), Chain(z, Div(Add(x, Neg(a)); Add(b, Neg(a))); =))",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta4.py",
+    ),
+    (
+        "\\mathcal{A}_Z(f) = \\sqrt{\\mathcal{A}_X^2(f) + \\mathcal{A}_Y^2(f)}.",
+        "Chain(Call(\\mathcal{A}_Z; f), Sqrt(Add(Pow(Call(\\mathcal{A}_X; f); 2), Pow(Call(\\mathcal{A}_Y; f); 2))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "\\Delta v_{a} &= \\sqrt{\\frac{2\\mu}{r_{i}} - \\frac{\\mu}{a_{trans}}} - v_{i}\\\\\n    \\Delta v_{b} &= \\sqrt{\\frac{\\mu}{r_{f}}} - \\sqrt{\\frac{2\\mu}{r_{f}} - \\frac{\\mu}{a_{trans}}}",
+        "System(Chain(\\Delta v _ { a }, Add(Sqrt(Add(Div(Mul(2, \\mu); r_i), Neg(Div(\\mu; a_{trans})))), Neg(v_i)); =), Chain(\\Delta v _ { b }, Add(Sqrt(Div(\\mu; r_f)), Neg(Sqrt(Add(Div(Mul(2, \\mu); r_f), Neg(Div(\\mu; a_{trans})))))); =))",
+        "pleiszenburg/hapsira/src/hapsira/core/maneuver.py",
+    ),
+    (
+        "E_{pq} = p^+ q + \\bar{p}^+ \\bar{q}",
+        "Chain(E_{pq}, Add(Mul(p ^ { + }, q), Mul(\\bar { p } ^ { + }, \\bar{q})); =)",
+        "pyscf/pyscf/pyscf/fci/direct_spin1.py",
+    ),
+    (
+        "\\vec{p} = -\\nu \\frac{S}{c} \\left ( \\frac{C_{r}A}{m} \\right )\\frac{\\vec{r}}{r}",
+        "Chain(\\vec{p}, Neg(Mul(\\nu, Div(S; c), Div(Mul(C_r, A); m), Div(\\vec{r}; r))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/perturbations.py",
+    ),
+    (
+        "L(Z) = c \\exp\\left(\\sum_{j} \\beta_j Z_j\\right),",
+        "Chain(Call(L; Z), Mul(c, Call(exp; BigSum(j; Mul(\\beta_j, Z_j)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/regression/accelerated_life/general_log_linear.py",
+    ),
+    (
+        "y_0 = y_{100} + \\frac{Q}{Q_p}.",
+        "Chain(y_0, Add(y_{100}, Div(Q; Q_p)); =)",
+        "pybamm-team/PyBaMM/src/pybamm/models/full_battery_models/lithium_ion/electrode_soh.py",
+    ),
+    (
+        "PSD(f) = |H(f)|^2 + |H(-f)|^2",
+        "Chain(Call(\\text{PSD}; f), Add(Pow(Bars(Call(H; f)); 2), Pow(Bars(Call(H; Neg(f))); 2)); =)",
+        "astroML/astroML/astroML/fourier.py",
+    ),
+    (
+        "\\mathop{\\mathrm{rampstep}}(t) =\n\\begin{cases}\n0 & t < 0 \\\\\nt & 0 \\le t \\le 1 \\\\\n1 & t > 1\n\\end{cases}",
+        "Chain(Call(\\text{rampstep}; t), Piecewise(0, Chain(t, 0; <), t, Chain(0, t, 1; \\le, \\le), 1, Chain(t, 1; >)); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "p (m,b,f\\,|\\,x,y,\\sigma) \\propto p(m,b,f)\\,p(y\\,|\\,x,\\sigma,m,b,f) \\quad .",
+        "Chain(Call(p; Given(m, b, f; x, y, \\sigma; |)), Mul(Call(p; m, b, f), Call(p; Given(y; x, \\sigma, m, b, f; |))); \\propto)",
+        "dfm/emcee/docs/tutorials/line.ipynb",
+    ),
+    (
+        "\\mathcal{V}(f) =  \\mathcal{V}_w \\sqrt{\\frac{f_c}{f} + 1},",
+        "Chain(Call(\\mathcal{V}; f), Mul(\\mathcal{V}_w, Sqrt(Add(Div(f_c; f), 1))); =)",
+        "mph-/lcapy/doc/tutorials.rst",
+    ),
+    (
+        "\\vec{p} = -\\frac{1}{2}\\rho v_{rel}\\left ( \\frac{C_{d}A}{m} \\right )\\vec{v_{rel}}",
+        "Chain(\\vec{p}, Neg(Mul(Div(1; 2), \\rho, v_{rel}, Div(Mul(C_d, A); m), \\vec{v}_{rel})); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/perturbations.py",
+    ),
+    (
+        "\\mathbf{b_1} &= 2\\pi \\frac{\\mathbf{a_2} \\times \\mathbf{a_3}}{\\mathbf{a_1} \\cdot (\\mathbf{a_2} \\times \\mathbf{a_3})} \\\\\n\\mathbf{b_2} &= 2\\pi \\frac{\\mathbf{a_3} \\times \\mathbf{a_1}}{\\mathbf{a_2} \\cdot (\\mathbf{a_3} \\times \\mathbf{a_1})} \\\\\n\\mathbf{b_3} &= 2\\pi \\frac{\\mathbf{a_1} \\times \\mathbf{a_2}}{\\mathbf{a_3} \\cdot (\\mathbf{a_1} \\times \\mathbf{a_2})}",
+        "System(Chain(\\mathbf{b}_1, Mul(2, \\pi, Div(Cross(\\mathbf{a}_2; \\mathbf{a}_3); Mul(\\mathbf{a}_1, Cross(\\mathbf{a}_2; \\mathbf{a}_3); 1))); =), Chain(\\mathbf{b}_2, Mul(2, \\pi, Div(Cross(\\mathbf{a}_3; \\mathbf{a}_1); Mul(\\mathbf{a}_2, Cross(\\mathbf{a}_3; \\mathbf{a}_1); 1))); =), Chain(\\mathbf{b}_3, Mul(2, \\pi, Div(Cross(\\mathbf{a}_1; \\mathbf{a}_2); Mul(\\mathbf{a}_3, Cross(\\mathbf{a}_1; \\mathbf{a}_2); 1))); =))",
+        "pyscf/pyscf/pyscf/pbc/gto/cell.py",
+    ),
+    (
+        "\\mathbf{J} = \\begin{bmatrix} \\frac{\\partial \\mathbf{f}}{\\partial \\mathbf{x}} & \\frac{\\partial \\mathbf{f}}{\\partial \\mathbf{y}} \\\\ \\frac{\\partial \\mathbf{g}}{\\partial \\mathbf{x}} & \\frac{\\partial \\mathbf{g}}{\\partial \\mathbf{y}} \\end{bmatrix}",
+        "Chain(\\mathbf{J}, MatrixOf(Derivative(Call(\\mathbf{f}); \\mathbf{x}, 1; True), Derivative(Call(\\mathbf{f}); \\mathbf{y}, 1; True), Derivative(Call(\\mathbf{g}); \\mathbf{x}, 1; True), Derivative(Call(\\mathbf{g}); \\mathbf{y}, 1; True)); =)",
+        "CURENT/andes/docs/source/modeling/concepts/dae-formulation.md",
+    ),
+    (
+        "R(x) = 1 - \\Phi \\left( \\frac{x - \\mu}{\\sigma} \\right )",
+        "Chain(Call(R; x), Add(1, Neg(Call(\\Phi; Div(Add(x, Neg(\\mu)); \\sigma)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/normal.py",
+    ),
+    (
+        "b = \\frac{\\bar{P}}{\\bar{Q} \\cdot |\\varepsilon|}",
+        "Chain(b, Div(\\bar{P}; Mul(\\bar{Q}, Bars(\\varepsilon))); =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "R(x) = 1 - I_{z}\\left(\\alpha, \\beta\\right), \\quad\nz = \\frac{x - a}{b - a}",
+        "System(Chain(Call(R; x), Add(1, Neg(Call(I_z; \\alpha, \\beta))); =), Chain(z, Div(Add(x, Neg(a)); Add(b, Neg(a))); =))",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta4.py",
+    ),
+    (
+        "F(x) = \\frac{1}{1 + e^{- \\left ( x - \\mu \\right )/ \\sigma}}",
+        "Chain(Call(F; x), Div(1; Add(1, Pow(e; Neg(Div(Add(x, Neg(\\mu)); \\sigma))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/logistic.py",
+    ),
+    (
+        "q(u) = \\frac{-\\ln\\left ( 1 - u \\right )}{\\lambda}",
+        "Chain(Call(q; u), Div(Neg(Call(ln; Add(1, Neg(u)))); \\lambda); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/exponential.py",
+    ),
+    (
+        "\\min_{x} \\quad & c^T x + \\sum_{s \\in S} p_s Q(x, \\xi_s) \\\\\n\\text{s.t.} \\quad & A x = b \\\\\n& x \\geq 0",
+        "System(Words(Limiting(min; _{ x }; Add(Mul(Transpose(c), x), Limiting(sum; _{ s \\in S }; Mul(p_s, Call(Q; x, \\xi_s)))))), Words(\\text{subject~to}), Chain(Mul(A, x), b; =), Chain(x, 0; \\ge))",
+        "PyPSA/PyPSA/docs/user-guide/optimization/stochastic.md",
+    ),
+    (
+        "E[T^{m}] = \\sum_{i=0}^{m-1} A(m, i)\\,\n\\frac{B(a - m,\\, b + i)}{B(a, b)} .",
+        "Chain(Indexed(E; Pow(T; m)), BigSum(i; 0; Add(m, Neg(1)); Mul(Call(A; m, i), Div(Call(B; Add(a, Neg(m)), Add(b, i)); Call(B; a, b)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta_geometric.py",
+    ),
+    (
+        "v = norm \\cdot \\begin{bmatrix}\n\\sin(colat)\\cos(long)\\\\\n\\sin(colat)\\sin(long)\\\\\n\\cos(colat)\\\\\n\\end{bmatrix}",
+        "Chain(v, Mul(\\text{norm}, MatrixOf(Mul(Call(sin; \\text{colat}), Call(cos; \\text{long})), Mul(Call(sin; \\text{colat}), Call(sin; \\text{long})), Call(cos; \\text{colat}))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/util.py",
+    ),
+    (
+        "f(x) = \\sum_{j=1}^{m} C_j \\lambda_j e^{-\\lambda_j x}",
+        "Chain(Call(f; x), BigSum(j; 1; m; Mul(C_j, \\lambda_j, Pow(e; Neg(Mul(\\lambda_j, x))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/hypoexponential.py",
+    ),
+    (
+        "\\Delta_b = \\frac{3.5\\sigma}{n^{1/3}}",
+        "Chain(\\Delta_b, Div(Mul(3.5, \\sigma); Pow(n; Div(1; 3))); =)",
+        "astroML/astroML/astroML/density_estimation/histtools.py",
+    ),
+    (
+        "\\mathbf{M} \\dot{\\mathbf{x}} = \\mathbf{f}(\\mathbf{x}, \\mathbf{y})",
+        "Chain(Mul(\\mathbf{M}, Call(\\dot{\\mathbf{x}})), Call(\\mathbf{f}; Call(\\mathbf{x}), \\mathbf{y}); =)",
+        "CURENT/andes/docs/source/modeling/concepts/dae-formulation.md",
+    ),
+    (
+        "P(T = k) = \\frac{\\mu^{k} e^{-\\mu}}{k!}, \\quad k = 0, 1, 2, \\dots",
+        "System(Chain(Call(P; Chain(T, k; =)), Div(Mul(Pow(\\mu; k), Pow(e; Neg(\\mu))); Factorial(k)); =), Values(k; 0, 1, 2, Dots()))",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/poisson.py",
+    ),
+    (
+        "E\\left [ X^{m} \\right ] = e^{m\\mu + \\frac{m^{2}\\sigma^{2}}{2}}",
+        "Chain(Indexed(E; Pow(X; m)), Pow(e; Add(Mul(m, \\mu), Div(Mul(Pow(m; 2), Pow(\\sigma; 2)); 2))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/lognormal.py",
+    ),
+    (
+        "\\mathbf{0} = \\mathbf{g}(\\mathbf{x}, \\mathbf{y})",
+        "Chain(0, Call(\\mathbf{g}; \\mathbf{x}, \\mathbf{y}); =)",
+        "CURENT/andes/docs/source/modeling/concepts/dae-formulation.md",
+    ),
+    (
+        "\\mathbb{E} \\left[ \\frac{\\sum_{n=1}^{K_i} Y_{n}}{\\sum_{n=1}^{K_j+1} Y_{n}}\n\\right] = \\frac{K_j - K_i + 1}{K_j + 1}",
+        "Chain(Indexed(\\mathbb{E}; Div(BigSum(n; 1; K_i; Y_n); BigSum(n; 1; Add(K_j, 1); Y_n))), Div(Add(K_j, Neg(K_i), 1); Add(K_j, 1)); =)",
+        "joshspeagle/dynesty/docs/source/errors.rst",
+    ),
+    (
+        "b = \\frac{50}{5 \\times 0.1} = 100, \\qquad a = 50 \\times (1 + 10) = 550",
+        "System(Chain(b, Div(50; Cross(5; 0.1)), 100; =, =), Chain(a, Cross(50; Add(1, 10)), 550; =, =))",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "q(u) = \\mu + \\sigma \\ln \\left ( \\frac{u}{1 - u} \\right)",
+        "Chain(Call(q; u), Add(\\mu, Mul(\\sigma, Call(ln; Div(u; Add(1, Neg(u)))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/logistic.py",
+    ),
+    (
+        "p(\\lambda) = p_{\\text{base}} + \\lambda \\cdot (p_{\\text{target}} - p_{\\text{base}})",
+        "Chain(Call(p; \\lambda), Add(p_{base}, Mul(\\lambda, Add(p_{target}, Neg(p_{base})))); =)",
+        "CURENT/andes/docs/source/tutorials/13-continuation-power-flow.ipynb",
+    ),
+    (
+        "R(x) = e^{-\\lambda x}.",
+        "Chain(Call(R; x), Pow(e; Neg(Mul(\\lambda, x))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/exponential.py",
+    ),
+    (
+        "\\hat{w}(t) = U\\Pi w(t)",
+        "Chain(Call(\\hat{w}; t), Mul(U, \\Pi, Call(w; t)); =)",
+        "mne-tools/mne-python/mne/minimum_norm/inverse.py",
+    ),
+    (
+        "p(\\vec{x}) \\propto \\exp \\left [ - \\frac{1}{2} (\\vec{x} -\n    \\vec{\\mu})^\\mathrm{T} \\, \\Sigma ^{-1} \\, (\\vec{x} - \\vec{\\mu})\n    \\right ]",
+        "Chain(Call(p; \\vec{x}), Call(exp; Neg(Mul(Div(1; 2), Transpose(Add(\\vec{x}, Neg(\\vec{\\mu}))), Pow(\\Sigma; Neg(1)), Add(\\vec{x}, Neg(\\vec{\\mu}))))); \\propto)",
+        "dfm/emcee/docs/tutorials/quickstart.ipynb",
+    ),
+    (
+        "E[X] = n p",
+        "Chain(Indexed(E; X), Mul(n, p); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/binomial.py",
+    ),
+    (
+        "F(x) = 1 - \\sum_{j=1}^{m} C_j e^{-\\lambda_j x}\n     = -\\sum_{j=1}^{m} C_j \\left(e^{-\\lambda_j x} - 1\\right)",
+        "Chain(Call(F; x), Add(1, Neg(BigSum(j; 1; m; Mul(C_j, Pow(e; Neg(Mul(\\lambda_j, x))))))), Neg(BigSum(j; 1; m; Mul(C_j, Add(Pow(e; Neg(Mul(\\lambda_j, x))), Neg(1))))); =, =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/hypoexponential.py",
+    ),
+    (
+        "H(t) = \\int_0^t h\\bigl(u \\mid Z(u)\\bigr)\\, du ,",
+        "Chain(Call(H; t), Integral(Call(h; Given(u; Call(Z; u); |)); u; 0; t); =)",
+        "derrynknife/SurPyval/surpyval/univariate/regression/tvc_path.py",
+    ),
+    (
+        "\\mathrm{CVaR}_\\alpha(Q) = \\min_{\\theta \\in \\mathbb{R}} \\Big[ \\theta + \\frac{1}{1-\\alpha} \\sum_{s \\in S} p_s \\max\\{Q(x,\\xi_s)-\\theta,0\\} \\Big].",
+        "Chain(Call(\\text{CVaR}_\\alpha; Call(Q)), Limiting(min; _{ \\theta \\in \\mathbb { R } }; Add(\\theta, Mul(Div(1; Add(1, Neg(\\alpha))), Limiting(sum; _{ s \\in S }; Mul(p_s, Call(max; Add(Call(Q; x, \\xi_s), Neg(\\theta)), 0)))))); =)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/stochastic.md",
+    ),
+    (
+        "\\mathcal{L}^\\prime(\\mathbf{x}) \\sim P(\\mathcal{L} | \\mathbf{x}, \\boldsymbol{\\theta})",
+        "Chain(Call(\\mathcal{L}'; \\mathbf{x}), Call(P; Given(Call(\\mathcal{L}); \\mathbf{x}, \\boldsymbol{\\theta}; |)); \\sim)",
+        "joshspeagle/dynesty/demos/Examples -- Noisy Likelihoods.ipynb",
+    ),
+    (
+        "h(x) = \\frac{f(x)}{R(x)}",
+        "Chain(Call(h; x), Div(Call(f; x); Call(R; x)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta.py",
+    ),
+    (
+        "X_{\\frac{1}{\\Delta t}}(f) = \\Delta t \\sum_{n=-\\infty}^{\\infty} x(n) e^{-2 \\mathrm{j} \\pi n \\Delta t f}",
+        "Chain(Call(X_{\\frac1\\Delta t}; f), Mul(\\Delta t, BigSum(n; Neg(Infinity()); Infinity(); Mul(Call(x; n), Pow(e; Neg(Mul(2, \\text{j}, \\pi, n, \\Delta t, f)))))); =)",
+        "mph-/lcapy/doc/discretetime.rst",
+    ),
+    (
+        "x_i = f(x_{i-1}, x_{i-2}, \\ldots, x_{i-n})",
+        "Chain(x_i, Call(f; x_{i-1}, x_{i-2}, Dots(), x_{i-n}); =)",
+        "evalf/nutils/nutils/cache.py",
+    ),
+    (
+        "t_i \\sim \\textrm{Beta}(K, 1)",
+        "Chain(t_i, Call(\\text{Beta}; K, 1); \\sim)",
+        "joshspeagle/dynesty/docs/source/errors.rst",
+    ),
+    (
+        "x(n) = \\int_{-\\frac{1}{2}}^{\\frac{1}{2}} X_{1}(f) e^{2 \\mathrm{j} \\pi n F} \\mathrm{d}F",
+        "Chain(Call(x; n), Integral(Mul(Call(X_1; f), Pow(e; Mul(2, \\text{j}, \\pi, n, F))); F; Neg(Div(1; 2)); Div(1; 2)); =)",
+        "mph-/lcapy/doc/discretetime.rst",
+    ),
+    (
+        "H(f) = \\int h(t) \\exp(-2 \\pi i f t) dt",
+        "Chain(Call(H; f), Antiderivative(Mul(Call(h; t), Call(exp; Neg(Mul(2, \\pi, i, f, t)))); t); =)",
+        "astroML/astroML/astroML/fourier.py",
+    ),
+    (
+        "B = \\tan{\\frac{\\nu}{2}}",
+        "Chain(B, Call(tan; Div(\\nu; 2)); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/angles.py",
+    ),
+    (
+        "Z^* = Z - (Z/82.5)^{2.37}",
+        "Chain(Z ^ { * }, Add(Z, Neg(Pow(Div(Z; 82.5); 2.37))); =)",
+        "python-periodictable/periodictable/periodictable/xsf.py",
+    ),
+    (
+        "E[X^m] = \\int_0^\\infty m x^{m-1} R(x)\\,dx\n       - \\int_{-\\infty}^0 m x^{m-1} F(x)\\,dx ,",
+        "Chain(Indexed(E; Pow(X; m)), Add(Integral(Mul(m, Pow(x; Add(m, Neg(1))), Call(R; x)); x; 0; Infinity()), Neg(Integral(Mul(m, Pow(x; Add(m, Neg(1))), Call(F; x)); x; Neg(Infinity()); 0))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/custom_distribution.py",
+    ),
+    (
+        "\\mathop{\\mathrm{rect}}(t) = H(t + 1 / 2) - H(t - 1 / 2)",
+        "Chain(Call(\\text{rect}; t), Add(Call(H; Add(t, Div(1; 2))), Neg(Call(H; Add(t, Neg(Div(1; 2)))))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "E = \\frac{1}{2} \\left ( a + b \\right )",
+        "Chain(E, Mul(Div(1; 2), Add(a, b)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/uniform.py",
+    ),
+    (
+        "L(U, V) = c\\, e^{a / U + b / V},",
+        "Chain(Call(L; U, V), Mul(c, Pow(e; Add(Div(a; U), Div(b; V)))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/regression/accelerated_life/dual_exponential.py",
+    ),
+    (
+        "r_0 = (- \\ln \\mathcal{L})^s = \\sup_i \\left| \\frac{x_i - \\frac{1}{2}}{\\sigma_i} \\right|",
+        "Chain(r_0, Pow(Neg(Call(ln; \\mathcal{L})); s), Limiting(sup; _{ i }; Bars(Div(Add(x_i, Neg(Div(1; 2))); \\sigma_i))); =, =)",
+        "joshspeagle/dynesty/demos/Examples -- Hyper-Pyramid.ipynb",
+    ),
+    (
+        "\\langle s_z^2\\rangle = \\frac{1}{4}(n_\\alpha + n_\\beta)",
+        "Chain(Call(average; Pow(s_z; 2)), Mul(Div(1; 4), Add(n_\\alpha, n_\\beta)); =)",
+        "pyscf/pyscf/pyscf/scf/ghf.py",
+    ),
+    (
+        "\\lambda_k\\gamma_k = \\frac{\\lambda_k^2}{\\lambda_k^2 + \\lambda^2}",
+        "Chain(Mul(\\lambda_k, \\gamma_k), Div(Pow(\\lambda_k; 2); Add(Pow(\\lambda_k; 2), Pow(\\lambda; 2))); =)",
+        "mne-tools/mne-python/mne/minimum_norm/inverse.py",
+    ),
+    (
+        "\\hat{\\rho}_f(\\tau) = \\hat{c}_f(\\tau) / \\hat{c}_f(0)",
+        "Chain(Call(\\hat{\\rho}_f; \\tau), Div(Call(\\hat{c}_f; \\tau); Call(\\hat{c}_f; 0)); =)",
+        "dfm/emcee/docs/tutorials/autocorr.ipynb",
+    ),
+    (
+        "\\widehat{y} &= f_0 + \\sum_{u \\subseteq \\{1, 2, ..., d \\}}^{2^n - 1}\n  f_u + \\epsilon",
+        "Chain(\\widehat{y}, Add(f_0, Limiting(sum; _{ u \\subseteq \\{ 1 , 2 , \\dots , d \\} }^{ 2 ^ { n } - 1 }; f_u), \\epsilon); =)",
+        "SALib/SALib/src/SALib/analyze/enhanced_hdmr.py",
+    ),
+    (
+        "e_{n,s,t=-1} = e_{n,s,t=|T|-1}",
+        "Chain(e_{n,s,t=-1}, e_{n,s,t=|T|-1}; =)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/storage.md",
+    ),
+    (
+        "F = 2 \\operatorname{arctanh} \\left( \\sqrt{\\frac{e-1}{e+1}} \\tan{\\frac{\\nu}{2}} \\right)",
+        "Chain(F, Mul(2, Call(arctanh; Mul(Sqrt(Div(Add(e, Neg(1)); Add(e, 1))), Call(tan; Div(\\nu; 2))))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/angles.py",
+    ),
+    (
+        "\\mathbb{E}[f(\\mathbf{x})] = \\int f(\\mathbf{x}) p(\\mathbf{x}) d\\mathbf{x} \n= \\int f(\\mathbf{x}) q(\\mathbf{x}) \\frac{p(\\mathbf{x})}{q(\\mathbf{x})} d\\mathbf{x}\n\\approx \\frac{1}{N} \\sum_{i=1}^{N} f(\\mathbf{x}_i) \\frac{p(\\mathbf{x}_i)}{q(\\mathbf{x}_i)} \n\\: \\text{where} \\:\n\\mathbf{x}_i \\sim q(\\mathbf{x})",
+        "System(Chain(Indexed(\\mathbb{E}; Call(f; \\mathbf{x})), Antiderivative(Mul(Call(f; \\mathbf{x}), Call(p; \\mathbf{x})); \\mathbf{x}), Antiderivative(Mul(Call(f; \\mathbf{x}), Call(q; \\mathbf{x}), Div(Call(p; \\mathbf{x}); Call(q; \\mathbf{x}))); \\mathbf{x}), Mul(Div(1; N), BigSum(i; 1; N; Mul(Call(f; \\mathbf{x}_i), Div(Call(p; \\mathbf{x}_i); Call(q; \\mathbf{x}_i))))); =, =, \\approx), Chain(\\mathbf{x}_i, Call(q; \\mathbf{x}); \\sim))",
+        "joshspeagle/dynesty/demos/Examples -- Importance Reweighting.ipynb",
+    ),
+    (
+        "E = \\frac{B \\left( m + \\alpha, \\beta \\right )}{B\n\\left ( \\alpha, \\beta \\right )}",
+        "Chain(E, Div(Call(B; Add(m, \\alpha), \\beta); Call(B; \\alpha, \\beta)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta.py",
+    ),
+    (
+        "c_2(\\psi) = \\frac{1 - \\cos{\\sqrt{\\psi}}}{\\psi}",
+        "Chain(Call(c_2; \\psi), Div(Add(1, Neg(Call(cos; Sqrt(\\psi)))); \\psi); =)",
+        "pleiszenburg/hapsira/src/hapsira/_math/special.py",
+    ),
+    (
+        "\\frac{\\partial W}{\\partial q_i} = a - b \\cdot Q - C_i'(q_i) = P(Q) - C_i'(q_i) = 0",
+        "Chain(Derivative(Call(W); q_i, 1; True), Add(a, Neg(Mul(b, Q)), Neg(Call(C_i'; q_i))), Add(Call(P; Q), Neg(Call(C_i'; q_i))), 0; =, =, =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "\\vec{v_{o}} &= \\frac{1}{g}(\\vec{r} - f\\vec{r_{0}}) \\\\\n\\vec{v} &= \\frac{1}{g}(\\dot{g}\\vec{r} - \\vec{r_{0}})",
+        "System(Chain(\\vec{v}_o, Mul(Div(1; Call(g)), Add(\\vec{r}, Neg(Mul(f, \\vec{r}_0)))); =), Chain(\\vec{v}, Mul(Div(1; Call(g)), Add(Mul(Call(\\dot{g}), \\vec{r}), Neg(\\vec{r}_0))); =))",
+        "pleiszenburg/hapsira/src/hapsira/core/iod.py",
+    ),
+    (
+        "F(x) = \\frac{x - a}{b - a}",
+        "Chain(Call(F; x), Div(Add(x, Neg(a)); Add(b, Neg(a))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/uniform.py",
+    ),
+    (
+        "\\vec{e} = \\frac{1}{\\mu} \\left(\n    \\left( v^{2} - \\frac{\\mu}{r}\\right ) \\vec{r}  - (\\vec{r} \\cdot \\vec{v})\\vec{v}\n\\right)",
+        "Chain(\\vec{e}, Mul(Div(1; \\mu), Add(Mul(Add(Pow(v; 2), Neg(Div(\\mu; r))), \\vec{r}), Neg(Mul(Mul(\\vec{r}, \\vec{v}; 1), \\vec{v})))); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/elements.py",
+    ),
+    (
+        "g\\bigl(S(t)\\bigr) = s(\\log t ; \\gamma),",
+        "Chain(Call(g; Call(S; t)), Call(s; Given(Call(log; t); \\gamma; ;)); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/royston_parmar.py",
+    ),
+    (
+        "\\mathop{\\mathrm{sign}}[n] = 2 \\mathop{\\mathrm{u}}[n] - 1",
+        "Chain(Call(sign; n), Add(Mul(2, Indexed(\\text{u}; n)), Neg(1)); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "\\begin{bmatrix}\n0 \\\\ 0 \\\\ 0 \\\\ 0 \\\\ 0 \\\\ 0\n\\end{bmatrix}\n=\n\\begin{bmatrix}\n(1 - \\omega) - \\omega_{d} \\\\\nR \\times \\tau_{m0} - P_{ref} \\\\\n(P_{ref} + \\omega_{d})/R - P_{d} \\\\\nD_t \\omega_{d} + y_{LL} - P_{OUT} \\\\\n\\frac{T_2}{T_3}(x_{LG} - x_{LL}) + x_{LL} - y_{LL} \\\\\nu(P_{OUT} - \\tau_{m0})\n\\end{bmatrix}",
+        "Chain(MatrixOf(0, 0, 0, 0, 0, 0), MatrixOf(Add(Add(1, Neg(\\omega)), Neg(\\omega_d)), Add(Cross(R; \\tau_{m0}), Neg(P_{ref})), Add(Div(Add(P_{ref}, \\omega_d); R), Neg(P_d)), Add(Mul(D_t, \\omega_d), y_{LL}, Neg(P_{OUT})), Add(Mul(Div(T_2; T_3), Add(x_{LG}, Neg(x_{LL}))), x_{LL}, Neg(y_{LL})), Mul(u, Add(P_{OUT}, Neg(\\tau_{m0})))); =)",
+        "CURENT/andes/docs/source/modeling/creating-models/example-tgov1.md",
+    ),
+    (
+        "\\hat{\\sigma}(\\beta) = \\frac{\\text{SSE}(\\beta)}{n}",
+        "Chain(Call(\\hat{\\sigma}; \\beta), Div(Call(\\text{SSE}; \\beta); n); =)",
+        "nilearn/nilearn/nilearn/glm/regression.py",
+    ),
+    (
+        "R(x) = e^{-\\frac{x^2}{2\\sigma^2}}.",
+        "Chain(Call(R; x), Pow(e; Neg(Div(Pow(x; 2); Mul(2, Pow(\\sigma; 2))))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/rayleigh.py",
+    ),
+    (
+        "E_{pq}E_{rs} = E_{pr,qs} + \\delta_{qr} E_{ps} \\\\",
+        "Chain(Mul(E_{pq}, E_{rs}), Add(E_{pr,qs}, Mul(\\delta_{qr}, E_{ps})); =)",
+        "pyscf/pyscf/pyscf/fci/direct_spin1.py",
+    ),
+    (
+        "H(x) = -\\ln\\left( R(x) \\right )",
+        "Chain(Call(H; x), Neg(Call(ln; Call(R; x))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/beta.py",
+    ),
+    (
+        "\\left[\\begin{matrix}b_{1}\\\\a_{1}\\end{matrix}\\right] = \\left[\\begin{matrix}T_{11} & T_{12}\\\\T_{21} & T_{22}\\end{matrix}\\right] \\left[\\begin{matrix}a_{2}\\\\b_{2}\\end{matrix}\\right]",
+        "Chain(MatrixOf(b_1, a_1), Mul(MatrixOf(T_{11}, T_{12}, T_{21}, T_{22}), MatrixOf(a_2, b_2)); =)",
+        "mph-/lcapy/doc/networks.rst",
+    ),
+    (
+        "f(x_{i-1}, x_{i-2}) := x_{i-1} + x_{i-2},",
+        "Chain(Call(f; x_{i-1}, x_{i-2}), Add(x_{i-1}, x_{i-2}); =)",
+        "evalf/nutils/nutils/cache.py",
+    ),
+    (
+        "\\sqrt{\\mu}\\Delta t = \\frac{r_{o}v_{o}}{\\sqrt{\\mu}}\\chi^{2}C(\\alpha \\chi^{2}) + (1 - \\alpha r_{o})\\chi^{3}S(\\alpha \\chi^{2}) + r_{0}\\chi",
+        "Chain(Mul(Sqrt(\\mu), \\Delta t), Add(Mul(Div(Mul(r_o, v_o); Sqrt(\\mu)), Pow(\\chi; 2), Call(C; Mul(\\alpha, Pow(\\chi; 2)))), Mul(Add(1, Neg(Mul(\\alpha, r_o))), Pow(\\chi; 3), Call(S; Mul(\\alpha, Pow(\\chi; 2)))), Mul(r_0, \\chi)); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/propagation/vallado.py",
+    ),
+    (
+        "a &= \\left (\\frac{-3R_{\\bigoplus}J_{2}\\sqrt{\\mu}\\cos(i)}{2\\dot{\\Omega}(1-e^2)^2}  \\right ) ^ {\\frac{2}{7}}\\\\\n    e &= \\sqrt{1 - \\sqrt{\\frac{-3R_{\\bigoplus}J_{2}\\sqrt{\\mu}cos(i)}{2a^{\\frac{7}{2}}\\dot{\\Omega}}}}\\\\\n    i &= \\arccos{\\left ( \\frac{-2a^{\\frac{7}{2}}\\dot{\\Omega}(1-e^2)^2}{3R_{\\bigoplus}J_{2}\\sqrt{\\mu}} \\right )}\\\\",
+        "System(Chain(a, Pow(Div(Neg(Mul(3, R_\\bigoplus, J_2, Sqrt(\\mu), Call(cos; i))); Mul(2, Call(\\dot{\\Omega}), Pow(Add(1, Neg(Pow(e; 2))); 2))); Div(2; 7)); =), Chain(e, Sqrt(Add(1, Neg(Sqrt(Div(Neg(Mul(3, R_\\bigoplus, J_2, Sqrt(\\mu), Call(cos; i))); Mul(2, Pow(a; Div(7; 2)), Call(\\dot{\\Omega}))))))); =), Chain(i, Call(arccos; Div(Neg(Mul(2, Pow(a; Div(7; 2)), Call(\\dot{\\Omega}), Pow(Add(1, Neg(Pow(e; 2))); 2))); Mul(3, R_\\bigoplus, J_2, Sqrt(\\mu)))); =))",
+        "pleiszenburg/hapsira/src/hapsira/twobody/orbit/creation.py",
+    ),
+    (
+        "\\hat{c}_f(\\tau) = \\frac{1}{N - \\tau} \\sum_{n=1}^{N-\\tau} (f_n - \\mu_f)\\,(f_{n+\\tau}-\\mu_f)",
+        "Chain(Call(\\hat{c}_f; \\tau), Mul(Div(1; Add(N, Neg(\\tau))), BigSum(n; 1; Add(N, Neg(\\tau)); Mul(Add(f_n, Neg(\\mu_f)), Add(f_{n+\\tau}, Neg(\\mu_f))))); =)",
+        "dfm/emcee/docs/tutorials/autocorr.ipynb",
+    ),
+    (
+        "\\Lambda(t) = \\left(\\frac{t}{\\alpha}\\right)^{\\beta}, \\qquad\n\\lambda(t) = \\frac{\\beta}{\\alpha^{\\beta}} t^{\\beta - 1}.",
+        "System(Chain(Call(\\Lambda; t), Pow(Div(t; \\alpha); \\beta); =), Chain(Call(\\lambda; t), Mul(Div(\\beta; Pow(\\alpha; \\beta)), Pow(t; Add(\\beta, Neg(1)))); =))",
+        "derrynknife/SurPyval/surpyval/recurrent/parametric/crow_amsaa.py",
+    ),
+    (
+        "E = 2 \\arctan \\left ( \\sqrt{\\frac{1 - e}{1 + e}} \\tan{\\frac{\\nu}{2}} \\right)\n\\in (-\\pi, \\pi]",
+        "Chain(E, Mul(2, Call(arctan; Mul(Sqrt(Div(Add(1, Neg(e)); Add(1, e))), Call(tan; Div(\\nu; 2))))), Interval(Neg(\\pi); \\pi; (]); =, \\in)",
+        "pleiszenburg/hapsira/src/hapsira/core/angles.py",
+    ),
+    (
+        "Mobility = \\frac{\\sigma_{dd}/ \\sigma_{d}}{Complexity}",
+        "Chain(\\text{Mobility}, Div(Div(\\sigma_{dd}; \\sigma_d); \\text{Complexity}); =)",
+        "neuropsychology/NeuroKit/neurokit2/complexity/complexity_hjorth.py",
+    ),
+    (
+        "F(x) = p",
+        "Chain(Call(F; x), p; =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/fixed_event_probability.py",
+    ),
+    (
+        "h(x) = \\frac{1}{\\sigma} e^{\\frac{x-\\mu}{\\sigma}}",
+        "Chain(Call(h; x), Mul(Div(1; \\sigma), Pow(e; Div(Add(x, Neg(\\mu)); \\sigma))); =)",
+        "derrynknife/SurPyval/surpyval/univariate/parametric/distributions/gumbel.py",
+    ),
+    (
+        "M = 10 \\times \\max_t \\left( \\sum_n L_{n,t} \\right)",
+        "Chain(M, Cross(10; Limiting(max; _{ t }; BigSum(n; L_{n,t}))); =)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/capacity-limits.md",
+    ),
+    (
+        "\\mathop{\\mathrm{rect}}[n] =\n\\begin{cases}\n0 & n < -0.5 \\\\\n1  & -0.5 \\le n \\lt  0.5 \\\\\n0  & n > 0.5\n\\end{cases}",
+        "Chain(Indexed(\\text{rect}; n), Piecewise(0, Chain(n, Neg(0.5); <), 1, Chain(Neg(0.5), n, 0.5; \\le, <), 0, Chain(n, 0.5; >)); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "Activity = \\sigma_{signal}^2",
+        "Chain(\\text{Activity}, Pow(\\sigma_{signal}; 2); =)",
+        "neuropsychology/NeuroKit/neurokit2/complexity/complexity_hjorth.py",
+    ),
+    (
+        "a = \\bar{P} \\left(1 + \\frac{1}{|\\varepsilon|}\\right)",
+        "Chain(a, Mul(\\bar{P}, Add(1, Div(1; Bars(\\varepsilon)))); =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "H(t) = \\frac{1}{2}(1 + \\mathop{\\mathrm{sign}}(t))",
+        "Chain(Call(H; t), Mul(Div(1; 2), Add(1, Call(sign; t))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "S(x) = \\dfrac{1}{1 + e^{-x}}",
+        "Chain(Call(S; x), Div(1; Add(1, Pow(e; Neg(x)))); =)",
+        "ljvmiranda921/pyswarms/pyswarms/discrete/binary.py",
+    ),
+    (
+        "Q_{Li} = y_{100}Q_p + x_{100}Q_n,",
+        "Chain(Q_{Li}, Add(Mul(y_{100}, Q_p), Mul(x_{100}, Q_n)); =)",
+        "pybamm-team/PyBaMM/src/pybamm/models/full_battery_models/lithium_ion/electrode_soh.py",
+    ),
+    (
+        "R_i = R_f + \\beta_i (E(R_m) - R_f)",
+        "Chain(R_i, Add(R_f, Mul(\\beta_i, Add(Call(E; R_m), Neg(R_f)))); =)",
+        "PyPortfolio/PyPortfolioOpt/pypfopt/expected_returns.py",
+    ),
+    (
+        "\\mathop{\\mathrm{rampstep}}(t) = \\mathop{\\mathrm{ramp}}(t) - \\mathop{\\mathrm{ramp}}(t - 1)",
+        "Chain(Call(\\text{rampstep}; t), Add(Call(\\text{ramp}; t), Neg(Call(\\text{ramp}; Add(t, Neg(1))))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "f_\\mathrm{COI} = \\left(\\sum_i \\frac{M_i}{\\sum_j M_j}\\,\\omega_i\\right) \\times 60 \\;\\text{Hz}",
+        "Chain(f_{COI}, Cross(BigSum(i; Mul(Div(M_i; BigSum(j; M_j)), \\omega_i)); Mul(60, \\text{Hz})); =)",
+        "CURENT/andes/docs/source/gallery/low-inertia-freq.ipynb",
+    ),
+    (
+        "\\vec{h} = \\vec{r} \\times \\vec{v}",
+        "Chain(\\vec{h}, Cross(\\vec{r}; \\vec{v}); =)",
+        "pleiszenburg/hapsira/src/hapsira/core/elements.py",
+    ),
+    (
+        "\\tau_{trans1} &= \\pi \\sqrt{\\frac{a_{trans1}^{3}}{\\mu}}\\\\\n    \\tau_{trans2} &= \\pi \\sqrt{\\frac{a_{trans2}^{3}}{\\mu}}\\\\",
+        "System(Chain(\\tau_{trans1}, Mul(\\pi, Sqrt(Div(Pow(a_{trans1}; 3); \\mu))); =), Chain(\\tau_{trans2}, Mul(\\pi, Sqrt(Div(Pow(a_{trans2}; 3); \\mu))); =))",
+        "pleiszenburg/hapsira/src/hapsira/core/maneuver.py",
+    ),
+    (
+        "H(s) = \\frac{N(s)}{D(s)},",
+        "Chain(Call(H; s), Div(Call(N; s); Call(D; s)); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "H(f) = \\int h(t) exp(-2 \\pi i f t) dt",
+        "Chain(Call(H; f), Antiderivative(Mul(Call(h; t), Call(exp; Neg(Mul(2, \\pi, i, f, t)))); t); =)",
+        "astroML/astroML/astroML/fourier.py",
+    ),
+    (
+        "ShanEn = -\\sum_{x \\in \\mathcal{X}} p(x) \\log_2 p(x)",
+        "Chain(\\text{ShanEn}, Neg(Limiting(sum; _{ x \\in \\mathcal { X } }; Mul(Call(p; x), Call(lb; Call(p; x))))); =)",
+        "neuropsychology/NeuroKit/neurokit2/complexity/entropy_shannon.py",
+    ),
+    (
+        "P = C_i'(q_i)",
+        "Chain(P, Call(C_i'; q_i); =)",
+        "PyPSA/PyPSA/docs/examples/imperfect-competition.ipynb",
+    ),
+    (
+        "\\mathop{\\mathrm{psinc}}(M, t) = \\frac{\\sin(M \\pi t)}{M \\sin(\\pi t)}",
+        "Chain(Call(\\text{psinc}; M, t), Div(Call(sin; Mul(M, \\pi, t)); Mul(M, Call(sin; Mul(\\pi, t)))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "\\eta_r = \\frac{F}{RT} * (\\phi_s - \\phi_e - U)",
+        "Chain(\\eta_r, Operated(*; Div(F; Mul(R, T)); Add(\\phi_s, Neg(\\phi_e), Neg(U))); =)",
+        "pybamm-team/PyBaMM/src/pybamm/models/full_battery_models/base_battery_model.py",
+    ),
+    (
+        "\\mathbf{0} = \\mathbf{f}(\\mathbf{x}_0, \\mathbf{y}_0)",
+        "Chain(0, Call(\\mathbf{f}; \\mathbf{x}_0, \\mathbf{y}_0); =)",
+        "CURENT/andes/docs/source/modeling/concepts/dae-formulation.md",
+    ),
+    (
+        "\\mathop{\\mathrm{ramp}}(t) =\n\\begin{cases}\n0 & t < 0 \\\\\nt & t > 0\n\\end{cases}",
+        "Chain(Call(\\text{ramp}; t), Piecewise(0, Chain(t, 0; <), t, Chain(t, 0; >)); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "f = 1 -\\frac{y}{r_{o}} \\\\\n    g = A\\sqrt{\\frac{y}{\\mu}} \\\\\n    \\dot{g} = 1 - \\frac{y}{r} \\\\",
+        "System(Chain(f, Add(1, Neg(Div(y; r_o))); =), Chain(Call(g), Mul(A, Sqrt(Div(y; \\mu))); =), Chain(Call(\\dot{g}), Add(1, Neg(Div(y; r))); =))",
+        "pleiszenburg/hapsira/src/hapsira/core/iod.py",
+    ),
+    (
+        "M_{ij} = D_{ij} S_{ji}",
+        "Chain(M_{ij}, Mul(D_{ij}, S_{ji}); =)",
+        "pyscf/pyscf/pyscf/scf/dhf.py",
+    ),
+    (
+        "\\lambda = h c / E",
+        "Chain(\\lambda, Div(Mul(h, c); E); =)",
+        "python-periodictable/periodictable/periodictable/xsf.py",
+    ),
+    (
+        "P(\\mathbf{D} | \\boldsymbol{\\Theta}, M) \\equiv \n\\mathcal{L}(\\boldsymbol{\\Theta})",
+        "Chain(Call(P; Given(\\mathbf{D}; \\boldsymbol{\\Theta}, M; |)), Call(\\mathcal{L}; \\boldsymbol{\\Theta}); \\equiv)",
+        "joshspeagle/dynesty/docs/source/overview.rst",
+    ),
+    (
+        "0 = (B_{BB} + B_{B0}) (f_B - 1) + B_{BG} (\\omega_G - 1)",
+        "Chain(0, Add(Mul(Add(B_{BB}, B_{B0}), Add(f_B, Neg(1))), Mul(B_{BG}, Add(\\omega_G, Neg(1)))); =)",
+        "CURENT/andes/andes/models/measurement/freqdiv.py",
+    ),
+    (
+        "V(s) = \\sum_{i} \\frac{N_i(s)}{D(s)} \\exp(-s \\tau_i),",
+        "Chain(Call(V; s), BigSum(i; Mul(Div(Call(N_i; s); Call(D; s)), Call(exp; Neg(Mul(s, \\tau_i))))); =)",
+        "mph-/lcapy/doc/expressions.rst",
+    ),
+    (
+        "\\mathrm{CVaR}_\\alpha(Q) = \\mathbb{E}[\\,Q(x,\\xi_s)\\;|\\;Q(x,\\xi_s)\\geq \\,\\textrm{VaR}_\\alpha(Q)].",
+        "Chain(Call(\\text{CVaR}_\\alpha; Call(Q)), Call(\\mathbb{E}; Given(Call(Q; x, \\xi_s); Chain(Call(Q; x, \\xi_s), Call(\\text{VaR}_\\alpha; Call(Q)); \\ge); |)); =)",
+        "PyPSA/PyPSA/docs/user-guide/optimization/stochastic.md",
+    ),
+    (
+        "\\left[\\begin{matrix}V_{1}\\\\I_{1}\\end{matrix}\\right] = \\left[\\begin{matrix}A_{11} & A_{12}\\\\A_{21} & A_{22}\\end{matrix}\\right] \\left[\\begin{matrix}V_{2}\\\\- I_{2}\\end{matrix}\\right] + \\left[\\begin{matrix}V_{1a}\\\\I_{1a}\\end{matrix}\\right]",
+        "Chain(MatrixOf(V_1, I_1), Add(Mul(MatrixOf(A_{11}, A_{12}, A_{21}, A_{22}), MatrixOf(V_2, Neg(I_2))), MatrixOf(V_{1a}, I_{1a})); =)",
+        "mph-/lcapy/doc/networks.rst",
+    ),
+    (
+        "\\mathcal{Z} = \\int_{0}^{+\\infty} X(\\lambda) \\, d\\lambda = \n\\int_{0}^{1} \\mathcal{L}(X) \\, dX",
+        "Chain(\\mathcal{Z}, Integral(Call(X; \\lambda); \\lambda; 0; Infinity()), Integral(Call(\\mathcal{L}; Call(X)); Call(X); 0; 1); =, =)",
+        "joshspeagle/dynesty/docs/source/overview.rst",
+    ),
+    (
+        "S_{p}(n) = \\frac{\\sigma(\\lbrace H(\\hat{P}^\\prime_1|\\hat{P}),\n\\dots, H(\\hat{P}^\\prime_n|\\hat{P}) \\rbrace)}{\n\\mathbb{E}(\\lbrace H(\\hat{P}^\\prime_1|\\hat{P}),\n\\dots, H(\\hat{P}^\\prime_n|\\hat{P}) \\rbrace)}",
+        "Chain(Call(S_p; n), Div(Call(\\sigma; Tuple(Call(H; Given(\\hat{P}_1'; \\hat{P}; |)), Dots(), Call(H; Given(\\hat{P}_n'; \\hat{P}; |)); {})); Call(\\mathbb{E}; Tuple(Call(H; Given(\\hat{P}_1'; \\hat{P}; |)), Dots(), Call(H; Given(\\hat{P}_n'; \\hat{P}; |)); {}))); =)",
+        "joshspeagle/dynesty/docs/source/dynamic.rst",
+    ),
+    (
+        "\\left[\\begin{matrix}I_{1}\\\\I_{2}\\end{matrix}\\right] = \\left[\\begin{matrix}Y_{11} & Y_{12}\\\\Y_{21} & Y_{22}\\end{matrix}\\right] \\left[\\begin{matrix}V_{1}\\\\V_{2}\\end{matrix}\\right]  + \\left[\\begin{matrix}I_{1y}\\\\I_{2y}\\end{matrix}\\right]",
+        "Chain(MatrixOf(I_1, I_2), Add(Mul(MatrixOf(Y_{11}, Y_{12}, Y_{21}, Y_{22}), MatrixOf(V_1, V_2)), MatrixOf(I_{1y}, I_{2y})); =)",
+        "mph-/lcapy/doc/networks.rst",
+    ),
+    (
+        "e_{l,t} \\geq 0, \\qquad -\\text{PATL}_l - e_{l,t} \\leq s_{l,t} \\leq \\text{PATL}_l + e_{l,t}, \\qquad \\sum_{\\tau=t-W+1}^{t} w_\\tau \\, e_{l,\\tau} \\leq E_l",
+        "System(Chain(e_{l,t}, 0; \\ge), Chain(Add(Neg(\\text{PATL}_l), Neg(e_{l,t})), s_{l,t}, Add(\\text{PATL}_l, e_{l,t}); \\le, \\le), Chain(BigSum(\\tau; Add(t, Neg(W), 1); t; Mul(w_{\\tau}, e_{l,\\tau})), E_l; \\le))",
+        "PyPSA/PyPSA/docs/examples/line-loading-limits.ipynb",
+    ),
+    (
+        "H = \\frac{1}{\\mathcal{Z}} \\int_{0}^{1} \\mathcal{L}(X) \n\\ln \\mathcal{L}(X) \\, dX - \\ln \\mathcal{Z}",
+        "Chain(H, Add(Mul(Div(1; \\mathcal{Z}), Integral(Mul(Call(\\mathcal{L}; X), Call(ln; Call(\\mathcal{L}; X))); X; 0; 1)), Neg(Call(ln; \\mathcal{Z}))); =)",
+        "joshspeagle/dynesty/docs/source/errors.rst",
+    ),
+    (
+        "I = \\int_{a}^{b}\\!\\psi(x)\\,dx,",
+        "Chain(I, Integral(Call(\\psi; x); x; a; b); =)",
+        "pybamm-team/PyBaMM/src/pybamm/expression_tree/unary_operators.py",
+    ),
+    (
+        "d(f,g) = \\|f - g\\|",
+        "Chain(Call(d; f, g), Norm(Add(f, Neg(g))); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/metrics/_utils.py",
+    ),
+    (
+        "v = (n - 1) * 2",
+        "Chain(v, Mul(Add(n, Neg(1)), 2); =)",
+        "raphaelvallat/pingouin/src/pingouin/power.py",
+    ),
+    (
+        "\\mathbf{T} \\geq 0,  M_{i,j} = d(x_i,y_j)",
+        "System(Chain(\\mathbf{T}, 0; \\ge), Chain(M_{i,j}, Call(d; x_i, y_j); =))",
+        "PythonOT/POT/ot/solvers/_linear.py",
+    ),
+    (
+        "\\text{with} \\ M_{i,j} = d(x_i,y_j)",
+        "Chain(M_{i,j}, Call(d; x_i, y_j); =)",
+        "PythonOT/POT/ot/solvers/_linear.py",
+    ),
+    (
+        "t(\\gamma) = \\phi(\\gamma) - \\gamma \\delta(\\gamma)",
+        "Chain(Call(t; \\gamma), Add(Call(\\phi; \\gamma), Neg(Mul(\\gamma, Call(\\delta; \\gamma)))); =)",
+        "PythonOT/POT/ot/regpath.py",
+    ),
+    (
+        "d_z = \\frac{\\overline{X - Y}}{\\sigma_{X-Y}}",
+        "Chain(d_z, Div(Call(overlined; Add(X, Neg(Y))); \\sigma_{X-Y}); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "I_{ij} = \\langle\\phi_i, \\theta_j\\rangle",
+        "Chain(I_{ij}, Pair(\\phi_i; \\theta_j); =)",
+        "GAA-UAM/scikit-fda/skfda/representation/basis/_basis.py",
+    ),
+    (
+        "\\pmb{x}_i = \\pmb{\\Phi}_i (\\pmb{\\beta} + \\pmb{\\gamma}_i) + \\pmb{\\epsilon}_i.",
+        "Chain(\\pmb{x}_i, Add(Mul(\\pmb{\\Phi}_i, Add(\\pmb{\\beta}, \\pmb{\\gamma}_i)), \\pmb{\\epsilon}_i); =)",
+        "GAA-UAM/scikit-fda/skfda/representation/conversion/_mixed_effects.py",
+    ),
+    (
+        "d = t * \\sqrt{\\frac{1}{n_x} + \\frac{1}{n_y}}",
+        "Chain(d, Operated(*; t; Sqrt(Add(Div(1; n_x), Div(1; n_y)))); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "h_1(a) &= a",
+        "Chain(Call(h_1; a), a; =)",
+        "PythonOT/POT/ot/gromov/_utils.py",
+    ),
+    (
+        "T_d = \\frac{-T_0 - C\\frac{1}{B}\\mathrm{ln}\\frac{e}{A}}{\\frac{1}{B}\\mathrm{ln}\\frac{e}{A} - 1}",
+        "Chain(T_d, Div(Add(Neg(T_0), Neg(Mul(C, Div(1; B), Call(ln; Div(e; A))))); Add(Mul(Div(1; B), Call(ln; Div(e; A))), Neg(1))); =)",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "c(s_1, \\ldots, s_d) + c(t_1, \\ldots t_d) \\leq c(i_1, \\ldots i_d) +\nc(j_1, \\ldots, j_d)",
+        "Chain(Add(Call(c; s_1, Dots(), s_d), Call(c; t_1, Dots(), t_d)), Add(Call(c; i_1, Dots(), i_d), Call(c; j_1, Dots(), j_d)); \\le)",
+        "PythonOT/POT/ot/lp/dmmot.py",
+    ),
+    (
+        "V_n = \\sum_{i<j}^kw_i\\|f_i-f_j\\|^2",
+        "Chain(V_n, Limiting(sum; _{ i < j }^{ k }; Mul(w_i, Pow(Norm(Add(f_i, Neg(f_j))); 2))); =)",
+        "GAA-UAM/scikit-fda/skfda/inference/anova/_anova_oneway.py",
+    ),
+    (
+        "\\text{ci}_z = z \\pm \\text{crit} \\cdot \\text{SE}",
+        "Chain(\\text{ci}_z, Add(z, PlusMinus(Mul(\\text{crit}, \\text{SE}))); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "\\gamma_b &\\geq 0",
+        "Chain(\\gamma_b, 0; \\ge)",
+        "PythonOT/POT/ot/bregman/_empirical.py",
+    ),
+    (
+        "M_{bij} = \\sum_{d} (x_{bid} - y_{bjd})^2 = ||x_{bi} - y_{bj}||_2^2",
+        "Chain(M_{bij}, BigSum(d; Pow(Add(x_{bid}, Neg(y_{bjd})); 2)), Pow(Marked(Norm(Add(x_{bi}, Neg(y_{bj}))); _{ 2 }); 2); =, =)",
+        "PythonOT/POT/ot/batch/_linear.py",
+    ),
+    (
+        "\\widetilde {p}_{{(i)}}=\\max _{{j\\leq i}}\\left\\{(n-j+1)p_{{(j)}}\n\\right\\}_{{1}}",
+        "Chain(\\widetilde{p}_{(i)}, Limiting(max; _{ j \\leq i }; Marked(Tuple(Mul(Add(n, Neg(j), 1), p_{(j)}); {}); _{ 1 })); =)",
+        "raphaelvallat/pingouin/src/pingouin/multicomp.py",
+    ),
+    (
+        "\\gamma(t) = \\int_0^t \\left ( \\frac{\\sin(\\|v\\|)}{\\|v\\|} v(s) +\n\\cos(\\|v\\|) \\right )^2 ds",
+        "Chain(Call(\\gamma; t), Integral(Pow(Add(Mul(Div(Call(sin; Norm(Call(v))); Norm(Call(v))), Call(v; s)), Call(cos; Norm(Call(v)))); 2); s; 0; t); =)",
+        "GAA-UAM/scikit-fda/skfda/datasets/_samples_generators.py",
+    ),
+    (
+        "d = \\frac{2r_{pb}}{\\sqrt{1 - r_{pb}^2}}",
+        "Chain(d, Div(Mul(2, r_{pb}); Sqrt(Add(1, Neg(Pow(r_{pb}; 2))))); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "e(X, Y) = \\frac{n m}{n + m} \\left[2\\phi_{xy} − \\phi_{xx} − \\phi_{yy} \\right]",
+        "Chain(Call(e; X, Y), Mul(Div(Mul(n, m); Add(n, m)), Add(Mul(2, \\phi_{xy}), Neg(\\phi_{xx}), Neg(\\phi_{yy}))); =)",
+        "Ouranosinc/xclim/src/xclim/analog.py",
+    ),
+    (
+        "\\text{logit}(p) = \\ln \\frac{p}{1 - p} = \\beta_0 + \\beta X",
+        "Chain(Call(\\text{logit}; p), Call(ln; Div(p; Add(1, Neg(p)))), Add(\\beta_0, Mul(\\beta, X)); =, =)",
+        "raphaelvallat/pingouin/src/pingouin/regression.py",
+    ),
+    (
+        "\\mathbf v & \\sim N(0, \\mathbf I) \\\\\n\\mathbf u &= \\mathbf L\\mathbf v",
+        "System(Chain(\\mathbf{v}, Call(N; 0, \\mathbf{I}); \\sim), Chain(\\mathbf{u}, Mul(\\mathbf{L}, \\mathbf{v}); =))",
+        "GPflow/GPflow/gpflow/models/sgpmc.py",
+    ),
+    (
+        "\\frac{a+b}{n} = \\frac{a+c}{n} \\Rightarrow b = c",
+        "Implies(Chain(Div(Add(a, b); n), Div(Add(a, c); n); =); Chain(b, c; =))",
+        "raphaelvallat/pingouin/src/pingouin/contingency.py",
+    ),
+    (
+        "y(t) = \\boldsymbol{X}(t) \\boldsymbol{\\beta}(t)",
+        "Chain(Call(y; t), Mul(Call(\\boldsymbol{X}; t), Call(\\boldsymbol{\\beta}; t)); =)",
+        "GAA-UAM/scikit-fda/skfda/ml/regression/_linear_regression.py",
+    ),
+    (
+        "\\mathrm{min\\text{-}PS}_p^p(X_s, X_t) \\approx\n\\min_{k \\in [1, n_{\\mathrm{proj}}]} \\left(\n\\frac{1}{n_s} \\sum_{i=1}^{n_s} \\|X_{s,i} - X_{t,\\sigma_k(i)}\\|_2^p \\right),",
+        "Chain(Call(\\mathrm { m i n \\text { - } P S } _ { p } ^ { p }; X_s, X_t), Limiting(min; _{ k \\in [ 1 , n _ { \\mathrm { p r o j } } ] }; Mul(Div(1; n_s), BigSum(i; 1; n_s; Pow(Marked(Norm(Add(X_{s,i}, Neg(X_{t,\\sigma_k(i)}))); _{ 2 }); p)))); \\approx)",
+        "PythonOT/POT/ot/sliced/_sliced_plans.py",
+    ),
+    (
+        "\\mathrm{OT}_\\Omega^*(\\alpha,b)=\\sum_j \\mathbf{b}_j",
+        "Chain(Call(\\mathrm { O T } _ { \\Omega } ^ { * }; \\alpha, b), BigSum(j; \\mathbf{b}_j); =)",
+        "PythonOT/POT/ot/smooth.py",
+    ),
+    (
+        "\\phi_c(v_c, m_c) = \\big(\n    r_c \\sin(\\pi a_c v_c)\\, m_c,\\;\n    r_c \\cos(\\pi a_c v_c)\\, m_c\n\\big),",
+        "Chain(Call(\\phi_c; v_c, m_c), Pair(Mul(r_c, Call(sin; Mul(\\pi, a_c, v_c)), m_c); Mul(r_c, Call(cos; Mul(\\pi, a_c, v_c)), m_c)); =)",
+        "GPflow/GPflow/gpflow/kernels/hierarchical.py",
+    ),
+    (
+        "\\mathbf{b} &= \\mu_t - \\mathbf{A} \\mu_s",
+        "Chain(\\mathbf{b}, Add(\\mu_t, Neg(Mul(\\mathbf{A}, \\mu_s))); =)",
+        "PythonOT/POT/ot/da.py",
+    ),
+    (
+        "K(x, x') = \\sigma^2 \\exp\\left(-\\frac{\\|x - x'\\|}{l}\\right)",
+        "Chain(Call(K; x, x'), Mul(Pow(\\sigma; 2), Call(exp; Neg(Div(Norm(Add(x, Neg(x'))); l)))); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/covariances.py",
+    ),
+    (
+        "\\phi_{2n -1}(t) = \\frac{sin\\left(\\frac{2 \\pi n}{T} t\\right)}\n                                            {\\sqrt{\\frac{T}{2}}}",
+        "Chain(Call(\\phi_{2n-1}; t), Div(Call(sin; Mul(Div(Mul(2, \\pi, n); T), t)); Sqrt(Div(T; 2))); =)",
+        "GAA-UAM/scikit-fda/skfda/representation/basis/_fourier_basis.py",
+    ),
+    (
+        "y_n(z) = \\sqrt{\\frac{\\pi}{2z}} Y_{n + 1/2}(z),",
+        "Chain(Call(y_n; z), Mul(Sqrt(Div(\\pi; Mul(2, z))), Call(Y_{n+1/2}; z)); =)",
+        "acoular/acoular/acoular/sources.py",
+    ),
+    (
+        "\\chi^2 = \\frac{(b - c)^2}{b + c}",
+        "Chain(Pow(\\chi; 2), Div(Pow(Add(b, Neg(c)); 2); Add(b, c)); =)",
+        "raphaelvallat/pingouin/src/pingouin/contingency.py",
+    ),
+    (
+        "A = 1.2378847 \\times 10^{-5}, \\\\\nB = -1.9121316 \\times 10^{-2}, \\\\\nC = 33.93711047, \\\\\nD = -6.3431645 \\times 10^3.",
+        "System(Chain(A, Cross(1.2378847; Pow(10; Neg(5))); =), Chain(B, Neg(Cross(1.9121316; Pow(10; Neg(2)))); =), Chain(C, 33.93711047; =), Chain(D, Neg(Cross(6.3431645; Pow(10; 3))); =))",
+        "acoular/acoular/acoular/tools/utils.py",
+    ),
+    (
+        "f_l = f_c \\cdot 2^{\\frac{-1}{2N}}",
+        "Chain(f_l, Mul(f_c, Pow(2; Div(Neg(1); Mul(2, N)))); =)",
+        "python-acoustics/python-acoustics/acoustics/octave.py",
+    ),
+    (
+        "\\mathbf{O}\\left(\\mathbf{X}(t) , F_{\\mathbf{X}(t)}\\right) =\n\\left\\{\\frac{1}{d\\left(\\mathbf{X}(t) , F_{\\mathbf{X}(t)}\\right)} - 1\n\\right\\} \\cdot \\mathbf{v}(t)",
+        "Chain(Call(\\mathbf{O}; Call(\\mathbf{X}; t), F_{\\mathbf X(t)}), Mul(Tuple(Add(Div(1; Call(d; Call(\\mathbf{X}; t), F_{\\mathbf X(t)})), Neg(1)); {}), Call(\\mathbf{v}; t); 1); =)",
+        "GAA-UAM/scikit-fda/skfda/exploratory/outliers/_directional_outlyingness.py",
+    ),
+    (
+        "w =  u_2 * (0.4 + 0.14 * exp(-(\\frac{J_D-173}{58})^2)) +\n(0.605 + 0.345 * exp(-(\\frac{J_D-243}{80})^2))",
+        "Chain(w, Add(Mul(u_2, Add(0.4, Mul(0.14, Call(exp; Neg(Pow(Div(Add(J_D, Neg(173)); 58); 2)))))), Add(0.605, Mul(0.345, Call(exp; Neg(Pow(Div(Add(J_D, Neg(243)); 80); 2)))))); =)",
+        "pyet-org/pyet/pyet/combination.py",
+    ),
+    (
+        "\\mathrm{SGOT}\n\\;=\\;\n\\mathrm{obj}^{1/r}.",
+        "Chain(\\text{SGOT}, Pow(\\text{obj}; Div(1; r)); =)",
+        "PythonOT/POT/ot/sgot.py",
+    ),
+    (
+        "f_c = f_{ref} \\cdot 2^{n/N} \\cdot 10^{\\frac{3}{10N}}",
+        "Chain(f_c, Mul(f_{ref}, Pow(2; Div(n; N)), Pow(10; Div(3; Mul(10, N)))); =)",
+        "python-acoustics/python-acoustics/acoustics/octave.py",
+    ),
+    (
+        "P^\\star \\in \\arg\\min_{P\\in\\Pi(W_s, W_t)} \\langle C, P\\rangle,",
+        "Chain(P ^ { \\star }, Limiting(argmin; _{ P \\in \\Pi ( W _ { s } , W _ { t } ) }; Pair(C; P)); \\in)",
+        "PythonOT/POT/ot/sgot.py",
+    ),
+    (
+        "\\text{dCor}(X, Y) = \\frac{\\text{dCov}(X, Y)}\n{\\sqrt{\\text{dVar}(X) \\cdot \\text{dVar}(Y)}}",
+        "Chain(Call(\\text{dCor}; X, Y), Div(Call(\\text{dCov}; X, Y); Sqrt(Mul(Call(\\text{dVar}; X), Call(\\text{dVar}; Y)))); =)",
+        "raphaelvallat/pingouin/src/pingouin/correlation.py",
+    ),
+    (
+        "\\eta^2 = \\frac{f^2}{1 + f^2}",
+        "Chain(Pow(\\eta; 2), Div(Pow(f; 2); Add(1, Pow(f; 2))); =)",
+        "raphaelvallat/pingouin/src/pingouin/power.py",
+    ),
+    (
+        "\\mathrm{with} \\ f_1(a) &= a^2",
+        "Chain(Call(f_1; a), Pow(a; 2); =)",
+        "PythonOT/POT/ot/gromov/_utils.py",
+    ),
+    (
+        "S^2 = \\frac{E[(Y-g_s)^2]}{E[\\alpha_s^2]}; \\ \\ C_Y^2 = \\eta^2_{Y \\sim U | T, W}, \\ \\ C_T^2 = \\frac{\\eta^2_{T\\sim U | W}}{1 - \\eta^2_{T\\sim U | W}}",
+        "System(Chain(Pow(S; 2), Div(Indexed(E; Pow(Add(Y, Neg(g_s)); 2)); Indexed(E; Pow(\\alpha_s; 2))); =), Chain(Pow(C_Y; 2), Pow(\\eta_{Y\\sim U|T,W}; 2); =), Chain(Pow(C_T; 2), Div(Pow(\\eta_{T\\sim U|W}; 2); Add(1, Neg(Pow(\\eta_{T\\sim U|W}; 2)))); =))",
+        "py-why/dowhy/docs/source/example_notebooks/sensitivity_analysis_nonparametric_estimators.ipynb",
+    ),
+    (
+        "v = \\frac{(\\frac{s_i^2}{n_i} + \\frac{s_j^2}{n_j})^2}\n{\\frac{(\\frac{s_i^2}{n_i})^2}{n_i-1} +\n\\frac{(\\frac{s_j^2}{n_j})^2}{n_j-1}}",
+        "Chain(v, Div(Pow(Add(Div(Pow(s_i; 2); n_i), Div(Pow(s_j; 2); n_j)); 2); Add(Div(Pow(Div(Pow(s_i; 2); n_i); 2); Add(n_i, Neg(1))), Div(Pow(Div(Pow(s_j; 2); n_j); 2); Add(n_j, Neg(1))))); =)",
+        "raphaelvallat/pingouin/src/pingouin/pairwise.py",
+    ),
+    (
+        "1 > P(T = 1 \\mid X) > 0",
+        "Chain(1, Call(P; Given(Chain(T, 1; =); X; |)), 0; >, >)",
+        "py-why/dowhy/docs/source/example_notebooks/dowhy_refuter_assess_overlap.ipynb",
+    ),
+    (
+        "GCV(h)=\\Xi(\\mathbf{S}(h))\\frac{1}{M} \\sum_{m=1}^{M}\n\\left(x(t_m) - \\hat{x}(t_m; h)\\right)^2,",
+        "Chain(Call(\\text{GCV}; h), Mul(Call(\\Xi; Call(\\mathbf{S}; h)), Div(1; M), BigSum(m; 1; M; Pow(Add(Call(x; t_m), Neg(Call(\\hat{x}; Given(t_m; h; ;)))); 2))); =)",
+        "GAA-UAM/scikit-fda/skfda/preprocessing/smoothing/validation.py",
+    ),
+    (
+        "y_i = \\alpha(t) + \\int_{s_0(t)}^t x_i(s) \\beta(s, t) ds",
+        "Chain(y_i, Add(Call(\\alpha; t), Integral(Mul(Call(x_i; s), Call(\\beta; s, t)); s; Call(s_0; t); t)); =)",
+        "GAA-UAM/scikit-fda/skfda/ml/regression/_historical_linear_model.py",
+    ),
+    (
+        "\\alpha_r = \\frac{2\\pi\\alpha}{\\text{high} - \\text{low}}",
+        "Chain(\\alpha_r, Div(Mul(2, \\pi, \\alpha); Add(\\text{high}, Neg(\\text{low}))); =)",
+        "raphaelvallat/pingouin/src/pingouin/circular.py",
+    ),
+    (
+        "\\theta = \\arccos{\\frac{z}{r}}",
+        "Chain(\\theta, Call(arccos; Div(z; r)); =)",
+        "python-acoustics/python-acoustics/acoustics/directivity.py",
+    ),
+    (
+        "t_i = \\underset {t}{\\operatorname {arg\\,max}} \\frac{D(X(t), y)}\n{\\frac{1}{i-1}\\sum_{j < i} D(X(t), X(t_j))}.",
+        "Chain(t_i, Limiting(argmax; _{ t }; Div(Call(D; Call(X; t), y); Mul(Div(1; Add(i, Neg(1))), Limiting(sum; _{ j < i }; Call(D; Call(X; t), Call(X; t_j)))))); =)",
+        "GAA-UAM/scikit-fda/skfda/preprocessing/dim_reduction/variable_selection/mrmr.py",
+    ),
+    (
+        "K(x) =\n\\begin{cases}\n\\frac{15}{16} \\left( 1- u^2 \\right) ^2 & \\mbox{if } |x| \\le 1 \\\\\n0 & \\mbox{elsewhere}\n\\end{cases}",
+        "Chain(Call(K; x), Piecewise(Mul(Div(15; 16), Pow(Add(1, Neg(Pow(u; 2))); 2)), Chain(Bars(x), 1; \\le), 0, None); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/kernels.py",
+    ),
+    (
+        "L_R = 10 \\log{\\left[ \\sum_i \\frac{d_i}{24} 10^{(L_i+K_i)/10}  \\right]}",
+        "Chain(L_R, Mul(10, Call(log; BigSum(i; Mul(Div(d_i; 24), Pow(10; Div(Add(L_i, K_i); 10)))))); =)",
+        "python-acoustics/python-acoustics/acoustics/standards/iso_1996_1_2003.py",
+    ),
+    (
+        "\\pmb{x}_i = \\left(\\begin{array}{c}\nx_i(t_{i1}) \\\\\nx_i(t_{i2}) \\\\\n\\vdots \\\\\nx_i(t_{iM_i})\n\\end{array}\\right),\n\\qquad\n\\pmb{\\Phi}_i = \\left(\\begin{array}{c}\n\\pmb{\\phi}(t_{i1})^T \\\\\n\\pmb{\\phi}(t_{i2})^T \\\\\n\\vdots \\\\\n\\pmb{\\phi}(t_{iM_i})^T\n\\end{array}\\right),\n\\qquad\n\\pmb{\\epsilon}_i = \\left(\\begin{array}{c}\n\\epsilon_i(t_{i1}) \\\\\n\\epsilon_i(t_{i2}) \\\\\n\\vdots \\\\\n\\epsilon_i(t_{iM_i})\n\\end{array}\\right),",
+        "System(Chain(\\pmb{x}_i, MatrixOf(Call(x_i; t_{i1}), Call(x_i; t_{i2}), Dots(), Call(x_i; t_{iM_i})); =), Chain(\\pmb{\\Phi}_i, MatrixOf(Transpose(Call(\\pmb{\\phi}; t_{i1})), Transpose(Call(\\pmb{\\phi}; t_{i2})), Dots(), Transpose(Call(\\pmb{\\phi}; t_{iM_i}))); =), Chain(\\pmb{\\epsilon}_i, MatrixOf(Call(\\epsilon_i; t_{i1}), Call(\\epsilon_i; t_{i2}), Dots(), Call(\\epsilon_i; t_{iM_i})); =))",
+        "GAA-UAM/scikit-fda/skfda/representation/conversion/_mixed_effects.py",
+    ),
+    (
+        "L_{J} = 10 \\log_{10}{ \\frac{J}{J_0} }",
+        "Chain(L_J, Mul(10, Call(lg; Div(J; J_0))); =)",
+        "python-acoustics/python-acoustics/acoustics/standards/iso_tr_25417_2007.py",
+    ),
+    (
+        "SSE(c) = (y - \\Phi c)' (y - \\Phi c)",
+        "Chain(Call(\\text{SSE}; c), Mul(Marked(Add(y, Neg(Mul(\\Phi, c))); '), Add(y, Neg(Mul(\\Phi, c)))); =)",
+        "GAA-UAM/scikit-fda/skfda/representation/basis/_fdatabasis.py",
+    ),
+    (
+        "W = \\frac{(\\sum_{i=1}^n a_i x_{i})^2}\n{\\sum_{i=1}^n (x_i - \\overline{x})^2}",
+        "Chain(W, Div(Pow(BigSum(i; 1; n; Mul(a_i, x_i)); 2); BigSum(i; 1; n; Pow(Add(x_i, Neg(\\overline{x})); 2))); =)",
+        "raphaelvallat/pingouin/src/pingouin/distribution.py",
+    ),
+    (
+        "c_U = 1 - (1 - \\alpha) \\cdot F_{(0.975, n-1, (n-1)(k-1))}",
+        "Chain(c_U, Add(1, Neg(Mul(Add(1, Neg(\\alpha)), F_{(0.975,n-1,(n-1)(k-1))}))); =)",
+        "raphaelvallat/pingouin/src/pingouin/reliability.py",
+    ),
+    (
+        "\\tau_B = \\frac{(P - Q)}{\\sqrt{(P + Q + T) (P + Q + U)}}",
+        "Chain(\\tau_B, Div(Add(P, Neg(Q)); Sqrt(Mul(Add(P, Q, T), Add(P, Q, U)))); =)",
+        "raphaelvallat/pingouin/src/pingouin/correlation.py",
+    ),
+    (
+        "h_2(b) &= \\log(b)",
+        "Chain(Call(h_2; b), Call(log; b); =)",
+        "PythonOT/POT/ot/gromov/_utils.py",
+    ),
+    (
+        "F(t, \\lambda) = A \\times M(\\Delta, t, \\lambda)",
+        "Chain(Call(F; t, \\lambda), Cross(A; Call(M; \\Delta, t, \\lambda)); =)",
+        "sncosmo/sncosmo/sncosmo/models.py",
+    ),
+    (
+        "\\epsilon_{HF} = \\frac{n \\cdot \\text{dof} \\cdot \\epsilon_{GG}-2}{\\text{dof}\n(n-1-\\text{dof} \\cdot \\epsilon_{GG})}",
+        "Chain(\\epsilon_{HF}, Div(Add(Mul(n, \\text{dof}, \\epsilon_{GG}), Neg(2)); Mul(\\text{dof}, Add(n, Neg(1), Neg(Mul(\\text{dof}, \\epsilon_{GG}))))); =)",
+        "raphaelvallat/pingouin/src/pingouin/distribution.py",
+    ),
+    (
+        "\\mathcal{R}(\\gamma) = \\|\\sqrt{\\gamma'}- 1 \\|_{\\mathbb{L}^2}^2",
+        "Chain(Call(\\mathcal{R}; \\gamma), Pow(Marked(Norm(Add(Sqrt(\\gamma'), Neg(1))); _{ \\mathbb { L } ^ { 2 } }); 2); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/metrics/_fisher_rao.py",
+    ),
+    (
+        "K(x) =\n\\begin{cases}\n\\frac{35}{32} \\left(1 - u^2 \\right) ^3 & \\mbox{if } |x| \\le 1 \\\\\n0 & \\mbox{elsewhere}\n\\end{cases}",
+        "Chain(Call(K; x), Piecewise(Mul(Div(35; 32), Pow(Add(1, Neg(Pow(u; 2))); 3)), Chain(Bars(x), 1; \\le), 0, None); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/kernels.py",
+    ),
+    (
+        "B_{i, k}(x) = \\frac{x - t_i}{t_{i+k} - t_i} B_{i, k-1}(x)\n+ \\frac{t_{i+k+1} - x}{t_{i+k+1} - t_{i+1}} B_{i+1, k-1}(x)",
+        "Chain(Call(B_{i,k}; x), Add(Mul(Div(Add(x, Neg(t_i)); Add(t_{i+k}, Neg(t_i))), Call(B_{i,k-1}; x)), Mul(Div(Add(t_{i+k+1}, Neg(x)); Add(t_{i+k+1}, Neg(t_{i+1}))), Call(B_{i+1,k-1}; x))); =)",
+        "GAA-UAM/scikit-fda/skfda/representation/basis/_bspline_basis.py",
+    ),
+    (
+        "\\text{MSE}_{amp} =  C_R \\frac{1}{N}\n\\sum_{i=1}^{N} \\int \\left [ y_i(t) - \\overline{y}(t) \\right ]^2 dt",
+        "Chain(\\text{MSE}_{amp}, Mul(C_R, Div(1; N), BigSum(i; 1; N; Antiderivative(Pow(Add(Call(y_i; t), Neg(Call(\\overline{y}; t))); 2); t))); =)",
+        "GAA-UAM/scikit-fda/skfda/preprocessing/registration/validation.py",
+    ),
+    (
+        "P_{(k)} \\leq \\frac{k}{n \\cdot c(n)} \\alpha",
+        "Chain(P_{(k)}, Mul(Div(k; Mul(n, Call(c; n))), \\alpha); \\le)",
+        "raphaelvallat/pingouin/src/pingouin/multicomp.py",
+    ),
+    (
+        "\\langle x, y \\rangle = \\sum_i x_i y_i",
+        "Chain(Pair(x; y), BigSum(i; Mul(x_i, y_i)); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/_math.py",
+    ),
+    (
+        "F_{1, \\mathrm{band}}(t) = \\int_\\lambda\n                           (M_0(t, \\lambda) + x_1 M_1(t, \\lambda))\n                           T_\\mathrm{band}(\\lambda)\n                           \\frac{\\lambda}{hc} d\\lambda",
+        "Chain(Call(F_{1,band}; t), Over(\\int; _ { \\lambda }; Mul(Add(Call(M_0; t, \\lambda), Mul(x_1, Call(M_1; t, \\lambda))), Call(T_{band}; \\lambda), Div(\\lambda; Mul(h, c))); \\lambda); =)",
+        "sncosmo/sncosmo/sncosmo/models.py",
+    ),
+    (
+        "X &:= N_X\\\\\nY &:= 2 X + N_Y\\\\\nZ &:= 3 Y + N_Z \\;,",
+        "System(Chain(X, N_X; =), Chain(Y, Add(Mul(2, X), N_Y); =), Chain(Z, Add(Mul(3, Y), N_Z); =))",
+        "py-why/dowhy/docs/source/user_guide/causal_tasks/quantify_causal_influence/icc.rst",
+    ),
+    (
+        "v = v_r \\left( \\frac{h}{h_r} \\right)^{\\alpha},",
+        "Chain(v, Mul(v_r, Pow(Div(h; h_r); \\alpha)); =)",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "p_{peak} = \\mathrm{max}(|p|)",
+        "Chain(p_{peak}, Call(max; Bars(p)); =)",
+        "python-acoustics/python-acoustics/acoustics/standards/iso_tr_25417_2007.py",
+    ),
+    (
+        "\\langle x, y \\rangle = \\int_a^b x(t)y(t)dt",
+        "Chain(Pair(Call(x); Call(y)), Integral(Mul(Call(x; t), Call(y; t)); t; a; b); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/_math.py",
+    ),
+    (
+        "v_1 = (m - 1) * \\epsilon",
+        "Chain(v_1, Operated(*; Add(m, Neg(1)); \\epsilon); =)",
+        "raphaelvallat/pingouin/src/pingouin/power.py",
+    ),
+    (
+        "p_{sv} = \\exp(A \\cdot t^2 + B \\cdot t + C + \\frac{D}{t}),",
+        "Chain(p_{sv}, Call(exp; Add(Mul(A, Pow(t; 2)), Mul(B, t), C, Div(D; t))); =)",
+        "acoular/acoular/acoular/tools/utils.py",
+    ),
+    (
+        "\\hat{X} = \\hat{H} X",
+        "Chain(\\hat{X}, Mul(\\hat{H}, X); =)",
+        "GAA-UAM/scikit-fda/skfda/preprocessing/smoothing/_kernel_smoothers.py",
+    ),
+    (
+        "\\delta = d * \\sqrt{\\frac{n}{2}}",
+        "Chain(\\delta, Operated(*; d; Sqrt(Div(n; 2))); =)",
+        "raphaelvallat/pingouin/src/pingouin/power.py",
+    ),
+    (
+        "T_{60} = \\frac{24 \\ln(10)}{c} \\frac{V}{S\\alpha}",
+        "Chain(T_{60}, Mul(Div(Mul(24, Call(ln; 10)); c), Div(V; Mul(S, \\alpha))); =)",
+        "python-acoustics/python-acoustics/acoustics/room.py",
+    ),
+    (
+        "Z = \\frac{\\left( 1-j\\right) \\sqrt{\\sigma/f}}{\\sqrt{\\pi \\gamma_0 \\rho_0}} - \\frac{jc\\alpha}{8 \\pi \\gamma_0 f}",
+        "Chain(Z, Add(Div(Mul(Add(1, Neg(j)), Sqrt(Div(\\sigma; f))); Sqrt(Mul(\\pi, \\gamma_0, \\rho_0))), Neg(Div(Mul(j, c, \\alpha); Mul(8, \\pi, \\gamma_0, f)))); =)",
+        "python-acoustics/python-acoustics/acoustics/reflection.py",
+    ),
+    (
+        "d_{A}(f_i, f_j)=min_{\\gamma \\in \\Gamma}d_{FR}(f_i \\circ \\gamma,f_j)",
+        "Chain(Call(d_A; f_i, f_j), Limiting(min; _{ \\gamma \\in \\varGamma }; Call(d_{FR}; Operated(\\circ; f_i; \\gamma), f_j)); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/metrics/_fisher_rao.py",
+    ),
+    (
+        "p_{sat} = 10^C \\cdot p_r",
+        "Chain(p_{sat}, Mul(Pow(10; C), p_r); =)",
+        "python-acoustics/python-acoustics/acoustics/standards/iso_9613_1_1993.py",
+    ),
+    (
+        "L_p = 10 \\log_{10}{ \\left( \\frac{p^2}{p_0^2} \\right)}",
+        "Chain(L_p, Mul(10, Call(lg; Div(Pow(p; 2); Pow(p_0; 2)))); =)",
+        "python-acoustics/python-acoustics/acoustics/standards/iso_tr_25417_2007.py",
+    ),
+    (
+        "d_{\\lambda}^2(f_i, f_j) =min_{\\gamma \\in \\Gamma} \\{\nd_{FR}^2(f_i \\circ \\gamma, f_j) + \\lambda \\mathcal{R}(\\gamma) \\}",
+        "Chain(Pow(Call(d_\\lambda; f_i, f_j); 2), Limiting(min; _{ \\gamma \\in \\varGamma }; Tuple(Add(Pow(Call(d_{FR}; Operated(\\circ; f_i; \\gamma), f_j); 2), Mul(\\lambda, Call(\\mathcal{R}; \\gamma))); {})); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/metrics/_fisher_rao.py",
+    ),
+    (
+        "f = 1.00062 + 3.14 \\times 10^{-8} \\cdot p + 5.6 \\times 10^{-7} \\cdot t^2.",
+        "Chain(f, Add(1.00062, Cross(3.14; Mul(Pow(10; Neg(8)), p)), Cross(5.6; Mul(Pow(10; Neg(7)), Pow(t; 2)))); =)",
+        "acoular/acoular/acoular/tools/utils.py",
+    ),
+    (
+        "z = r \\cos{\\theta}",
+        "Chain(z, Mul(r, Call(cos; \\theta)); =)",
+        "python-acoustics/python-acoustics/acoustics/directivity.py",
+    ),
+    (
+        "{\\bf T} =\n\\begin{bmatrix}\nr_u cos(\\eta_u) & -r_u sin(\\eta_u)\\\\\nr_u cos(\\eta_u) & -r_v sin(\\eta_v)\n\\end{bmatrix}",
+        "Chain(\\mathbf{T}, MatrixOf(Mul(r_u, Call(cos; \\eta_u)), Neg(Mul(r_u, Call(sin; \\eta_u))), Mul(r_u, Call(cos; \\eta_u)), Neg(Mul(r_v, Call(sin; \\eta_v)))); =)",
+        "petrobras/ross/ross/results.py",
+    ),
+    (
+        "\\eta^2 = \\frac{(0.5 d)^2}{1 + (0.5 d)^2}",
+        "Chain(Pow(\\eta; 2), Div(Pow(Mul(0.5, d); 2); Add(1, Pow(Mul(0.5, d); 2))); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "\\phi(t_1, \\ldots, t_d) = m_{t_1, \\ldots, t_d}^T\nK_{t_1, \\ldots, t_d}^{-1} m_{t_1, \\ldots, t_d}",
+        "Chain(Call(\\phi; t_1, Dots(), t_d), Mul(Transpose(m_{t_1,\\ldots,t_d}), Pow(K_{t_1,\\ldots,t_d}; Neg(1)), m_{t_1,\\ldots,t_d}); =)",
+        "GAA-UAM/scikit-fda/skfda/preprocessing/dim_reduction/variable_selection/_rkvs.py",
+    ),
+    (
+        "E = \\sum_{n=0}^{N-1} |x_n|^2",
+        "Chain(E, BigSum(n; 0; Add(N, Neg(1)); Pow(Bars(x_n); 2)); =)",
+        "python-acoustics/python-acoustics/acoustics/_signal.py",
+    ),
+    (
+        "S = \\sqrt{\\frac{\\sum_{i=0}^N w_i^2}{N}}",
+        "Chain(S, Sqrt(Div(BigSum(i; 0; N; Pow(w_i; 2)); N)); =)",
+        "python-acoustics/python-acoustics/acoustics/signal.py",
+    ),
+    (
+        "e_{sat} = \\alpha e_{sat(water)}(T) + (1 - \\alpha) e_{sat(ice)}(T)",
+        "Chain(e_{sat}, Add(Mul(\\alpha, Call(e_{sat(water)}; T)), Mul(Add(1, Neg(\\alpha)), Call(e_{sat(ice)}; T))); =)",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "q(\\mathbf f) = N(\\mathbf f \\,|\\, \\boldsymbol \\mu, \\boldsymbol \\Sigma)",
+        "Chain(Call(q; \\mathbf{f}), Call(N; Given(\\mathbf{f}; \\boldsymbol{\\mu}, \\boldsymbol{\\Sigma}; |)); =)",
+        "GPflow/GPflow/gpflow/models/vgp.py",
+    ),
+    (
+        "\\text{SE} = \\frac{1}{\\sqrt{n - 3}}",
+        "Chain(\\text{SE}, Div(1; Sqrt(Add(n, Neg(3)))); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "K(x) =\n\\begin{cases}\n0.75(1-x^2) & \\mbox{if } |x| \\le 1 \\\\\n0 & \\mbox{elsewhere}\n\\end{cases}",
+        "Chain(Call(K; x), Piecewise(Mul(0.75, Add(1, Neg(Pow(x; 2)))), Chain(Bars(x), 1; \\le), 0, None); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/kernels.py",
+    ),
+    (
+        "r_a = \\frac{208}{u_2}",
+        "Chain(r_a, Div(208; u_2); =)",
+        "pyet-org/pyet/pyet/combination.py",
+    ),
+    (
+        "g = d \\times (1 - \\frac{3}{4(n_1 + n_2) - 9})",
+        "Chain(g, Cross(d; Add(1, Neg(Div(3; Add(Mul(4, Add(n_1, n_2)), Neg(9)))))); =)",
+        "raphaelvallat/pingouin/src/pingouin/effsize.py",
+    ),
+    (
+        "\\text{std}_X(t) = \\sqrt{\\frac{1}{N-\\text{correction}}\n\\sum_{n=1}^{N}{\\left(X_n(t) - \\overline{X}(t)\\right)^2}}",
+        "Chain(Call(\\text{std}_X; t), Sqrt(Mul(Div(1; Add(N, Neg(\\text{correction}))), BigSum(n; 1; N; Pow(Add(Call(X_n; t), Neg(Call(\\overline{X}; t))); 2)))); =)",
+        "GAA-UAM/scikit-fda/skfda/exploratory/stats/_stats.py",
+    ),
+    (
+        "B = f_u - f_l",
+        "Chain(B, Add(f_u, Neg(f_l)); =)",
+        "python-acoustics/python-acoustics/acoustics/octave.py",
+    ),
+    (
+        "R(r) &= \\left\\{\\begin{array}{r l} -\\ln r & \\text{for } r > d_{min} \\\\ -\\ln d_{min} & \\text{for } r \\leq d_{min} \\end{array}\\right. \\\\\nSED(X_i, Y_j) &= \\sqrt{\\sum_{k=1}^d \\frac{\\left(X_i(k) - Y_i(k)\\right)^2}{\\sigma_x(k)\\sigma_y(k)}}",
+        "System(Chain(Call(R; r), Piecewise(Neg(Call(ln; r)), Chain(r, d_{min}; >), Neg(Call(ln; d_{min})), Chain(r, d_{min}; \\le)); =), Chain(Call(\\text{SED}; Call(X_i), Y_j), Sqrt(BigSum(k; 1; d; Div(Pow(Add(Call(X_i; k), Neg(Call(Y_i; k))); 2); Mul(Call(\\sigma_x; k), Call(\\sigma_y; k))))); =))",
+        "Ouranosinc/xclim/src/xclim/analog.py",
+    ),
+    (
+        "e = \\frac{pq}{\\epsilon + (1 - \\epsilon)q}",
+        "Chain(e, Div(Mul(p, q); Add(\\epsilon, Mul(Add(1, Neg(\\epsilon)), q))); =)",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "v = \\frac{(\\frac{s^{2}_{x}}{n_{x}} + \\frac{s^{2}_{y}}{n_{y}})^{2}}\n{\\frac{(\\frac{s^{2}_{x}}{n_{x}})^{2}}{(n_{x}-1)} +\n\\frac{(\\frac{s^{2}_{y}}{n_{y}})^{2}}{(n_{y}-1)}}",
+        "Chain(v, Div(Pow(Add(Div(Pow(s_x; 2); n_x), Div(Pow(s_y; 2); n_y)); 2); Add(Div(Pow(Div(Pow(s_x; 2); n_x); 2); Add(n_x, Neg(1))), Div(Pow(Div(Pow(s_y; 2); n_y); 2); Add(n_y, Neg(1))))); =)",
+        "raphaelvallat/pingouin/src/pingouin/parametric.py",
+    ),
+    (
+        "\\delta = d * \\sqrt{\\frac{n_i * n_j}{n_i + n_j}}",
+        "Chain(\\delta, Operated(*; d; Sqrt(Div(Operated(*; n_i; n_j); Add(n_i, n_j)))); =)",
+        "raphaelvallat/pingouin/src/pingouin/power.py",
+    ),
+    (
+        "W = T + \\frac{-1.59 + 0.1345 * T}{5} * V",
+        "Chain(W, Add(T, Mul(Div(Add(Neg(1.59), Mul(0.1345, T)); 5), V)); =)",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "d_{\\Gamma}(\\gamma_i, \\gamma_j) = cos^{-1} \\left ( \\int_0^1\n\\sqrt{\\gamma_i'(t)\\gamma_j'(t)}dt \\right )",
+        "Chain(Call(d_\\varGamma; Call(\\gamma_i), Call(\\gamma_j)), Call(arccos; Integral(Sqrt(Mul(Call(\\gamma_i'; t), Call(\\gamma_j'; t))); t; 0; 1)); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/metrics/_fisher_rao.py",
+    ),
+    (
+        "\\| f \\| = \\left( \\int_D \\| f \\|^p dx \\right)^{\n\\frac{1}{p}}",
+        "Chain(Norm(f), Pow(Over(\\int; _ { D }; Pow(Norm(f); p); x); Div(1; p)); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/metrics/_lp_norms.py",
+    ),
+    (
+        "K(x) =\n\\begin{cases}\n\\frac{\\pi}{4} cos\\left( \\frac{\\pi x}{2} \\right) & \\mbox{if } |x| \\le\n1 \\\\\n0 & \\mbox{elsewhere}\n\\end{cases}",
+        "Chain(Call(K; x), Piecewise(Mul(Div(\\pi; 4), Call(cos; Div(Mul(\\pi, x); 2))), Chain(Bars(x), 1; \\le), 0, None); =)",
+        "GAA-UAM/scikit-fda/skfda/misc/kernels.py",
+    ),
+    (
+        "\\phi_{xy} &= \\frac{1}{n m} \\sum_{i = 1}^n \\sum_{j = 1}^m \\left\\Vert X_i − Y_j \\right\\Vert \\\\\n\\phi_{xx} &= \\frac{1}{n^2} \\sum_{i = 1}^n \\sum_{j = 1}^n \\left\\Vert X_i − X_j \\right\\Vert \\\\\n\\phi_{yy} &= \\frac{1}{m^2} \\sum_{i = 1}^m \\sum_{j = 1}^m \\left\\Vert X_i − Y_j \\right\\Vert \\\\",
+        "System(Chain(\\phi_{xy}, Mul(Div(1; Mul(n, m)), BigSum(i; 1; n; BigSum(j; 1; m; Norm(Add(X_i, Neg(Y_j)))))); =), Chain(\\phi_{xx}, Mul(Div(1; Pow(n; 2)), BigSum(i; 1; n; BigSum(j; 1; n; Norm(Add(X_i, Neg(X_j)))))); =), Chain(\\phi_{yy}, Mul(Div(1; Pow(m; 2)), BigSum(i; 1; m; BigSum(j; 1; m; Norm(Add(X_i, Neg(Y_j)))))); =))",
+        "Ouranosinc/xclim/src/xclim/analog.py",
+    ),
+    (
+        "e_{sat} = A e^{B\\frac{T - T_0}{T + C}}",
+        "Chain(e_{sat}, Mul(A, Pow(e; Mul(B, Div(Add(T, Neg(T_0)); Add(T, C))))); =)",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "\\Lambda = \\frac{3\\sum_{i=1}^r(\\frac{1}{n_i-1})\n(1 - \\frac{w_i}{\\sum w})^2}{r^2 - 1}",
+        "Chain(\\Lambda, Div(Mul(3, BigSum(i; 1; r; Mul(Div(1; Add(n_i, Neg(1))), Pow(Add(1, Neg(Div(w_i; Limiting(sum; ; w)))); 2)))); Add(Pow(r; 2), Neg(1))); =)",
+        "raphaelvallat/pingouin/src/pingouin/parametric.py",
+    ),
+    (
+        "x_i(t) = \\alpha_i \\sin(\\omega t + \\phi_i) + \\epsilon_i(t)",
+        "Chain(Call(x_i; t), Add(Mul(\\alpha_i, Call(sin; Add(Mul(\\omega, t), \\phi_i))), Call(\\epsilon_i; t)); =)",
+        "GAA-UAM/scikit-fda/skfda/datasets/_samples_generators.py",
+    ),
+    (
+        "h = h_r  \\frac{p_{sat}}{p_a}",
+        "Chain(h, Mul(h_r, Div(p_{sat}; p_a)); =)",
+        "python-acoustics/python-acoustics/acoustics/standards/iso_9613_1_1993.py",
+    ),
+    (
+        "T = \\frac{\\beta}{\\sigma}",
+        "Chain(T, Div(\\beta; \\sigma); =)",
+        "raphaelvallat/pingouin/src/pingouin/regression.py",
+    ),
+    (
+        "\\mathbf L \\mathbf L^\\top = \\mathbf K",
+        "Chain(Mul(\\mathbf{L}, Transpose(\\mathbf{L})), \\mathbf{K}; =)",
+        "GPflow/GPflow/gpflow/models/sgpmc.py",
+    ),
+    (
+        "\\frac{\\partial^2 p}{\\partial x^2} +\\frac{\\partial^2 p}{\\partial y^2} =\n\\rho \\left[\\frac{\\partial}{\\partial t} \\left(\\frac{\\partial u}{\\partial x} + \\frac{\\partial v}{\\partial y} \\right) - \\left(\\frac{\\partial u}{\\partial x}\\frac{\\partial u}{\\partial x}+2\\frac{\\partial u}{\\partial y}\\frac{\\partial v}{\\partial x}+\\frac{\\partial v}{\\partial y}\\frac{\\partial v}{\\partial y} \\right) \\right]",
+        "Chain(Add(Derivative(Call(p); x, 2; True), Derivative(Call(p); y, 2; True)), Mul(\\rho, Add(Derivative(Add(Derivative(Call(u); x, 1; True), Derivative(Call(v); y, 1; True)); t, 1; True), Neg(Add(Mul(Derivative(Call(u); x, 1; True), Derivative(Call(u); x, 1; True)), Mul(2, Derivative(Call(u); y, 1; True), Derivative(Call(v); x, 1; True)), Mul(Derivative(Call(v); y, 1; True), Derivative(Call(v); y, 1; True)))))); =)",
+        "devitocodes/devito/examples/cfd/07_cavity_flow.ipynb",
+    ),
+    (
+        "\\lambda^{1}_{\\nu} = \\lambda_{\\nu} + \\epsilon_l,",
+        "Chain(\\lambda _ { \\nu } ^ { 1 }, Add(\\lambda_\\nu, \\epsilon_l); =)",
+        "PennyLaneAI/pennylane/pennylane/resource/first_quantization.py",
+    ),
+    (
+        "H((v_1, v_2), t) = v_1 \\sin(v_2 t) X",
+        "Chain(Call(H; Pair(v_1; v_2), t), Mul(v_1, Call(sin; Mul(v_2, t)), X); =)",
+        "PennyLaneAI/pennylane/pennylane/gradients/pulse_gradient.py",
+    ),
+    (
+        "D_{eff} = D_{AB}\\frac{\\epsilon}{\\tau}\\\\",
+        "Chain(D_{eff}, Mul(D_{AB}, Div(\\epsilon; \\tau)); =)",
+        "PMEAL/OpenPNM/examples/applications/effective_diffusivity_and_tortuosity.ipynb",
+    ),
+    (
+        "A^T \\mathbf{y} = \\left( \\begin{array}{cc} A_0^T & A_1^T\n\\end{array} \\right) \\left( \\begin{array}{c} \\mathbf{y}_0\n\\\\ \\mathbf{y}_1 \\end{array} \\right) = A_0^T \\mathbf{y}_0 +\nA_1^T \\mathbf{y}_1 \\;\\;.",
+        "Chain(Mul(Transpose(A), \\mathbf{y}), Mul(MatrixOf(Transpose(A_0), Transpose(A_1)), MatrixOf(\\mathbf{y}_0, \\mathbf{y}_1)), Add(Mul(Transpose(A_0), \\mathbf{y}_0), Mul(Transpose(A_1), \\mathbf{y}_1)); =, =)",
+        "bwohlberg/sporco/sporco/admm/admm.py",
+    ),
+    (
+        "\\| \\mathbf{x} \\|_p = \\left( \\sum_i | x_i |^p \\right)^{1/p}",
+        "Chain(Marked(Norm(\\mathbf{x}); _{ p }), Pow(BigSum(i; Pow(Bars(x_i); p)); Div(1; p)); =)",
+        "bwohlberg/sporco/sporco/prox/__init__.py",
+    ),
+    (
+        "\\mathrm{prox}_{\\alpha f}(\\mathbf{v}) = \\mathrm{argmin}_{\\mathbf{x}}\n\\left\\{ (1/2) \\| \\mathbf{x} - \\mathbf{v} \\|_2^2 + \\alpha\nf(\\mathbf{x}) \\right\\} \\;\\;.",
+        "Chain(Call(\\text{prox}_{\\alpha f}; \\mathbf{v}), Limiting(argmin; _{ \\mathbf { x } }; Tuple(Add(Mul(Div(1; 2), Pow(Marked(Norm(Add(\\mathbf{x}, Neg(\\mathbf{v}))); _{ 2 }); 2)), Mul(\\alpha, Call(f; \\mathbf{x}))); {})); =)",
+        "bwohlberg/sporco/sporco/prox/__init__.py",
+    ),
+    (
+        "K_0 = \\sqrt{1-p_0-p_1} \\begin{bmatrix}\n        1 & 0 \\\\\n        0 & 1\n        \\end{bmatrix}",
+        "Chain(K_0, Mul(Sqrt(Add(1, Neg(p_0), Neg(p_1))), MatrixOf(1, 0, 0, 1)); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/channel.py",
+    ),
+    (
+        "\\mu = \\sum_{i \\in X} p(i) f(i).",
+        "Chain(\\mu, Limiting(sum; _{ i \\in X }; Mul(Call(p; i), Call(f; i))); =)",
+        "PennyLaneAI/pennylane/pennylane/templates/subroutines/qmc.py",
+    ),
+    (
+        "K_1 = \\sqrt{p}\\begin{bmatrix}\n        0 & \\sqrt{\\gamma}  \\\\\n        0 & 0\n        \\end{bmatrix}",
+        "Chain(K_1, Mul(Sqrt(p), MatrixOf(0, Sqrt(\\gamma), 0, 0)); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/channel.py",
+    ),
+    (
+        "r_\\Delta(M) = c(M)\\,r_s",
+        "Chain(Call(r_\\Delta; M), Mul(Call(c; M), r_s); =)",
+        "LSSTDESC/CCL/pyccl/halos/profiles/einasto.py",
+    ),
+    (
+        "D = \\left( \\begin{array}{ccc} D_0 & D_1 & \\ldots \\end{array} \\right)\n\\qquad\n\\mathbf{x} = \\left( \\begin{array}{c} \\mathbf{x}_0 \\\\ \\mathbf{x}_1 \\\\\n\\vdots \\end{array} \\right) \\qquad\n\\Gamma_i = \\left( \\begin{array}{ccc}\n   G_i & 0 & \\ldots \\\\  0 & G_i & \\ldots \\\\ \\vdots & \\vdots & \\ddots\n\\end{array} \\right) \\qquad\nI_B = \\left( \\begin{array}{ccc} I & I & \\ldots \\end{array} \\right)\n\\;\\;.",
+        "System(Chain(D, MatrixOf(D_0, D_1, Dots()); =), Chain(\\mathbf{x}, MatrixOf(\\mathbf{x}_0, \\mathbf{x}_1, Dots()); =), Chain(\\varGamma_i, MatrixOf(G_i, 0, Dots(), 0, G_i, Dots(), Dots(), Dots(), Dots()); =), Chain(I_B, MatrixOf(I, I, Dots()); =))",
+        "bwohlberg/sporco/sporco/admm/cbpdntv.py",
+    ),
+    (
+        "O_i = \\begin{bmatrix}X&-Y\\\\Y&X\\end{bmatrix}",
+        "Chain(O_i, MatrixOf(X, Neg(Y), Y, X); =)",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t} = \\nu \\frac{\\partial ^2 u}{\\partial x^2} + \\nu \\frac{\\partial ^2 u}{\\partial y^2}",
+        "Chain(Derivative(Call(u); t, 1; True), Add(Mul(\\nu, Derivative(Call(u); x, 2; True)), Mul(\\nu, Derivative(Call(u); y, 2; True))); =)",
+        "devitocodes/devito/examples/cfd/03_diffusion.ipynb",
+    ),
+    (
+        "x = A^{-1} b",
+        "Chain(x, Mul(Pow(A; Neg(1)), b); =)",
+        "PMEAL/OpenPNM/examples/reference/simulations/basic_transport.ipynb",
+    ),
+    (
+        "P_z(x) = \\frac{\\langle \\widetilde{A}, \\widetilde{C} \\rangle}{\\langle \\widetilde{C}, \n\\widetilde{C} \\rangle}\\widetilde{C}.",
+        "Chain(Call(P_z; x), Mul(Div(Pair(\\widetilde{A}; \\widetilde{C}); Pair(\\widetilde{C}; \\widetilde{C})), \\widetilde{C}); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "x_0       &\\sim \\text{Normal}(\\mu_0, \\Sigma_0)  \\\\\nx_{t+1}   &=    f_t(x_t, \\text{Normal}(0, Q))   \\\\\nz_{t}     &=    g_t(x_t, \\text{Normal}(0, R))",
+        "System(Chain(x_0, Call(\\text{Normal}; \\mu_0, \\Sigma_0); \\sim), Chain(x_{t+1}, Call(f_t; x_t, Call(\\text{Normal}; 0, Q)); =), Chain(z_t, Call(g_t; x_t, Call(\\text{Normal}; 0, R)); =))",
+        "pykalman/pykalman/pykalman/unscented.py",
+    ),
+    (
+        "q(t) = (1-2\\pi^2 f_0^2 (t - \\frac{1}{f_0})^2 )e^{- \\pi^2 f_0^2 (t - \\frac{1}{f_0})}",
+        "Chain(Call(q; t), Mul(Add(1, Neg(Mul(2, Pow(\\pi; 2), Pow(f_0; 2), Pow(Add(t, Neg(Div(1; f_0))); 2)))), Pow(e; Neg(Mul(Pow(\\pi; 2), Pow(f_0; 2), Add(t, Neg(Div(1; f_0))))))); =)",
+        "devitocodes/devito/examples/seismic/tutorials/01_modelling.ipynb",
+    ),
+    (
+        "\\mathbf{V}_{ii} = \\begin{cases}\n    (\\Delta x_i)^2, & 0\\leq i\\leq N-1\\\\\n    (\\Delta p_{i-N})^2, & N\\leq i\\leq 2(N-1)\n\\end{cases}",
+        "Chain(\\mathbf{V}_{ii}, Piecewise(Pow(\\Delta x _ { i }; 2), Chain(0, i, Add(N, Neg(1)); \\le, \\le), Pow(\\Delta p _ { i - N }; 2), Chain(N, i, Mul(2, Add(N, Neg(1))); \\le, \\le)); =)",
+        "XanaduAI/strawberryfields/strawberryfields/backends/states.py",
+    ),
+    (
+        "\\mathbf{A}(\\mathbf{m}) \\mathbf{u} = \\mathbf{q}",
+        "Chain(Mul(Call(\\mathbf{A}; \\mathbf{m}), \\mathbf{u}), \\mathbf{q}; =)",
+        "devitocodes/devito/examples/seismic/tutorials/02_rtm.ipynb",
+    ),
+    (
+        "y_{\\mathrm{err}} = \\sum_l (b_l - b'_l) k_l.",
+        "Chain(y_{err}, BigSum(l; Mul(Add(b_l, Neg(b'_l)), k_l)); =)",
+        "netket/netket/netket/experimental/dynamics/_rk/_solver.py",
+    ),
+    (
+        "\\xi(\\pi,\\sigma) = \\xi(r=\\sqrt{\\pi^2+\\sigma^2},\\mu=\\pi/r).",
+        "Chain(Call(\\xi; \\pi, \\sigma), Call(\\xi; Chain(r, Sqrt(Add(Pow(\\pi; 2), Pow(\\sigma; 2))); =), Chain(\\mu, Div(\\pi; r); =)); =)",
+        "LSSTDESC/CCL/pyccl/correlations.py",
+    ),
+    (
+        "F(r, A, \\sigma, \\vec{p}) = B + A f(r, \\vec{p})",
+        "Chain(Call(F; r, A, \\sigma, \\vec{p}), Add(B, Mul(A, Call(f; r, \\vec{p}))); =)",
+        "soft-matter/trackpy/trackpy/refine/least_squares.py",
+    ),
+    (
+        "\\bar{n}_i = \\frac{1}{\\hbar}\\nu_i - \\frac{1}{2}, ~~i=1,\\dots,N",
+        "System(Chain(\\bar{n}_i, Add(Mul(Div(1; \\hbar), \\nu_i), Neg(Div(1; 2))); =), Values(i; 1, Dots(), N))",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "\\mathcal{R}_n^2(x, y) = \\begin{cases}\n\\frac{\\mathcal{V}_n^2(x, y)}{\\sqrt{\\mathcal{V}_n^2(x, x)\\mathcal{V}_n^2(y, y)}},\n&\\text{ if $\\mathcal{V}_n^2(x, x)\\mathcal{V}_n^2(y, y) > 0$}, \\\\\n0, &\\text{ if $\\mathcal{V}_n^2(x, x)\\mathcal{V}_n^2(y, y) = 0$.}\n\\end{cases}",
+        "Chain(Pow(Call(\\mathcal{R}_n; x, y); 2), Piecewise(Div(Pow(Call(\\mathcal{V}_n; x, y); 2); Sqrt(Mul(Pow(Call(\\mathcal{V}_n; x, x); 2), Pow(Call(\\mathcal{V}_n; y, y); 2)))), Chain(Mul(Pow(Call(\\mathcal{V}_n; x, x); 2), Pow(Call(\\mathcal{V}_n; y, y); 2)), 0; >), 0, Chain(Mul(Pow(Call(\\mathcal{V}_n; x, x); 2), Pow(Call(\\mathcal{V}_n; y, y); 2)), 0; =)); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "M = \\begin{bmatrix}\n1 & 0 & 0 \\\\\n0 & \\cosh r - \\cos\\phi \\sinh r & -\\sin\\phi\\sinh r \\\\\n0 & -\\sin\\phi\\sinh r & \\cosh r+\\cos\\phi\\sinh r\n\\end{bmatrix}",
+        "Chain(M, MatrixOf(1, 0, 0, 0, Add(Call(cosh; r), Neg(Mul(Call(cos; \\phi), Call(sinh; r)))), Neg(Mul(Call(sin; \\phi), Call(sinh; r))), 0, Neg(Mul(Call(sin; \\phi), Call(sinh; r))), Add(Call(cosh; r), Mul(Call(cos; \\phi), Call(sinh; r)))); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/cv.py",
+    ),
+    (
+        "t^{(k+1)} = \\frac{k + a}{b} \\;,",
+        "Chain(t ^ { ( k + 1 ) }, Div(Add(k, a); b); =)",
+        "bwohlberg/sporco/sporco/pgm/momentum.py",
+    ),
+    (
+        "K_0 = \\sqrt{1-p} \\begin{bmatrix}\n        1 & 0 \\\\\n        0 & 1\n        \\end{bmatrix}",
+        "Chain(K_0, Mul(Sqrt(Add(1, Neg(p))), MatrixOf(1, 0, 0, 1)); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/channel.py",
+    ),
+    (
+        "S_{ii} \\mapsto S_{ii} + \\epsilon_1 S_{ii} + \\epsilon_2;",
+        "Chain(S_{ii}, Add(S_{ii}, Mul(\\epsilon_1, S_{ii}), \\epsilon_2); \\mapsto)",
+        "netket/netket/netket/optimizer/qgt/qgt_jacobian.py",
+    ),
+    (
+        "F(r) = \\int_r^\\infty P(r)dr",
+        "Chain(Call(F; r), Integral(Call(P; r); r; r; Infinity()); =)",
+        "PMEAL/porespy/src/porespy/metrics/_funcs.py",
+    ),
+    (
+        "\\mu = (0,0)",
+        "Chain(\\mu, Pair(0; 0); =)",
+        "XanaduAI/strawberryfields/strawberryfields/utils/states.py",
+    ),
+    (
+        "\\langle e_1,\\,\\mathbf{C}\\,t_2 \\rangle \\;=\\; \\langle \\mathbf{C}\\,e_1,\\,t_2 \\rangle.",
+        "Chain(Pair(e_1; Mul(\\mathbf{C}, t_2)), Pair(Mul(\\mathbf{C}, e_1); t_2); =)",
+        "devitocodes/devito/examples/userapi/08_staggered_interpolation.ipynb",
+    ),
+    (
+        "\\xi(r,\\mu) = \\sum_{\\ell\\in\\{0,2,4\\}}\\xi_\\ell(r)\\,P_\\ell(\\mu)",
+        "Chain(Call(\\xi; r, \\mu), Limiting(sum; _{ \\ell \\in \\{ 0 , 2 , 4 \\} }; Mul(Call(\\xi_{\\ell}; r), Call(P_{\\ell}; \\mu))); =)",
+        "LSSTDESC/CCL/pyccl/correlations.py",
+    ),
+    (
+        "\\mathbf{I}\\,u\\,(x_{i+1/2}) = \\tfrac{1}{2}\\bigl[u(x_i) + u(x_{i+1})\\bigr],",
+        "Chain(Mul(\\mathbf{I}, Call(u; x_{i+1/2})), Mul(Div(1; 2), Add(Call(u; x_i), Call(u; x_{i+1}))); =)",
+        "devitocodes/devito/examples/userapi/08_staggered_interpolation.ipynb",
+    ),
+    (
+        "\\alpha^{z,k}_j = \\sum_{l=1}^{2^{k-1}} \\frac{\\omega_{(2j-1) 2^{k-1}+l} - \\omega_{(2j-2) 2^{k-1}+l}}{2^{k-1}}",
+        "Chain(\\alpha _ { j } ^ { z , k }, BigSum(l; 1; Pow(2; Add(k, Neg(1))); Div(Add(\\omega_{(2j-1)2^k-1+l}, Neg(\\omega_{(2j-2)2^k-1+l})); Pow(2; Add(k, Neg(1))))); =)",
+        "PennyLaneAI/pennylane/pennylane/templates/state_preparations/mottonen.py",
+    ),
+    (
+        "p(E) \\approx \\frac{c_{E}}{N}.",
+        "Chain(Call(p; E), Div(c_E; N); \\approx)",
+        "XanaduAI/strawberryfields/strawberryfields/apps/similarity.py",
+    ),
+    (
+        "\\mathcal{V}^{*}(X, Y; Z) = \\begin{cases}\n\\mathcal{V}^2(X, Y) - \n\\frac{\\mathcal{V}^2(X, Z)\\mathcal{V}^2(Y, Z)}{\\mathcal{V}^2(Z, Z)} & \\text{if } \n\\mathcal{V}^2(Z, Z) \\neq 0 \\\\\n\\mathcal{V}^2(X, Y) & \\text{if } \n\\mathcal{V}^2(Z, Z) = 0\n\\end{cases}",
+        "Chain(Call(\\mathcal { V } ^ { * }; Given(X, Y; Z; ;)), Piecewise(Add(Pow(Call(\\mathcal{V}; X, Y); 2), Neg(Div(Mul(Pow(Call(\\mathcal{V}; X, Z); 2), Pow(Call(\\mathcal{V}; Y, Z); 2)); Pow(Call(\\mathcal{V}; Z, Z); 2)))), Chain(Pow(Call(\\mathcal{V}; Z, Z); 2), 0; \\ne), Pow(Call(\\mathcal{V}; X, Y); 2), Chain(Pow(Call(\\mathcal{V}; Z, Z); 2), 0; =)); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "P_C = -\\sigma \\cos (\\theta) \\bigg(\\frac{1}{r} + \\frac{1}{s}\\bigg)",
+        "Chain(P_C, Neg(Mul(\\sigma, Call(cos; \\theta), Add(Div(1; r), Div(1; s)))); =)",
+        "PMEAL/porespy/examples/simulations/tutorials/drainage_with_gravity_basic.ipynb",
+    ),
+    (
+        "&& \\hat{T}_1 = \\sum_{r \\in \\mathrm{occ} \\\\ p \\in \\mathrm{unocc}}\n\\hat{c}_p^\\dagger \\hat{c}_r \\\\\n&& \\hat{T}_2 = \\sum_{r>s \\in \\mathrm{occ} \\\\ p>q \\in\n\\mathrm{unocc}} \\hat{c}_p^\\dagger \\hat{c}_q^\\dagger \\hat{c}_r \\hat{c}_s.",
+        "System(Chain(\\hat{T}_1, Limiting(sum; _{ r \\in \\mathrm { o c c } \\\\ p \\in \\mathrm { u n o c c } }; Mul(\\hat { c } _ { p } ^ { \\dagger }, \\hat{c}_r)); =), Chain(\\hat{T}_2, Limiting(sum; _{ r > s \\in \\mathrm { o c c } \\\\ p > q \\in \\mathrm { u n o c c } }; Mul(\\hat { c } _ { p } ^ { \\dagger }, \\hat { c } _ { q } ^ { \\dagger }, \\hat{c}_r, \\hat{c}_s)); =))",
+        "PennyLaneAI/pennylane/pennylane/qchem/structure.py",
+    ),
+    (
+        "\\text{proj}_{A^{\\perp}}(B) = B - \\text{proj}_A(B)",
+        "Chain(Call(\\text{proj}_{A^\\perp}; B), Add(B, Neg(Call(\\text{proj}_A; B))); =)",
+        "vnmabus/dcor/dcor/_dcor_internals.py",
+    ),
+    (
+        "f(r)=\n\\begin{cases}\n\\frac{1}{A}e^{-1/(r-r^2)} &\\text{ for } 0 < r < 1,\\\\\n0 &\\text{ else.}\n\\end{cases}",
+        "Chain(Call(f; r), Piecewise(Mul(Div(1; A), Pow(e; Neg(Div(1; Add(r, Neg(Pow(r; 2))))))), Chain(0, r, 1; <, <), 0, None); =)",
+        "devitocodes/devito/examples/cfd/01_convection_revisited.ipynb",
+    ),
+    (
+        "U(\\phi) = \\begin{bmatrix}\n    1 & 0 & 0 & 0 \\\\\n    0 & \\cos(\\phi/2) & -\\sin(\\phi/2) & 0 \\\\\n    0 & \\sin(\\phi/2) & \\cos(\\phi/2) & 0 \\\\\n    0 & 0 & 0 & 1\n\\end{bmatrix}.",
+        "Chain(Call(U; \\phi), MatrixOf(1, 0, 0, 0, 0, Call(cos; Div(\\phi; 2)), Neg(Call(sin; Div(\\phi; 2))), 0, 0, Call(sin; Div(\\phi; 2)), Call(cos; Div(\\phi; 2)), 0, 0, 0, 0, 1); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/qubit/qchem_ops.py",
+    ),
+    (
+        "\\sigma_R^2(z)=\\frac{1}{2\\pi^2}\\int dk\\,k^2\\,P(k,z)\\,\n|W(kR)|^2,",
+        "Chain(Pow(Call(\\sigma_R; z); 2), Mul(Div(1; Mul(2, Pow(\\pi; 2))), Antiderivative(Mul(Pow(k; 2), Call(P; k, z), Pow(Bars(Call(W; Mul(k, R))); 2)); k)); =)",
+        "LSSTDESC/CCL/pyccl/power.py",
+    ),
+    (
+        "\\langle \\widetilde{A}, \\widetilde{B} \\rangle = \\frac{1}{n(n-3)} \\sum_{i,j=1}^n \n\\widetilde{A}_{i, j} \\widetilde{B}_{i, j}.",
+        "Chain(Pair(\\widetilde{A}; \\widetilde{B}), Mul(Div(1; Mul(n, Add(n, Neg(3)))), BigSum(i, j; 1; n; Mul(\\widetilde{A}_{ij}, \\widetilde{B}_{ij}))); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "\\zeta_{1}(x,z)=\\left\\{ \\begin{array}{ll}\n0, & \\textrm{if $x\\in \\left(x_{I},x_{F}\\right)$,}\\\\ \\bar{\\zeta}_{1}(x,z)\\left(\\displaystyle\\frac{\\vert x-x_{I} \\vert}{L_{x}}-\\displaystyle\\frac{1}{2\\pi}\\sin\\left(\\displaystyle\\frac{2\\pi\\vert x-x_{I} \\vert}{L_{x}}\\right)\\right) , & \\textrm{if $x_{I}-L_{x}\\leq x \\leq x_{I}$,}\\\\ \\bar{\\zeta}_{1}(x,z)\\left(\\displaystyle\\frac{\\vert x-x_{F} \\vert}{L_{x}}-\\displaystyle\\frac{1}{2\\pi}\\sin\\left(\\displaystyle\\frac{2\\pi\\vert x-x_{F} \\vert}{L_{x}}\\right)\\right) , & \\textrm{if $x_{F}\\leq x \\leq x_{F}+L_{x}$.}\\end{array}\\right.",
+        "Chain(Call(\\zeta_1; x, z), Piecewise(0, Chain(x, Pair(x_I; x_F); \\in), Mul(Call(\\bar{\\zeta}_1; x, z), Add(Div(Bars(Add(x, Neg(x_I))); L_x), Neg(Mul(Div(1; Mul(2, \\pi)), Call(sin; Div(Mul(2, \\pi, Bars(Add(x, Neg(x_I)))); L_x)))))), Chain(Add(x_I, Neg(L_x)), x, x_I; \\le, \\le), Mul(Call(\\bar{\\zeta}_1; x, z), Add(Div(Bars(Add(x, Neg(x_F))); L_x), Neg(Mul(Div(1; Mul(2, \\pi)), Call(sin; Div(Mul(2, \\pi, Bars(Add(x, Neg(x_F)))); L_x)))))), Chain(x_F, x, Add(x_F, L_x); \\le, \\le)); =)",
+        "devitocodes/devito/examples/seismic/abc_methods/02_damping.ipynb",
+    ),
+    (
+        "K_1 = \\sqrt{p_0}\\begin{bmatrix}\n        1 & 0  \\\\\n        0 & 0\n        \\end{bmatrix}",
+        "Chain(K_1, Mul(Sqrt(p_0), MatrixOf(1, 0, 0, 0)); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/channel.py",
+    ),
+    (
+        "P_{\\mu \\nu} = \\sum_{i=1}^{N} C_{\\mu i} C_{\\nu i},",
+        "Chain(P_{\\mu\\nu}, BigSum(i; 1; N; Mul(C_{\\mu i}, C_{\\nu i})); =)",
+        "PennyLaneAI/pennylane/pennylane/qchem/matrices.py",
+    ),
+    (
+        "\\mathrm{argmin}_\\mathbf{d} \\; (1/2) \\sum_c \\sum_k \\left\\| \\sum_m\n\\mathbf{d}_{c,m} * \\mathbf{x}_{k,m} - \\mathbf{s}_{c,k}\n\\right\\|_2^2 \\quad \\text{such that} \\quad \\mathbf{d}_{c,m} \\in C",
+        "System(Words(Limiting(argmin; _{ \\mathbf { d } }; Mul(Div(1; 2), BigSum(c; BigSum(k; Pow(Marked(Norm(Add(BigSum(m; Operated(*; \\mathbf{d}_{cm}; \\mathbf{x}_{km})), Neg(\\mathbf{s}_{ck}))); _{ 2 }); 2)))))), Words(\\text{subject~to}), Chain(\\mathbf{d}_{cm}, C; \\in))",
+        "bwohlberg/sporco/sporco/pgm/ccmod.py",
+    ),
+    (
+        "\\frac{p_i - p_j}{Q} = 16 \\pi^2 \\mu \\int \\frac{I_p^*}{A(x)^2} dx",
+        "Chain(Div(Add(p_i, Neg(p_j)); Q), Mul(16, Pow(\\pi; 2), \\mu, Antiderivative(Div(I _ { p } ^ { * }; Pow(Call(A; x); 2)); x)); =)",
+        "PMEAL/OpenPNM/examples/reference/simulations/size_factors_and_transport_conductance.ipynb",
+    ),
+    (
+        "A = \\sum_i \\sigma_i B_i \\otimes C_i",
+        "Chain(A, BigSum(i; Operated(\\otimes; Mul(\\sigma_i, B_i); C_i)); =)",
+        "bwohlberg/sporco/sporco/linalg.py",
+    ),
+    (
+        "\\mathbf{u}^{(j+1)} = \\mathbf{u}^{(j)} + \\mathbf{x}^{(j+1)} -\n\\mathbf{y}^{(j+1)}",
+        "Chain(\\mathbf { u } ^ { ( j + 1 ) }, Add(\\mathbf { u } ^ { ( j ) }, \\mathbf { x } ^ { ( j + 1 ) }, Neg(\\mathbf { y } ^ { ( j + 1 ) })); =)",
+        "bwohlberg/sporco/docs/source/admm/admmequal.rst",
+    ),
+    (
+        "R_\\Delta = \\left(\\frac{3M_\\Delta}{4 \\pi\n\\rho_X\\,\\Delta}\\right)^{1/3}",
+        "Chain(R_\\Delta, Pow(Div(Mul(3, M_\\Delta); Mul(4, \\pi, \\rho_X, \\Delta)); Div(1; 3)); =)",
+        "LSSTDESC/CCL/pyccl/halos/massdef.py",
+    ),
+    (
+        "N_A = D_{eff} \\frac{A}{L} \\Delta C_A",
+        "Chain(N_A, Mul(D_{eff}, Div(A; L), \\Delta C _ { A }); =)",
+        "PMEAL/porespy/examples/simulations/reference/tortuosity_fd.ipynb",
+    ),
+    (
+        "a_i^+ \\rightarrow a_i^+\\,\n    \\frac{\\gamma^+ - s\\,\\gamma^-}{\\gamma^+}, \\qquad\na_i^- \\rightarrow a_i^-\\,(1 - s) .",
+        "System(Chain(a _ { i } ^ { + }, Mul(a _ { i } ^ { + }, Div(Add(\\gamma ^ { + }, Neg(Mul(s, \\gamma ^ { - }))); \\gamma ^ { + })); \\rightarrow), Chain(a _ { i } ^ { - }, Mul(a _ { i } ^ { - }, Add(1, Neg(s))); \\rightarrow))",
+        "unitaryfoundation/mitiq/mitiq/experimental/pea/scale_amplifications.py",
+    ),
+    (
+        "\\Sigma(R)= \\int dr_\\parallel\\,\n\\rho(\\sqrt{r_\\parallel^2 + R^2})",
+        "Chain(Call(\\Sigma; R), Antiderivative(Call(\\rho; Sqrt(Add(Pow(r_\\parallel; 2), Pow(R; 2)))); r_\\parallel); =)",
+        "LSSTDESC/CCL/pyccl/halos/profiles/profile_base.py",
+    ),
+    (
+        "K_1 = \\sqrt{p/3}\\begin{bmatrix}\n        0 & 1  \\\\\n        1 & 0\n        \\end{bmatrix}",
+        "Chain(K_1, Mul(Sqrt(Div(p; 3)), MatrixOf(0, 1, 1, 0)); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/channel.py",
+    ),
+    (
+        "Q = \\frac{\\pi R^4}{8 \\mu L} \\Delta P",
+        "Chain(Q, Mul(Div(Mul(\\pi, Pow(R; 4)); Mul(8, \\mu, L)), \\Delta P); =)",
+        "PMEAL/OpenPNM/examples/tutorials/08_simulating_transport.ipynb",
+    ),
+    (
+        "\\mathrm{argmin}_\\mathbf{x} \\;\n\\frac{1}{2} \\left\\| \\sum_m \\mathbf{d}_m * \\mathbf{x}_m - \\mathbf{s}\n\\right\\|_2^2 \\; \\text{such that} \\; \\| \\mathbf{x}_m \\|_1\n\\leq \\gamma",
+        "System(Words(Limiting(argmin; _{ \\mathbf { x } }; Mul(Div(1; 2), Pow(Marked(Norm(Add(BigSum(m; Operated(*; \\mathbf{d}_m; \\mathbf{x}_m)), Neg(\\mathbf{s}))); _{ 2 }); 2)))), Words(\\text{subject~to}), Chain(Marked(Norm(\\mathbf{x}_m); _{ 1 }), \\gamma; \\le))",
+        "bwohlberg/sporco/docs/source/invprob/cbpdn.rst",
+    ),
+    (
+        "\\gamma = \\text{Tr}(\\rho^2)",
+        "Chain(\\gamma, Call(Tr; Pow(\\rho; 2)); =)",
+        "PennyLaneAI/pennylane/pennylane/math/quantum.py",
+    ),
+    (
+        "q = L^T \\sqrt{m} (r -r_e),",
+        "Chain(q, Mul(Transpose(L), Sqrt(m), Add(r, Neg(r_e))); =)",
+        "XanaduAI/strawberryfields/strawberryfields/apps/qchem/utils.py",
+    ),
+    (
+        "\\mathcal{V}_n^{*}(x, y; z) = \\langle P_{z^{\\perp}}(x), P_{z^{\\perp}}(y) \\rangle",
+        "Chain(Call(\\mathcal { V } _ { n } ^ { * }; Given(x, y; z; ;)), Pair(Call(P_{z^\\perp}; x); Call(P_{z^\\perp}; y)); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "H = (\\hat{a}^\\dagger\\hat{a})^2=\\hat{n}^2",
+        "Chain(H, Pow(Mul(\\hat { a } ^ { \\dagger }, \\hat{a}); 2), Pow(\\hat{n}; 2); =, =)",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "K_3 = \\sqrt{p/3}\\begin{bmatrix}\n        1 & 0 \\\\\n        0 & -1\n        \\end{bmatrix}",
+        "Chain(K_3, Mul(Sqrt(Div(p; 3)), MatrixOf(1, 0, 0, Neg(1))); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/channel.py",
+    ),
+    (
+        "t = \\sqrt{t_0^2 + \\frac{x^2}{V_{nmo}^2}}",
+        "Chain(t, Sqrt(Add(Pow(t_0; 2), Div(Pow(x; 2); Pow(V_{nmo}; 2)))); =)",
+        "devitocodes/devito/examples/seismic/tutorials/10_nmo_correction.ipynb",
+    ),
+    (
+        "\\tilde\\sigma_k^{-1}=\\frac{1}{\\Big(1+\\big(\\frac{\\epsilon_{SVD}}{\\sigma_j/\\sigma_1}\\big)^6\\Big)\\Big(1+\\big(\\frac{\\epsilon_{SNR}}{\\text{SNR}(\\rho_k)}\\big)^6\\Big)}",
+        "Chain(Pow(\\tilde{\\sigma}_k; Neg(1)), Div(1; Mul(Add(1, Pow(Div(\\epsilon_{SVD}; Div(\\sigma_j; \\sigma_1)); 6)), Add(1, Pow(Div(\\epsilon_{SNR}; Call(\\text{SNR}; \\rho_k)); 6)))); =)",
+        "netket/netket/netket/experimental/driver/tdvp_schmitt.py",
+    ),
+    (
+        "O^\\dagger = O",
+        "Chain(O ^ { \\dagger }, O; =)",
+        "PennyLaneAI/pennylane/pennylane/ops/functions/is_hermitian.py",
+    ),
+    (
+        "N = \\mathcal{O}\\left(\\frac{1}{\\epsilon}\\right).",
+        "Chain(N, Call(\\mathcal{O}; Div(1; \\epsilon)); =)",
+        "PennyLaneAI/pennylane/pennylane/templates/subroutines/qmc.py",
+    ),
+    (
+        "\\theta_{i+1} = \\arg\\max_{\\theta}\n    \\mathbb{E}_{x_{0:T-1}} [\n        L(x_{0:T-1}, \\theta)| z_{0:T-1}, \\theta_i\n    ]",
+        "Chain(\\theta_{i+1}, Limiting(argmax; _{ \\theta }; Call(\\mathbb{E}_{x_0:T-1}; Given(Call(L; x_{0:T-1}, \\theta); z_{0:T-1}, \\theta_i; |))); =)",
+        "pykalman/pykalman/pykalman/standard.py",
+    ),
+    (
+        "p(O) = \\sum_{S \\in O} p(S)",
+        "Chain(Call(p; O), Limiting(sum; _{ S \\in O }; Call(p; S)); =)",
+        "XanaduAI/strawberryfields/strawberryfields/apps/similarity.py",
+    ),
+    (
+        "M = \\frac{1}{2\\hbar}\\begin{bmatrix}\n    -\\hbar & 0 & 0\\\\\n    0 & 1 & 0\\\\\n    0 & 0 & 1\n\\end{bmatrix}",
+        "Chain(M, Mul(Div(1; Mul(2, \\hbar)), MatrixOf(Neg(\\hbar), 0, 0, 0, 1, 0, 0, 0, 1)); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/cv.py",
+    ),
+    (
+        "H = \\frac{1}{\\sqrt{2}}\\begin{bmatrix} 1 & 1\\\\ 1 & -1\\end{bmatrix}.",
+        "Chain(H, Mul(Div(1; Sqrt(2)), MatrixOf(1, 1, 1, Neg(1))); =)",
+        "PennyLaneAI/pennylane/pennylane/ops/qubit/non_parametric_ops.py",
+    ),
+    (
+        "U(u) a_p^\\dagger U(u)^\\dagger = b_p^\\dagger,",
+        "Chain(Mul(Call(U; u), a _ { p } ^ { \\dagger }, Marked(Call(U; u); ^\\dagger)), b _ { p } ^ { \\dagger }; =)",
+        "PennyLaneAI/pennylane/pennylane/templates/subroutines/basis_rotation.py",
+    ),
+    (
+        "H_C \\ = \\ \\displaystyle\\sum_{v \\in V(G)} Z_{v},",
+        "Chain(H_C, Limiting(sum; _{ v \\in V ( G ) }; Z_v); =)",
+        "PennyLaneAI/pennylane/pennylane/qaoa/cost.py",
+    ),
+    (
+        "R = \\left(\\frac{3\\,M}{4\\pi\\,\\rho_{M,0}}\\right)^{1/3}",
+        "Chain(R, Pow(Div(Mul(3, M); Mul(4, \\pi, \\rho_{M,0})); Div(1; 3)); =)",
+        "LSSTDESC/CCL/pyccl/halos/massdef.py",
+    ),
+    (
+        "P_C = \\frac{-2\\sigma cos(\\theta)}{R_T}",
+        "Chain(P_C, Div(Neg(Mul(2, \\sigma, Call(cos; \\theta))); R_T); =)",
+        "PMEAL/OpenPNM/examples/applications/mercury_intrusion.ipynb",
+    ),
+    (
+        "U_C \\ = \\ e^{-i \\gamma H_C}",
+        "Chain(U_C, Pow(e; Neg(Mul(i, \\gamma, H_C))); =)",
+        "PennyLaneAI/pennylane/pennylane/qaoa/layers.py",
+    ),
+    (
+        "f(x) = \\frac{x^3}{\\log(1+x) - x/(1+x)}.",
+        "Chain(Call(f; x), Div(Pow(x; 3); Add(Call(log; Add(1, x)), Neg(Div(x; Add(1, x))))); =)",
+        "LSSTDESC/CCL/pyccl/halos/massdef.py",
+    ),
+    (
+        "\\mathcal{F} = \\mathcal{R} \\mathcal{A}.",
+        "Chain(\\mathcal{F}, Mul(\\mathcal{R}, \\mathcal{A}); =)",
+        "PennyLaneAI/pennylane/pennylane/transforms/qmc.py",
+    ),
+    (
+        "\\mathrm{argmin}_{\\mathbf{x}} (1/2) \\| \\mathbf{x} - \\mathbf{v}\n\\|_2^2 \\; \\text{ s.t. } \\; \\| \\mathbf{x} - \\mathbf{s} \\|_2 \\leq\n\\gamma \\;,",
+        "System(Words(Limiting(argmin; _{ \\mathbf { x } }; Mul(Div(1; 2), Pow(Marked(Norm(Add(\\mathbf{x}, Neg(\\mathbf{v}))); _{ 2 }); 2)))), Words(\\text{subject~to}), Chain(Marked(Norm(Add(\\mathbf{x}, Neg(\\mathbf{s}))); _{ 2 }), \\gamma; \\le))",
+        "bwohlberg/sporco/sporco/prox/_lp.py",
+    ),
+    (
+        "V(t=T,S)=\\max(S-K,0)",
+        "Chain(Call(V; Chain(t, T; =), S), Call(max; Add(S, Neg(K)), 0); =)",
+        "devitocodes/devito/examples/finance/bs_ivbp.ipynb",
+    ),
+    (
+        "\\tilde{a}_{i, j} = a_{i,j} - \\frac{1}{N} \\sum_{l=1}^N a_{il} -\n\\frac{1}{N}\\sum_{k=1}^N a_{kj} + \\frac{1}{N^2}\\sum_{k=1}^N a_{kj}.",
+        "Chain(\\tilde{a}_{i,j}, Add(a_{i,j}, Neg(Mul(Div(1; N), BigSum(l; 1; N; a_{il}))), Neg(Mul(Div(1; N), BigSum(k; 1; N; a_{kj}))), Mul(Div(1; Pow(N; 2)), BigSum(k; 1; N; a_{kj}))); =)",
+        "vnmabus/dcor/dcor/_dcor_internals.py",
+    ),
+    (
+        "\\mathcal{U}_{\\beta} = \\eta_1 \\mathcal{O}_1 + \\eta_2 \\mathcal{O}_2 +\n                      \\eta_3 \\mathcal{O}_3 + \\eta_4 \\mathcal{O}_4",
+        "Chain(\\mathcal{U}_\\beta, Add(Mul(\\eta_1, \\mathcal{O}_1), Mul(\\eta_2, \\mathcal{O}_2), Mul(\\eta_3, \\mathcal{O}_3), Mul(\\eta_4, \\mathcal{O}_4)); =)",
+        "unitaryfoundation/mitiq/mitiq/pec/representations/depolarizing.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\rho_0}\n{\\frac{r}{r_s}\\left(1+\\frac{r}{r_s}\\right)^2}",
+        "Chain(Call(\\rho; r), Div(\\rho_0; Mul(Div(r; r_s), Pow(Add(1, Div(r; r_s)); 2))); =)",
+        "LSSTDESC/CCL/pyccl/halos/profiles/nfw.py",
+    ),
+    (
+        "\\mathcal{R}^2(X, Y) = \\begin{cases}\n\\frac{\\mathcal{V}^2(X, Y)}{\\sqrt{\\mathcal{V}^2(X, X)\\mathcal{V}^2(Y, Y)}} &\\text{ if\n$\\mathcal{V}^2(X, X)\\mathcal{V}^2(Y, Y) > 0$} \\\\\n0 &\\text{ if $\\mathcal{V}^2(X, X)\\mathcal{V}^2(Y, Y) = 0$.}\n\\end{cases}",
+        "Chain(Pow(Call(\\mathcal{R}; X, Y); 2), Piecewise(Div(Pow(Call(\\mathcal{V}; X, Y); 2); Sqrt(Mul(Pow(Call(\\mathcal{V}; X, X); 2), Pow(Call(\\mathcal{V}; Y, Y); 2)))), Chain(Mul(Pow(Call(\\mathcal{V}; X, X); 2), Pow(Call(\\mathcal{V}; Y, Y); 2)), 0; >), 0, Chain(Mul(Pow(Call(\\mathcal{V}; X, X); 2), Pow(Call(\\mathcal{V}; Y, Y); 2)), 0; =)); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "g = \\mathcal{S} \\cdot \\frac{1}{\\mu}",
+        "Chain(g, Mul(\\mathcal{S}, Div(1; \\mu)); =)",
+        "PMEAL/OpenPNM/examples/reference/simulations/size_factors_and_transport_conductance.ipynb",
+    ),
+    (
+        "m_{ik} = g_{ik} \\cdot (c_i - c_k)",
+        "Chain(m_{ik}, Mul(g_{ik}, Add(c_i, Neg(c_k))); =)",
+        "PMEAL/OpenPNM/examples/reference/simulations/size_factors_and_transport_conductance.ipynb",
+    ),
+    (
+        "\\frac{\\partial v}{\\partial t} + u \\frac{\\partial v}{\\partial x} + v \\frac{\\partial v}{\\partial y} = \\nu \\; \\left(\\frac{\\partial ^2 v}{\\partial x^2} + \\frac{\\partial ^2 v}{\\partial y^2}\\right)",
+        "Chain(Add(Derivative(Call(v); t, 1; True), Mul(u, Derivative(Call(v); x, 1; True)), Mul(Call(v), Derivative(Call(v); y, 1; True))), Mul(\\nu, Add(Derivative(Call(v); x, 2; True), Derivative(Call(v); y, 2; True))); =)",
+        "devitocodes/devito/examples/cfd/04_burgers.ipynb",
+    ),
+    (
+        "\\tau = \\frac{1}{2}\\left(\\frac{n \\, B}{W} - 1\\right)",
+        "Chain(\\tau, Mul(Div(1; 2), Add(Div(Mul(n, B); W), Neg(1))); =)",
+        "netket/netket/netket/_src/stats/online_stats/accumulator.py",
+    ),
+    (
+        "Q_L(\\mathbf{x},\\mathbf{y}) = f(\\mathbf{y}) + \\langle \\mathbf{x} -\n\\mathbf{y}, \\nabla f(\\mathbf{y}) \\rangle + \\frac{L}{2} \\left\\|\n\\mathbf{x} - \\mathbf{y} \\right\\|_2^2 + g(\\mathbf{x}) \\;.",
+        "Chain(Call(Q_L; \\mathbf{x}, \\mathbf{y}), Add(Call(f; \\mathbf{y}), Pair(Add(\\mathbf{x}, Neg(\\mathbf{y})); Call(\\nabla f; \\mathbf{y})), Mul(Div(L; 2), Pow(Marked(Norm(Add(\\mathbf{x}, Neg(\\mathbf{y}))); _{ 2 }); 2)), Call(g; \\mathbf{x})); =)",
+        "bwohlberg/sporco/docs/source/pgm/backtrack.rst",
+    ),
+    (
+        "T(k_1,k_2,a) = f_1(k_1,a)\\,f_2(k_2,a)",
+        "Chain(Call(T; k_1, k_2, a), Mul(Call(f_1; k_1, a), Call(f_2; k_2, a)); =)",
+        "LSSTDESC/CCL/pyccl/tk3d.py",
+    ),
+    (
+        "\\| X \\|_W^2 = \\sum_i \\| W_i^{1/2} \\mathbf{x}_i \\|_2^2 =\n              \\sum_i \\| \\mathbf{x}_i \\|_{W_i}^2 \\;,",
+        "Chain(Pow(Marked(Norm(X); _{ W }); 2), BigSum(i; Pow(Marked(Norm(Mul(Pow(W_i; Div(1; 2)), \\mathbf{x}_i)); _{ 2 }); 2)), BigSum(i; Pow(Marked(Norm(\\mathbf{x}_i); _{ W _ { i } }); 2)); =, =)",
+        "bwohlberg/sporco/sporco/dictlrn/wbpdndl.py",
+    ),
+    (
+        "H = \\hat{n}_1\\hat{n_2}",
+        "Chain(H, Mul(\\hat{n}_1, \\hat{n}_2); =)",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "u_{tt}(x,z,t)-c^2(x,z)\\Delta(u(x,z,t))=c^2(x,z)f(x,z,t).",
+        "Chain(Add(Call(u_{tt}; x, z, t), Neg(Mul(Pow(Call(c; x, z); 2), Call(\\Delta; Call(u; x, z, t))))), Mul(Pow(Call(c; x, z); 2), Call(f; x, z, t)); =)",
+        "devitocodes/devito/examples/seismic/abc_methods/01_introduction.ipynb",
+    ),
+    (
+        "\\mathbf{s} = \\rho A^T B (\\mathbf{y}^{(j+1)} - \\mathbf{y}^{(j)})",
+        "Chain(\\mathbf{s}, Mul(\\rho, Transpose(A), B, Add(\\mathbf { y } ^ { ( j + 1 ) }, Neg(\\mathbf { y } ^ { ( j ) }))); =)",
+        "bwohlberg/sporco/docs/source/admm/admm.rst",
+    ),
+    (
+        "{\\Delta t}\\leq\\displaystyle\\frac{h\\nu}{v_{max}},",
+        "Chain(\\Delta t, Div(Mul(h, \\nu); v_{max}); \\le)",
+        "devitocodes/devito/examples/seismic/abc_methods/01_introduction.ipynb",
+    ),
+    (
+        "L^{\\rm cen}_{\\nu}(M) = L^{\\rm gal}_\\nu(M)\\,\nN_{\\rm cen}(M),",
+        "Chain(Call(L _ { \\nu } ^ { \\mathrm { c e n } }; M), Mul(Call(L _ { \\nu } ^ { \\mathrm { g a l } }; M), Call(N_{cen}; M)); =)",
+        "LSSTDESC/CCL/pyccl/halos/profiles/cib_shang12.py",
+    ),
+    (
+        "\\hat{O}_{\\text{embed}} = \\mathbb{I}_0 \\otimes \\mathbb{I}_1 \\otimes \\cdots\n    \\otimes \\hat{O}_i \\otimes \\cdots \\otimes \\mathbb{I}_N",
+        "Chain(\\hat{O}_{embed}, Operated(\\otimes; Operated(\\otimes; Operated(\\otimes; Operated(\\otimes; Operated(\\otimes; \\mathbb{I}_0; \\mathbb{I}_1); Dots()); \\hat{O}_i); Dots()); \\mathbb{I}_N); =)",
+        "netket/netket/netket/operator/_embed/base.py",
+    ),
+    (
+        "\\int_0^\\infty P(r)dr = 1.0",
+        "Chain(Integral(Call(P; r); r; 0; Infinity()), 1.0; =)",
+        "PMEAL/porespy/src/porespy/metrics/_funcs.py",
+    ),
+    (
+        "S_2(z) = \\exp\\left(z a_1^\\dagger a_2^\\dagger - z^* a_1 a_2 \\right) = \\exp\\left(r (e^{i\\phi} a_1^\\dagger a_2^\\dagger - e^{-i\\phi} a_1 a_2 ) \\right)",
+        "Chain(Call(S_2; z), Call(exp; Add(Mul(z, a _ { 1 } ^ { \\dagger }, a _ { 2 } ^ { \\dagger }), Neg(Mul(z ^ { * }, a_1, a_2)))), Call(exp; Mul(r, Add(Mul(Pow(e; Mul(i, \\phi)), a _ { 1 } ^ { \\dagger }, a _ { 2 } ^ { \\dagger }), Neg(Mul(Pow(e; Neg(Mul(i, \\phi))), a_1, a_2))))); =, =)",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "\\mathrm{argmin}_X \\| X \\|_1 \\; \\text{such that} \\;\n\\| [D X - S]_k \\|_2 \\leq \\epsilon \\;\\;\\; \\forall k \\;\\;,",
+        "System(Words(Limiting(argmin; _{ X }; Marked(Norm(X); _{ 1 }))), Words(\\text{subject~to}), Chain(Marked(Norm(Marked(Add(Mul(D, X), Neg(S)); _{ k })); _{ 2 }), \\epsilon; \\le), Forall(k))",
+        "bwohlberg/sporco/sporco/admm/bpdn.py",
+    ),
+    (
+        "\\bar{N}_s(M,a)=\\Theta(M-M_0)\\left(\\frac{M-M_0}{M_1}\n\\right)^\\alpha",
+        "Chain(Call(\\bar{N}_s; M, a), Mul(Call(\\Theta; Add(M, Neg(M_0))), Pow(Div(Add(M, Neg(M_0)); M_1); \\alpha)); =)",
+        "LSSTDESC/CCL/pyccl/halos/profiles/hod.py",
+    ),
+    (
+        "\\mathrm{argmin}_\\mathbf{x} \\sum_m \\| \\mathbf{x}_m \\|_1 \\;\n\\text{such that} \\;  \\left\\| \\sum_m \\mathbf{d}_m * \\mathbf{x}_m\n- \\mathbf{s} \\right\\|_2 \\leq \\epsilon",
+        "System(Words(Limiting(argmin; _{ \\mathbf { x } }; BigSum(m; Marked(Norm(\\mathbf{x}_m); _{ 1 })))), Words(\\text{subject~to}), Chain(Marked(Norm(Add(BigSum(m; Operated(*; \\mathbf{d}_m; \\mathbf{x}_m)), Neg(\\mathbf{s}))); _{ 2 }), \\epsilon; \\le))",
+        "bwohlberg/sporco/docs/source/invprob/cbpdn.rst",
+    ),
+    (
+        "\\Delta t < \\frac{\\Delta d}{\\pi \\cdot (v_{p})_{max}}\\sqrt{\\dfrac{1}{(1+\\eta_{max}|\\cos\\theta-\\sin\\theta|_{max}^{2})}}",
+        "Chain(\\Delta t, Mul(Div(\\Delta d; Mul(\\pi, Marked(v_p; _{ m a x }))), Sqrt(Div(1; Add(1, Mul(\\eta_{max}, Pow(Marked(Bars(Add(Call(cos; \\theta), Neg(Call(sin; \\theta)))); _{ m a x }); 2)))))); <)",
+        "devitocodes/devito/examples/seismic/tutorials/15_tti_qp_pure.ipynb",
+    ),
+    (
+        "x_0       &\\sim \\text{Normal}(\\mu_0, \\Sigma_0)  \\\\\nx_{t+1}   &=    f_t(x_t) + \\text{Normal}(0, Q)  \\\\\nz_{t}     &=    g_t(x_t) + \\text{Normal}(0, R)",
+        "System(Chain(x_0, Call(\\text{Normal}; \\mu_0, \\Sigma_0); \\sim), Chain(x_{t+1}, Add(Call(f_t; x_t), Call(\\text{Normal}; 0, Q)); =), Chain(z_t, Add(Call(g_t; x_t), Call(\\text{Normal}; 0, R)); =))",
+        "pykalman/pykalman/pykalman/sqrt/unscented.py",
+    ),
+    (
+        "\\sum_g |\\chi(g)|^2 = \\sum_C |C| |\\chi(c_0)|^2 = |G|.",
+        "Chain(BigSum(g; Pow(Bars(Call(\\chi; g)); 2)), BigSum(C; Mul(Bars(C), Pow(Bars(Call(\\chi; c_0)); 2))), Bars(G); =, =)",
+        "netket/netket/netket/utils/group/_group.py",
+    ),
+    (
+        "\\eta_s = \\phi_{met} - \\phi_{soln} - U_{eq}",
+        "Chain(\\eta_s, Add(\\phi_{met}, Neg(\\phi_{soln}), Neg(U_{eq})); =)",
+        "PMEAL/OpenPNM/src/openpnm/models/physics/source_terms/_funcs.py",
+    ),
+    (
+        "\\eta_2 =- \\frac{1}{4}\\frac{\\epsilon}{1- \\epsilon} , \\qquad\n\\mathcal{O}_2 = \\mathcal{D} \\circ \\mathcal{X} \\circ \\mathcal{U}",
+        "System(Chain(\\eta_2, Neg(Mul(Div(1; 4), Div(\\epsilon; Add(1, Neg(\\epsilon))))); =), Chain(\\mathcal{O}_2, Operated(\\circ; Operated(\\circ; \\mathcal{D}; \\mathcal{X}); \\mathcal{U}); =))",
+        "unitaryfoundation/mitiq/mitiq/pec/representations/depolarizing.py",
+    ),
+    (
+        "\\bar{N}_c(M,a)=\\frac{1}{2}\\left[1+{\\rm erf}\n\\left(\\frac{\\log(M/M_{\\rm min})}{\\sigma_{{\\rm ln}M}}\n\\right)\\right]",
+        "Chain(Call(\\bar{N}_c; M, a), Mul(Div(1; 2), Add(1, Call(erf; Div(Call(log; Div(M; M_{min})); \\sigma_{lnM})))); =)",
+        "LSSTDESC/CCL/pyccl/halos/profiles/hod.py",
+    ),
+    (
+        "F_k(t+\\Delta t) = F_k(t) + u(t) e^{-i \\omega_k t \\Delta t}",
+        "Chain(Call(F_k; Add(t, \\Delta t)), Add(Call(F_k; t), Mul(Call(u; t), Pow(e; Neg(Mul(i, \\omega_k, t, \\Delta t))))); =)",
+        "devitocodes/devito/examples/seismic/tutorials/17_fourier_mode.ipynb",
+    ),
+    (
+        "r = A_{1} X + A_{2}",
+        "Chain(r, Add(Mul(A_1, X), A_2); =)",
+        "PMEAL/OpenPNM/src/openpnm/models/physics/source_terms/_funcs.py",
+    ),
+    (
+        "\\tau_\\sigma = \\frac{\\sqrt{Q^2+1}-1}{2 \\pi f_0 Q}",
+        "Chain(\\tau_\\sigma, Div(Add(Sqrt(Add(Pow(Q; 2), 1)), Neg(1)); Mul(2, \\pi, f_0, Q)); =)",
+        "devitocodes/devito/examples/seismic/tutorials/11_viscoacoustic.ipynb",
+    ),
+    (
+        "X(x) = e^{-i x \\hat{p}/\\hbar}",
+        "Chain(Call(X; x), Pow(e; Neg(Div(Mul(i, x, \\hat{p}); \\hbar))); =)",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "g_{3,6} C_{A,3} + (-g_{3,6} - g_{7,6} - S_1) C_{A,6} + g_{7,6} C_{A,7} =  S_2",
+        "Chain(Add(Mul(g_{3,6}, C_{A,3}), Mul(Add(Neg(g_{3,6}), Neg(g_{7,6}), Neg(S_1)), C_{A,6}), Mul(g_{7,6}, C_{A,7})), S_2; =)",
+        "PMEAL/OpenPNM/examples/reference/simulations/reactive_transport.ipynb",
+    ),
+    (
+        "D_{\\rm H} = \\frac{cz}{H_0}",
+        "Chain(D_H, Div(Mul(c, z); H_0); =)",
+        "LSSTDESC/CCL/pyccl/background.py",
+    ),
+    (
+        "\\mathcal{V}_n^2(x, y) = \\frac{1}{n^2} \\sum_{i,j=1}^n A_{i, j} B_{i, j}",
+        "Chain(Pow(Call(\\mathcal{V}_n; x, y); 2), Mul(Div(1; Pow(n; 2)), BigSum(i, j; 1; n; Mul(A_{ij}, B_{ij}))); =)",
+        "vnmabus/dcor/docs/theory.rst",
+    ),
+    (
+        "S_2(z) = B^\\dagger(\\pi/4,0) \\: \\left[ S(z) \\otimes S(-z)\\right] \\: B(\\pi/4,0)",
+        "Chain(Call(S_2; z), Mul(Call(B ^ { \\dagger }; Div(\\pi; 4), 0), Operated(\\otimes; Call(S; z); Call(S; Neg(z))), Call(B; Div(\\pi; 4), 0)); =)",
+        "XanaduAI/strawberryfields/strawberryfields/ops.py",
+    ),
+    (
+        "\\tau_\\epsilon= \\frac{\\sqrt{Q^2+1}+1}{2\\pi f_0 Q}",
+        "Chain(\\tau_\\epsilon, Div(Add(Sqrt(Add(Pow(Q; 2), 1)), 1); Mul(2, \\pi, f_0, Q)); =)",
+        "devitocodes/devito/examples/seismic/tutorials/11_viscoacoustic.ipynb",
+    ),
+    (
+        "r \\cdot F[m]\\ s \\approx s \\cdot F[m]^\\top r",
+        "Chain(Mul(r, Indexed(F; m), s), Mul(s, Transpose(Indexed(F; m)), r); \\approx)",
+        "devitocodes/devito/examples/seismic/self_adjoint/sa_03_iso_correctness.ipynb",
+    ),
+    (
+        "\\mathscr{F}=\\frac{D_{AB}}{D_{Eff}}",
+        "Chain(\\mathscr{F}, Div(D_{AB}; D_{Eff}); =)",
+        "PMEAL/porespy/examples/simulations/tutorials/finding_tortuosity_from_image.ipynb",
+    ),
+    (
+        "w_{\\rm g}(\\boldsymbol{q})=1 + b_1\\,\\delta+(b_2/2)\\,\\delta^2+\n(b_s/2)\\,s^2+(b_{k2}/2)\\nabla^2\\delta.",
+        "Chain(Call(w_g; \\boldsymbol{q}), Add(1, Mul(b_1, \\delta), Mul(Div(b_2; 2), Pow(\\delta; 2)), Mul(Div(b_s; 2), Pow(s; 2)), Mul(Div(b_{k2}; 2), Call(laplacian; \\delta))); =)",
+        "LSSTDESC/CCL/pyccl/nl_pt/bacco_lbias.py",
+    ),
+    (
+        "Q = g_h \\Delta P",
+        "Chain(Q, Mul(g_h, \\Delta P); =)",
+        "PMEAL/OpenPNM/examples/tutorials/08_simulating_transport.ipynb",
+    ),
+    (
+        "S = \\left( \\begin{array}{ccc} \\mathbf{s}_0 & \\mathbf{s}_1 & \\ldots\n\\end{array} \\right) \\;.",
+        "Chain(S, MatrixOf(\\mathbf{s}_0, \\mathbf{s}_1, Dots()); =)",
+        "bwohlberg/sporco/sporco/admm/pdcsc.py",
+    ),
+    (
+        "n_A = \\frac{A}{L} \\Delta C_A\n    = S_{diffusive} D_{AB} \\Delta C_A",
+        "Chain(n_A, Mul(Div(A; L), \\Delta C _ { A }), Mul(S_{diffusive}, D_{AB}, \\Delta C _ { A }); =, =)",
+        "PMEAL/OpenPNM/src/openpnm/models/geometry/diffusive_size_factors/_funcs.py",
+    ),
+    (
+        "\\tau = \\frac{D_{AB}}{D_{Eff}} \\cdot \\varepsilon",
+        "Chain(\\tau, Mul(Div(D_{AB}; D_{Eff}), \\varepsilon); =)",
+        "PMEAL/porespy/examples/simulations/tutorials/finding_tortuosity_from_image.ipynb",
+    ),
+    (
+        "M^{-1} D = D_{\\mathrm{new}} M_{\\mathrm{new}}",
+        "Chain(Mul(Pow(M; Neg(1)), D), Mul(D_{new}, M_{new}); =)",
+        "XanaduAI/strawberryfields/strawberryfields/decompositions.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -15491,5 +19231,185 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "d_C \\Theta (X)=\\Theta(C) \\operatorname{Low}_s\\left(L^{-1} X L^{-\\top}\\right) -\\frac{1}{2} \\operatorname{Diag}\\left(L^{-1} X L^{-\\top}\\right) \\Theta(C)",
         "geomstats/geomstats/geomstats/geometry/full_rank_correlation_matrices.py",
+    ),
+    (
+        "z = \\frac{R_s I_0}{n Ns V_{th} \\left(1 + \\frac{R_s}{R_{sh}} \\right)} \\exp \\left(\n    \\frac{R_s \\left( I_L + I_0 \\right) + V}{n Ns V_{th} \\left(1 + \\frac{R_s}{R_{sh}}\\right)}\n    \\right)",
+        "pvlib/pvlib-python/docs/sphinx/source/user_guide/singlediode.rst",
+    ),
+    (
+        "I = \\frac{I_L + I_0 - \\frac{V}{R_{sh}}}{1 + \\frac{R_s}{R_{sh}}}\n    - \\frac{n Ns V_{th}}{R_s} W \\left(z \\right)",
+        "pvlib/pvlib-python/docs/sphinx/source/user_guide/singlediode.rst",
+    ),
+    (
+        "H(t|x) = H_0(t) \\exp(x' \\beta)",
+        "CamDavidsonPilon/lifelines/lifelines/fitters/coxph_fitter.py",
+    ),
+    (
+        "0 = \\dot m_\\text{in} -\n\\eta_\\text{vol} \\cdot V_\\text{swept} \\cdot\n\\frac{rpm}{60} \\cdot \\frac{1}{v_\\text{in}}",
+        "oemof/tespy/src/tespy/components/displacementmachinery/polynomial_compressor.py",
+    ),
+    (
+        "\\Delta \\theta_\\text{log} = \\frac{\\Delta T_{i} - \\Delta T_{i+1}}{\\ln \\frac{\\Delta T_{i}}{\\Delta T_{i+1}}}\\\\\n\nUA_{i}=\\frac{\\dot Q_{i}}{\\Delta \\theta_{\\text{log,}i}}\\\\\n\nUA=\\sum UA_{i}",
+        "oemof/tespy/docs/how_to_guides/heat_exchangers.ipynb",
+    ),
+    (
+        "D(P) := P + PC(\\theta I - C'PC)^{-1} C'P.",
+        "QuantEcon/QuantEcon.py/quantecon/_robustlq.py",
+    ),
+    (
+        "\\begin{split}\nT_m = & \\frac{T_{out} + T_{in}}{2}\\\\\niam = & 1 - iam_1 \\cdot |aoi| - iam_2 \\cdot aoi^2\\\\\n0 = & \\dot{m} \\cdot \\left( h_{out} - h_{in} \\right)\\\\\n& - A \\cdot \\left[E \\cdot \\eta_{opt} \\cdot doc^{1.5} \\cdot\niam \\right. \\\\\n& \\left. - c_1 \\cdot \\left(T_m - T_{amb} \\right) -\nc_2 \\cdot \\left(T_m - T_{amb}\\right)^2\n\\vphantom{ \\eta_{opt} \\cdot doc^{1.5}} \\right]\n\\end{split}",
+        "oemof/tespy/src/tespy/components/heat_exchangers/parabolic_trough.py",
+    ),
+    (
+        "\\dot{Q} = \\varepsilon \\cdot C_\\text{min} \\cdot\n\\left(T_{in,1} - T_{in,2}\\right) \\text{ with }\n\\varepsilon = f\\left(\\text{NTU}, C_r\\right) \\text{ and }\n\\text{NTU} = \\frac{UA}{C_\\text{min}}",
+        "oemof/tespy/src/tespy/components/heat_exchangers/ntu.py",
+    ),
+    (
+        "0 = \\dot{m}_{in} \\cdot \\left( h_{out} - h_{in}\\right) +\nUA \\cdot \\Delta T_{log}",
+        "oemof/tespy/src/tespy/components/heat_exchangers/simple.py",
+    ),
+    (
+        "\\varepsilon = f\\left(\\frac{UA_\\text{design} \\cdot f_{UA}}\n{C_\\text{min}}, C_r\\right),\\;\nf_{UA} = \\frac{2}{\\frac{1}{f_1\\left(expr_1\\right)} +\n\\frac{1}{f_2\\left(expr_2\\right)}}",
+        "oemof/tespy/src/tespy/components/heat_exchangers/ntu.py",
+    ),
+    (
+        "f_{UA}=\\frac{1 + x}\n{\\left(\\frac{\\dot m_\\text{cold}}{\\dot m_\\text{cold,design}}\\right)^{-n_\\text{cold}} +\nx \\cdot \\left(\\frac{\\dot m_\\text{hot}}{\\dot m_\\text{hot,design}}\\right)^{-n_\\text{hot}}}\n\\qquad\n0 = UA_\\text{design} \\cdot f_{UA} - \\sum_j \\frac{\\dot Q_j}{\\Delta T_{log,j}}",
+        "oemof/tespy/docs/jupyter_execute/model_library/heat_pump_partload.ipynb",
+    ),
+    (
+        "X_j = X_{j-1} + a_{j-1} X_{j-1} a_{j-1}'",
+        "QuantEcon/QuantEcon.py/quantecon/_matrix_eqn.py",
+    ),
+    (
+        "X = \\sqrt{\\frac{T_\\text{in,design}}{T_\\text{in}}}\\\\\nY = \\frac{\\dot{m}_\\text{in} \\cdot p_\\text{in,design}}\n{\\dot{m}_\\text{in,design} \\cdot p_\\text{in} \\cdot X}\\\\\n\\vec{Y} = f\\left(X,Y\\right)\\cdot\\left(1-\\frac{igva}{100}\\right)\\\\\n\\vec{Z}=f\\left(X,Y\\right)\\cdot\\left(1-\\frac{igva^2}{10000}\\right)\\\\\n0 = \\frac{\\eta_\\text{s}}{\\eta_\\text{s,design}} -\nf\\left(Y,\\vec{Y},\\vec{Z}\\right)",
+        "oemof/tespy/src/tespy/components/turbomachinery/turbocompressor.py",
+    ),
+    (
+        "LH = r ~ L ~\\rho ~ C_D ~ U \\left( q_s - q_a \\right)",
+        "climlab/climlab/climlab/surface/turbulent.py",
+    ),
+    (
+        "r(x_t, u_t) := x_t' R x_t + u_t' Q u_t + 2 u_t' N x_t",
+        "QuantEcon/QuantEcon.py/quantecon/_lqcontrol.py",
+    ),
+    (
+        "r(x_t, s_t, u_t) :=\n   (x_t' R(s_t) x_t + u_t' Q(s_t) u_t + 2 u_t' N(s_t) x_t)",
+        "QuantEcon/QuantEcon.py/quantecon/_lqcontrol.py",
+    ),
+    (
+        "0 = p_{out} - p_{in} - f\\left( expr \\right)",
+        "oemof/tespy/src/tespy/components/turbomachinery/pump.py",
+    ),
+    (
+        "V_t(x) = x' P_t x + d_t",
+        "QuantEcon/QuantEcon.py/quantecon/_lqcontrol.py",
+    ),
+    (
+        "T_{m} = E \\times \\exp (a + b \\times WS) + T_{a}",
+        "pvlib/pvlib-python/pvlib/temperature.py",
+    ),
+    (
+        "AXA' - X + B = 0",
+        "QuantEcon/QuantEcon.py/quantecon/_matrix_eqn.py",
+    ),
+    (
+        "0 = UA_\\text{ref} \\cdot f_\\text{UA} - \\sum UA_\\text{i}",
+        "oemof/tespy/src/tespy/components/heat_exchangers/sectioned.py",
+    ),
+    (
+        "q(x_0) = \\mathbb{E} \\Big[ \\sum_{t=0}^{\\infty} \\beta^t x_t' H x_t \\Big]",
+        "QuantEcon/QuantEcon.py/quantecon/_quadsums.py",
+    ),
+    (
+        "V_{oc, est} = n Ns V_{th} \\log \\left( \\frac{I_L}{I_0} + 1 \\right)",
+        "pvlib/pvlib-python/docs/sphinx/source/user_guide/singlediode.rst",
+    ),
+    (
+        "0 = td_\\text{pinch} - min(td_\\text{i})",
+        "oemof/tespy/src/tespy/components/heat_exchangers/sectioned.py",
+    ),
+    (
+        "L_{total} = 1 - [ 1 - \\Pi_i ( 1 - L_i ) ]",
+        "pvlib/pvlib-python/pvlib/pvsystem.py",
+    ),
+    (
+        "I = I_{L} - I_{0} (\\exp \\frac{V + I R_{s}}{nNsVth} - 1)\n- \\frac{V + I R_{s}}{R_{sh}}",
+        "pvlib/pvlib-python/pvlib/ivtools/sde.py",
+    ),
+    (
+        "A(f) = A\\sqrt{\\frac{f}{f_A}}",
+        "scikit-rf/scikit-rf/skrf/media/definedAEpTandZ0.py",
+    ),
+    (
+        "\\sum_{j=1}^N (\\sigma^* - \\sigma_j)R^{j} = 0",
+        "simpeg/simpeg/simpeg/maps/_property_maps.py",
+    ),
+    (
+        "m_{nylon} = 585 \\frac{kg}{m^3} d^2",
+        "NREL/MoorPy/moorpy/library/readme.md",
+    ),
+    (
+        "m_{HMPE} = 496 \\frac{kg}{m^3} d^2",
+        "NREL/MoorPy/moorpy/library/readme.md",
+    ),
+    (
+        "Q(x, \\xi_s) = \\min_{y_s} \\quad & q_s^T y_s \\\\\n\\text{s.t.} \\quad & W y_s = h_s - T x \\\\\n& y_s \\geq 0",
+        "PyPSA/PyPSA/docs/user-guide/optimization/stochastic.md",
+    ),
+    (
+        "x_{i, t, d} = \\begin{cases}\n                    \\frac{1}{2} \\left (x_{i, t-1, d} + lb_d \\right) & \\quad \\text{if }x_{i, t, d} < lb_d \\\\\n                    \\frac{1}{2} \\left (x_{i, t-1, d} + ub_d \\right) & \\quad \\text{if }x_{i, t, d} > ub_d \\\\\n                    x_{i, t, d} & \\quad \\text{otherwise}\n              \\end{cases}",
+        "ljvmiranda921/pyswarms/pyswarms/backend/handlers.py",
+    ),
+    (
+        "w = (\\delta \\Sigma)^{-1} E(R)",
+        "PyPortfolio/PyPortfolioOpt/pypfopt/black_litterman.py",
+    ),
+    (
+        "RH = 100\\frac{e_{sat}(T_d)}{e_{sat}(T)}",
+        "Ouranosinc/xclim/src/xclim/indices/converters.py",
+    ),
+    (
+        "r_a = log(\\frac{(zw - d)}{zom}) *\n\\frac{log(\\frac{(zh - d)}{zoh})}{(0.41^2)u_2}",
+        "pyet-org/pyet/pyet/combination.py",
+    ),
+    (
+        "\\hat{c} = \\left( \\Phi' \\Phi \\right)^{-1} \\Phi' y",
+        "GAA-UAM/scikit-fda/skfda/representation/basis/_fdatabasis.py",
+    ),
+    (
+        "F^* = \\frac{MS_{\\text{effect}}}{MS_{\\text{error}}} =\n\\frac{\\frac{SS_{\\text{effect}}}\n{r-1}}{\\frac{SS_{\\text{error}}}{(n - 1)(r - 1)}}",
+        "raphaelvallat/pingouin/src/pingouin/parametric.py",
+    ),
+    (
+        "\\hat{c} = \\left( \\Phi' W \\Phi + \\lambda R \\right)^{-1} \\Phi' W y",
+        "GAA-UAM/scikit-fda/skfda/preprocessing/smoothing/_basis.py",
+    ),
+    (
+        "\\text{BF}_{10;k}(n, r) = \\frac{2^{\\frac{k-2}{k}}\\sqrt{\\pi}}\n{\\beta(\\frac{1}{k}, \\frac{1}{k})} \\cdot\n\\frac{\\Gamma(\\frac{2+k(n-1)}{2k})}{\\Gamma(\\frac{2+nk}{2k})}\n\\cdot 2F_1(\\frac{n-1}{2}, \\frac{n-1}{2}, \\frac{2+nk}{2k}, r^2)",
+        "raphaelvallat/pingouin/src/pingouin/bayesian.py",
+    ),
+    (
+        "TR_{adj} = f(TX_{i}, TN_{i}) = \\begin{cases}\n0.25(TX_{i} - TN_{i} - 13), & \\text{if } (TX_{i} - TN_{i}) > 13 \\\\\n0, & \\text{if } 10 < (TX_{i} - TN_{i}) < 13\\\\\n0.25(TX_{i} - TN_{i} - 10), & \\text{if } (TX_{i} - TN_{i}) < 10 \\\\\n\\end{cases}",
+        "Ouranosinc/xclim/src/xclim/indices/_agro.py",
+    ),
+    (
+        "H_M \\ = \\ \\frac{1}{2} \\displaystyle\\sum_{(i, j) \\in E(G)} X_i X_j \\ + \\ Y_i Y_j,",
+        "PennyLaneAI/pennylane/pennylane/qaoa/mixers.py",
+    ),
+    (
+        "CR_y(\\phi) &=\n    \\begin{bmatrix}\n        1 & 0 & 0 & 0 \\\\\n        0 & 1 & 0 & 0\\\\\n        0 & 0 & \\cos(\\phi/2) & -\\sin(\\phi/2)\\\\\n        0 & 0 & \\sin(\\phi/2) & \\cos(\\phi/2)\n    \\end{bmatrix}.",
+        "PennyLaneAI/pennylane/pennylane/ops/qubit/parametric_ops_controlled.py",
+    ),
+    (
+        "CZ = \\begin{bmatrix}\n    1 & 0 & 0 & 0 \\\\\n    0 & 1 & 0 & 0\\\\\n    0 & 0 & 1 & 0\\\\\n    0 & 0 & 0 & -1\n\\end{bmatrix}.",
+        "PennyLaneAI/pennylane/pennylane/ops/qubit/non_parametric_ops.py",
+    ),
+    (
+        "\\frac{u_{i,j,k+1}-2u_{i,j,k}+u_{i,j,k-1}}{\\Delta^2 t}= c^2_{i,j,k}(\\frac{u_{i-1,j,k}-2u_{i,j,k}+u_{i+1,j,k}}{\\Delta^2 x} + \\frac{u_{i,j-1,k}-2u_{i,j,k}+u_{i,j+1,k}}{\\Delta^2 z}) + c^2_{i,j,k} f_{i,j,k}",
+        "devitocodes/devito/examples/seismic/abc_methods/01_introduction.ipynb",
+    ),
+    (
+        "\\Sigma_0 = \\mathbb{E}[x_0, x_0^T] - mu_0 \\mathbb{E}[x_0]^T\n           - \\mathbb{E}[x_0] mu_0^T + mu_0 mu_0^T",
+        "pykalman/pykalman/pykalman/standard.py",
     ),
 )

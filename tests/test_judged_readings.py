@@ -129,6 +129,7 @@ def test_forms_are_never_decided(latex: str) -> None:
 
 TWO_WAYS = (
     r"u = 2 \pi(\theta, \dot{\theta})",
+    r"\mathbf{u} = \sum_{(i, j) \in E} X_i X_j + Y_i Y_j",
     r"\mathcal{L} \{t\} = \mathbf{s}",
     r"\mathbf{M} = \bar{v}_1 \ldots \bar{v}_n",
     r"\delta \int_0^t (L + \mathbf{H}) \, dt = 0",
@@ -311,6 +312,11 @@ NOT_READ = {  # where two things may be meant
     r"k = 1.2 \sim 1.5": "from one to the other",
     r"\ell = \log{\binom{N}{n}} \theta^n": "belong to the argument of log",
     r"{Ql}_i = n_i": "cannot be read here",
+    r"\nabla e^f = e^f \nabla f": "does this power belong to grad",
+    r"\Delta \ln x = y": "the change of what follows",
+    r"a = 0.5 b = 0.4 c = 0.3": "do several equations stand in a row",
+    r"y = \frac{E[x]}{E(x - 1)}": "the expectation of what is in these brackets",
+    r"x \stackrel{?}{=} y": "is no letter",
 }
 
 
@@ -355,6 +361,29 @@ def test_what_means_one_thing_is_read(latex: str) -> None:
     assert first_reading(latex)
 
 
+SAME = {  # what is typed otherwise, and reads as the second one
+    r"azimuth = \arctan x": r"\mathrm{azimuth} = \arctan x",
+    r"\mathsf{SNR} = 10 x": r"\mathrm{SNR} = 10 x",
+    r"N = [N_1 \, N_2 \, N_3]": r"N = [N_1, N_2, N_3]",
+    r"k = 2.8311e-4 x": r"k = 2.8311 \cdot 10^{-4} x",
+    r"y = \log_{10}{1 + x}": r"y = \log_{10}(1 + x)",
+}
+
+
+@pytest.mark.parametrize("latex", SAME)
+def test_what_is_typed_otherwise_reads_alike(latex: str) -> None:
+    assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(SAME[latex])[0])
+
+
+def test_a_question_is_in_doubt_as_its_print_is() -> None:
+    for latex in (r"F = \frac{MSB}{MSW}", r"PV = \frac{FV}{(1 + r)^n}", r"E = KE + PE"):
+        answer = decide(latex)
+        assert answer.verdict is Status.UNREADABLE
+        assert "one name" in answer.reason
+    said = decide(r"E = KE + PE", letters=dict.fromkeys("KPE", "scalar"))
+    assert said.verdict is not Status.UNREADABLE
+
+
 APART = {  # what is read otherwise, and would be read as the second one if a sign were overlooked
     r"y = g (m_1 + m_2)": r"y = g(t)",
     r"x_i(t + 1) = x_i(t) + v_i(t + 1)": r"x_i(t + 1) = x_i(t) + v_i \cdot (t + 1)",
@@ -393,19 +422,19 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"x = \frac{3 Tc^2}{T}": "one name Tc, or a product",
     r"x_{ss} = N_x \cdot ref": "one name ref, or a product",
     r"y = fct(t)": "a factor, or part of the name fc",
-    r"y = FDD(t)": "one name DD, or a product",
+    r"y = FDD(t)": "one name FDD, or a product",
     r"\sigma(t) = \sigma \sqrt{1 + t^2}": r"is \\sigma what \\sigma\(t\) is",
     r"e_i \cdot e^j = \delta_i^j": "a power, or a label",
     r"y = \omega [\sin x, \cos x]": "a factor, or applied to what follows",
     r"\mathbf{xf}_i = \mathbf{y}": "one name, or a product",
     r"d_A f(X) = X": "a factor, or applied to what follows",
-    r"W = \Delta KE": "one name KE that changes",
+    r"W = \Delta KE": "one name KE, or a product",
     r"\frac{dP}{dt} = b(aNP) - mP": "a factor, or a function",
     r"VCC = VCC + GND": "one name",
     r"y = T_m^2 (MW)": "a factor, or a function",
     r"\left(\frac{\partial a \alpha}{\partial P}\right)_V = b": "constant, or not",
     r"SS = 2 a": "one name SS, or a product",
-    r"SGS = SG + b": "one name, or a product",
+    r"SGS = SG + b": "one name SGS, or a product",
     r"y = \mathrm{amp}(3 - a)": "a function, or a factor",
     r"Y = \frac{A T^B}{1 + C T + D}": "a power, or a label",
     r"\sum_{i=1}^k \Gamma(a^i) = b": "a power, or an index",
@@ -427,6 +456,26 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"\mathbf{C} = \mathbf{X} \mathbf{X}^H": "conjugated and transposed",
     r"u = \Delta_{\mathbf{x}} v": "applied to what follows",
     r"T(K) = T(^\circ C) + 273": "degrees of a scale",
+    r"\nabla f^2 = 2 f \nabla f": "the gradient of a power",
+    r"0 = \dot{m} \cdot (h - h_0) + UA \cdot T": "one name UA, or a product",
+    r"y = m \cdot \frac{rpm}{60}": "one name rpm, or a product",
+    r"E = KE + PE": "one name KE, or a product",
+    r"RH = 100 \frac{a}{b}": "one name RH, or a product",
+    r"y = lb_d + ub_d": "one name lb, or a product",
+    r"ed(x, y) = x - y": "one name ed, or a product",
+    r"m = 496 \frac{kg}{m^3} d^2": "one name kg, or a product",
+    r"y = mu_0 x": "one name mu, or a product",
+    r"H(t) = h(t) \exp(x' \beta)": "does the prime transpose",
+    r"AXA' - X + B = 0": "does the prime transpose",
+    r"L = 1 - \Pi_i (1 - L_i)": "a letter, or the sign of a product",
+    r"A(f) = A \sqrt{f}": "is A what A\\(f\\) is",
+    r"X(a) = \mathcal{L}(\mathbf{c}) \pi(\mathbf{c})": "the number pi, or a function",
+    r"y = \left(\frac{h}{a}\right)^\nu K_\nu \left(\frac{h}{a}\right)": "a factor before brackets, or a function",
+    r"\frac{u}{\Delta^2 t} = c": "the power of a change",
+    r"y = 2F_1(a, b, c, x)": "a hypergeometric one",
+    r"q^T y = h - T x": "transposed, or raised to the power of T",
+    r"\sum_{j=1}^N (a - a_j) R^j = 0": "a power, or an index",
+    r"w = (\delta \Sigma)^{-1} x": "a change, or a factor before a letter",
 }
 
 

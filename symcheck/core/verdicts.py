@@ -17,6 +17,10 @@ class Unsaid(SymcheckError):
     """What is read, but has no value before more is said: of what kind letters are, or on what they depend."""
 
 
+class Doubt(SymcheckError):
+    """What may be meant in two ways, of which print tells neither: no other reading settles it."""
+
+
 class Loss(StrEnum):
     """What is lost with a hypothesis."""
 

@@ -15,7 +15,7 @@ from symcheck.core.calculus import Lambda, Unknown, derivative, domain, function
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, Value, mapped, node
 from symcheck.core.terms import Call as Applied
-from symcheck.core.verdicts import NoForm, SymcheckError, Unsaid
+from symcheck.core.verdicts import Doubt, NoForm, SymcheckError, Unsaid
 from symcheck.core.words import term
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
@@ -267,6 +267,10 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
         for inference in inferences(tried):
             try:
                 found.append(_reading(asked, inference, defined, equations, conditions))
+            except Doubt as error:
+                if not (found or inference.remote):
+                    raise
+                errors.append(error)
             except (NoForm, Unsaid) as error:
                 errors.append(_understood(asked, inference, conditions, str(error)))
             except SymcheckError as error:

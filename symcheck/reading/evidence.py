@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -12,8 +13,9 @@ from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
-from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, NO_FACTORS, names_of_several_tokens
+from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, names_of_several_tokens
 from symcheck.reading.occurrences import Occurrence, occurrences, words
+from symcheck.reading.side_by_side import doubted
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
@@ -143,7 +145,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     printed = [formula for formula in formulas if r"\begin" in formula]
     shapes = {letter: shape for letter, other in equated(printed) if (shape := _shape(other))}
     found: dict[str, Evidence] = {}
-    initials = _initials(formulas) | _forms(formulas)
+    open_ = _in_doubt(formulas) | _forms(formulas)
     square = {
         x
         for formula in formulas
@@ -165,7 +167,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
-        own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or initials.get(place.word, "")
+        told = "" if own.said else open_.get(place.word, "")
+        own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or told
         if tokens and not family and (inside := summed.intersection(tokens)):
             own.doubt = own.doubt or f"{INDEX_IN_NAME}: {min(inside)}"
         own.shape = shapes.get(latex, ())
@@ -203,46 +206,35 @@ _PRODUCT_DERIVED = re.compile(
 )
 # a square before capitals in brackets, which no function has
 _SQUARE_OF = re.compile(r"([A-Za-z]|\\[a-z]+) (?:_ (?:\w|\{ \w \}) )?\^ (?:2|\{ 2 \}) \( [A-Z](?: [A-Z])+ \)")
-# the change of a name of several letters: `\Delta KE`
-_CHANGED = re.compile(r"\\Delta ([A-Z]) ([A-Z])(?! ?[A-Za-z_^'(\\])")
 # a coefficient before a product: `b(aNP)`
 _OF_PRODUCT = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-eikmr]) \( [a-z](?: [A-Z])+ \)")
-# what a function of the time is equal to: `\sigma(t) = \sigma + b`
-_OF_TIME = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( t \) = ((?:(?!\\quad|\\\\|=).)*)")
+# what a function of one letter is equal to: `\sigma(t) = \sigma + b`
+_OF_ONE = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( ([A-Za-z]|\\[a-z]+) \) = ((?:(?!\\quad|\\\\|=).)*)")
+_TEXT = re.compile(r"\\(?:text|mathrm) \{[^{}]*\}|\\prescript (?:\{(?:[^{}]|\{[^{}]*\})*\} ){3}")
 # rates, in equations in which letters are functions without brackets
-_RATES = re.compile(r"\\d?dot|\\partial|d t|\\mathrm \{ d \}")
-# `SS_{res}` and `SS`, sums of squares, and `DD(x)`
-_TWICE = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?\1 ?(?:_|\(|(?<![A-Z] . .)(?:=|-|\+|\}|$)|(?<=[A-Z] . . )(?:=|,))")
-_PALINDROME = re.compile(r"\s*([A-Z]) [A-Z] \1 =")  # `SGS`, a name that an equation begins with
+_RATES = re.compile(r"\\d?dot|\\partial|d t|\{ d |\\mathrm \{ d \}")
 # a word before brackets that hold a number and a letter
 _WORD_TIMES = re.compile(
     r"\\(?:text|mathrm) (\{ [a-z](?: [a-z])+ \}) (?:\\left )?\( \d+ [-+] (?:[a-z]|\\[a-z]+) (?:\\right )?\)"
 )
 # what has a number above it that a sum or a product runs over
 _ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})")
+_NO_VARIABLES = frozenset("ABCDEFGHKLMNPQRSTUVW")  # of which a series in powers is hardly made
 # such a sum or product, from 1 to a number
 _FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z]|\{ [A-Za-z] \})")
+_RAISED_CHANGE = re.compile(
+    r"\\Delta \^ (?:\d|\{ \d \}) (?:[A-Za-z]|\\(?:theta|phi|tau|nu|lambda))(?![A-Za-z])"
+)  # `\Delta^2 t`
+# `2F_1(a, b, c, x)`
+_HYPERGEOMETRIC = re.compile(
+    r"\d F _ (?:\d|\{ \d \}) (?:\\left )?\( [^()]*(?:\([^()]*\)[^()]*)*,[^()]*(?:\([^()]*\)[^()]*)*,"
+)
 # `fct(x)` and `fc_i(x)`, names of functions
 _OF_FUNCTION = re.compile(r"(?<![A-Za-z\\])f ([a-z]) (?:t )?(?:_ (?:\w|\{[^{}]*\}) )?(?:\\left )?\(")
-_SMALL_O = re.compile(r"(?<![A-Za-z\\])([A-Z]) ?o(?![A-Za-z])")  # `Do`, an outer diameter
-_WORD = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )[b-df-hj-np-tv-z] e [b-df-hj-np-tv-z](?! ?[A-Za-z'^_])")  # `ref`
-_COMMAND = re.compile(r"\\[A-Za-z]+(?: \{ [a-z* ]* \})*")  # with words behind it
-_SMALL_C = re.compile(r"(?<![A-Za-z\\])([PTV]) ?c(?![A-Za-z])")  # `Tc`, a critical temperature
 # all that is integrated, and by what
 _ALONE = re.compile(
     r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) (?:\\[,;:] )?d (\w|\\\w+)"
 )
-# capitals that an equation begins with, which may be one name, and its subscript
-_INITIALS = re.compile(r"\s*([A-Z](?:\s*[A-Z])+)\s*(?:_\s*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\w)\s*)?=")
-# three capitals or more behind the sign or as a part of a fraction, or two where other factors have a dot between them
-_CAPITALS = re.compile(
-    r"=\s*([A-Z](?:\s*[A-Z]){2,})(?!\s*[\^_'(A-Z])|\\cdot\s*([A-Z]\s*[A-Z])(?!\s*[\^_'(A-Za-z\\])"
-    r"|\{ ([A-Z](?: [A-Z]){2,}) \}"
-)
-# three capitals or more of which the last has a subscript
-_CAPITALS_BELOW = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([A-Z](?: [A-Z]){2,}) _ ")
-# capitals in a row: a product of matrices, or a name
-_RUN = re.compile(r"(?<![A-Za-z\\])[A-Z](?: [A-Z])*(?![A-Za-z])")
 
 
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
@@ -261,103 +253,78 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
             yield name, "constant, or not? write brackets behind what depends on the variable"
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
-    if r"\Delta " in text:
-        for changed, last in _CHANGED.findall(text):
-            yield last, f"one name {changed}{last} that changes, or a factor? say what its letters are"
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
-    if "( t ) = " in text and not _RATES.search(text):
-        for value, rest in _OF_TIME.findall(text):
-            if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", rest + " "):
-                yield value, f"is {value} what {value}(t) is? write {value}(t), or name the constant otherwise"
+    if " ) = " in text and not _RATES.search(text):
+        for value, by, rest in _OF_ONE.findall(text):
+            if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
+                yield value, f"is {value} what {value}({by}) is? write {value}({by}), or name the constant otherwise"
+    if r"\Delta ^ " in text and _RAISED_CHANGE.search(text):
+        yield r"\Delta", "the power of a change, or times what follows? write brackets"
+    if _HYPERGEOMETRIC.search(text):
+        yield "F", "a factor before a function, or a hypergeometric one? write the number as a subscript at its left"
     function = _OF_FUNCTION.search(text)
     if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
         yield "f", f"a factor, or part of the name f{function[1]}? say what it is"
     for run in {*_FROM_ONE.findall(text)} if " = 1 } ^ " in text else ():
         over = [base for base, *above in _ABOVE.findall(text) if run in above]
         if tex.texts(text).count(run) != len(over) + len(_FROM_ONE.findall(text)):
-            over = [base for base in over if re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)]
+            over = [
+                base for base in over if base in _NO_VARIABLES or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
+            ]
         yield from ((base, f"a power, or an index? say what {run} is above it") for base in over)
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"
 
 
-def _initials(formulas: Sequence[str]) -> dict[str, str]:
-    """Capitals alone before an equality sign that occur nowhere else: one name rather than a product."""
-    found: dict[str, str] = {}
-    for x in (x for formula in formulas for x in _SMALL_O.findall(formula)):
-        found["o"] = f"one name {x}o, or a product? say what its letters are, or write {x}_o"
-    for text in formulas:
-        critical = _SMALL_C.findall(text)
-        if critical and tex.texts(text).count("c") == len(critical) < tex.texts(text).count(critical[0]):
-            name = f"{critical[0]}c"
-            found["c"] = f"one name {name}, or a product? say what its letters are, or write {critical[0]}_c"
+def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
+    """The letters of which the print leaves open what they are, each with what is open."""
+    found = doubted(formulas)
     for text in formulas:
         found |= dict(_doubted(text))
-    outside = [NO_FACTORS.sub("", formula) for formula in formulas]
-    for text in outside:
-        word = _WORD.search(_COMMAND.sub(r"\\", text)) if " e " in text else None
-        if word:
-            name = word[0].replace(" ", "")
-            found[name[0]] = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
-    first = [match for match in map(_INITIALS.match, formulas) if match]
-    runs = [match for formula in outside for match in _CAPITALS.finditer(formula)]
-    runs += [match for formula in formulas for match in _CAPITALS_BELOW.finditer(formula)]
-    twice = [(x, formula) for formula in formulas for x in _TWICE.findall(formula)]
-    alone = [each for formula in formulas for each in _ALONE.findall(formula)]
-    for text in formulas:
-        if palindrome := _PALINDROME.match(text):
-            found[palindrome[1]] = "one name, or a product? say what the letters are"
-    if not (first or runs or twice or alone):
-        return found
-    toks = [text for formula in formulas for text in tex.texts(formula)]
-    bare = [text for text, after in itertools.pairwise([*toks, ""]) if after != "_"]
-    named = [(next(filter(None, match.groups())).split(), match in first) for match in [*first, *runs]]
-    doubled = [
-        x
-        for x, text in twice
-        if bare.count(x) == text.count(f"{x} {x} _") + 2 * len(_TWICE.findall(text)) - 2 * text.count(f"{x} {x} _")
-    ]
-    named += [([x, x], True) for x in doubled]
-    for letters, begins in named:
-        *before, last = letters
-        once = [bare.count(letter) == 1 for letter in before] + [(bare.count(last) or toks.count(last)) == 1]
-        if (
-            letters == [last, last]
-            or all(once)
-            or (len(once) > 2 and any(once))
-            or (begins and _are_at_their_places(letters, outside))
-        ):
-            name = "".join(letters)
-            told = f"one name {name}, or a product? say what its letters are, or write \\mathrm{{{name}}}"
-            found |= dict.fromkeys(letters, told)
-    for letter, by in alone:
-        if bare.count(letter) == 1 and letter != "d":
-            found[letter] = f"{INTEGRATED} {by}: a constant, or a function of it? say what it is"
+    integrated = [each for formula in formulas if r"\int " in formula for each in _ALONE.findall(formula)]
+    if integrated:
+        toks = [text for formula in formulas for text in tex.texts(formula)]
+        bare = Counter(text for text, after in itertools.pairwise([*toks, ""]) if after != "_")
+        for letter, by in integrated:
+            if bare[letter] == 1 and letter != "d":
+                found[letter] = f"{INTEGRATED} {by}: a constant, or a function of it? say what it is"
     return found
 
 
-def _are_at_their_places(letters: Sequence[str], formulas: Sequence[str]) -> bool:
-    """Do capitals stand nowhere but at these places of runs of so many: `PV = FV`?"""
-    runs = [match[0].split() for formula in formulas for match in _RUN.finditer(formula)]
-    places = [(x, k) for k, x in enumerate(letters)]
-    return all(len(run) == len(letters) and run[k] == x for x, k in places for run in runs if x in run)
+_BASE = (
+    r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[a-z]+) \}"
+    r"|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
+)
+_INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
+# a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA'
+_TRANSPOSED = re.compile(
+    rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
+    rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:{_BASE}{_INDEX} )+(?=\2\3 '(?! '))"
+)
+# what shows that primes differentiate, or that something else transposes
+_NO_TRANSPOSES = re.compile(r"' '|\\d?dot |' (?:\\left )?\( [a-z] \)|\^ (?:\{ )?(?:T|\\top|\\mathsf)(?![A-Za-z])")
 
 
-# x'Qx, a quadratic form
-_FORM = re.compile(r"(?<![A-Za-z\\])([a-z]) ' (?:[A-Z]|\\mathbf \{ [A-Z] \}) ([a-z])(?![A-Za-z])")
-# x'x and X'X, of a vector or a matrix with itself; of a function and its derivative y' y is a product
-_WITH_ITSELF = re.compile(r"(?<![A-Za-z\\])((?:[A-Z]|[a-xz]|\\mathbf \{ \w \})) ' \1(?! ?[A-Za-z'(])")
-
-
+# what may be transposed before a factor, where T is a letter, too
+_POWER_OF_T = re.compile(
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}}) (?={_BASE})"
+)
+_ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed
 _ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
 
 
 def _forms(formulas: Sequence[str]) -> dict[str, str]:
     """The letters of products such as `x' Q x` and `X' X`, where a prime may transpose."""
-    found = {match[1] for formula in formulas for each in (_FORM, _WITH_ITSELF) for match in each.finditer(formula)}
+    primed = [formula for formula in formulas if "'" in formula]
+    if any(map(_NO_TRANSPOSES.search, primed)):
+        primed = []
+    found = {match[1] or match[2] for formula in primed for match in _TRANSPOSED.finditer(formula)}
     told = dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
+    if any(map(_POWER_OF_T.search, formulas)) and "T" in {x for f in formulas for x in tex.texts(_ABOVE_T.sub("", f))}:
+        bases = {m[1] for formula in formulas for m in _POWER_OF_T.finditer(formula)}
+        told |= dict.fromkeys(map(canonical, bases), "transposed, or raised to the power of T? say what T is")
     raised = sum(len(_ADJOINT.findall(formula)) for formula in formulas)
     if raised and raised == sum(tex.texts(formula).count("H") for formula in formulas):
         told["H"] = "a power, or conjugated and transposed? say what H is"

@@ -13,7 +13,7 @@ from collections import Counter
 from dataclasses import fields
 
 from symcheck.core.terms import Node, node
-from symcheck.core.verdicts import SymcheckError, Unsaid
+from symcheck.core.verdicts import Doubt, SymcheckError, Unsaid
 from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, INTEGRATED, KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
@@ -101,7 +101,7 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             if letter is not None and letter.doubt and not letter.doubt.startswith(_LEFT_OPEN):
                 refuse_doubt(part, letter)
             if letter is not None and letter.open and names[part] > clear[part]:
-                raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? say what it is")
+                raise Doubt(f"{to_latex(part)}: a factor before brackets, or a function? say what it is")
         refuse_bare(part, notation)
         if isinstance(part, Mul) and (factor := _applied(part)) is not None:
             raise SymcheckError(f"{to_latex(part)}: is {to_latex(factor)} a factor, or applied to what follows?")
@@ -119,7 +119,7 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
 
 
-_SUMMED = re.compile(r"_\{\s*([a-z])\s*\}")  # `\sum_i^N`
+_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^{}<>=]*\}")  # `\sum_i^N`, and over a set
 
 
 def _index_behind(tree: Add) -> str:
@@ -170,7 +170,7 @@ def refuse_doubt(tree: Tree, letter: Letter) -> None:
         The letter.
     """
     if letter.doubt:
-        error = Unsaid if letter.doubt.startswith(_LEFT_OPEN) else SymcheckError
+        error = Unsaid if letter.doubt.startswith(_LEFT_OPEN) else Doubt
         raise error(f"{to_latex(tree)}: {letter.doubt}")
 
 

@@ -52,6 +52,7 @@ _OPERATOR = re.compile(r"\\math(?:cal|scr)\{[DFHLT]\}")  # of a derivative, a tr
 _DIFFERENTIAL = re.compile(r"[dD]_\{?(?:[A-Z]|\\math|\\text)")  # of a map, by or at what is named below
 _OF_SPACE = re.compile(r"\\(?:Delta|nabla)_\{?\\(?:mathbf|boldsymbol|bm|vec)")  # a derivative by a place
 _MAPS = frozenset({r"\exp", r"\log"})  # functions of matrices, which have differentials
+_PRODUCT = re.compile(r"\\Pi_\{?[i-n]\}?")  # with an index below it
 _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
 
 
@@ -64,6 +65,9 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
             return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
+    if _PRODUCT.fullmatch(of.spelling) and not of.said and any(p.after in OVER or p.arguments for p in of.places):
+        doubt = r"a letter, or the sign of a product? say what it is, or write \prod"
+        return [in_doubt(guess, doubt) for guess in found]
     operator = (_OPERATOR.fullmatch(of.spelling) or _OF_SPACE.match(of.spelling)) and not of.said
     operated = operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places)
     mapped = _DIFFERENTIAL.match(of.spelling) and not of.said and any(p.after in _MAPS for p in of.places)
@@ -156,7 +160,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
-    elif arguments and not bare and (re.match(r"\\text\{\w\w", latex) or of.idle):
+    elif arguments and not bare and (_NAMED.match(latex) or of.idle):
         function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
         yield in_doubt(function, FACTOR) if _holds_factors(of) else function
     elif arguments and not bare and not of.dotted and _is_function(of, every):
@@ -219,6 +223,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
 
 
+_NAMED = re.compile(r"\\text\{(?:\w\w|[A-Z]\}_)")  # several upright letters, or one with an index
 FACTOR = "a factor before brackets, or a function? say what it is"
 # what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
 _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
@@ -255,11 +260,14 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
-    doubtful = _holds_factors(of) and (typical or (len(of.spelling) == 1 and of.spelling.isupper()))
+    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
+    doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if _is_stepped(of):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
         yield in_doubt(function, FACTOR)
+    elif typical and any(place.exponent for place in of.places):
+        yield from (in_doubt(function, FACTOR), product)
     else:
         yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
 
@@ -270,6 +278,7 @@ def _is_stepped(of: Evidence) -> bool:
     return len(times) > 1 and len(times) == len({*of.arguments}) and any("+" in each.split() for each in times)
 
 
+_OF_ORDER = re.compile(r"[A-Z]_\{?\\")  # a Bessel function, say
 _AFFINE = re.compile(r"[A-Z](?: _ \S+| _ \{[^{}]*\})* [a-z].*\+")  # W x + b, of which a layer is a function
 _MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
 
@@ -356,8 +365,10 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 
 def _is_dotted(of: Evidence) -> bool:
     """Does a dot stand between it and another letter, where both have accents?"""
-    near = (x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside)
-    return bool(is_accented(of.spelling)) and any(map(is_accented, near))
+    near = {x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside}
+    if of.spelling.startswith(r"\nabla"):
+        return any(is_accented(x) or x.startswith(r"\nabla") for x in near)
+    return bool(is_accented(of.spelling)) and any(is_accented(x) or x.startswith(r"\nabla") for x in near)
 
 
 def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
@@ -407,8 +418,12 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     latex = of.spelling
     derived = any(p.role == "derived" and p.before in ("d", r"\partial") and p.superscript is None for p in of.places)
     alone = all(place.before in ("", "=", "&", r"\\") and not place.powered for place in of.places)
-    if latex == r"\pi" and alone and not of.bare and _common_arguments(of):
-        return []  # a profit, or a policy
+    if latex == r"\pi" and not of.bare and _common_arguments(of):
+        if not (alone or of.by or any(place.before.isdigit() or place.powered for place in of.places)):
+            function = Guess(_letter(of, kind="function"), "a function", "it stands before one letter in brackets")
+            return [in_doubt(function, "the number pi, or a function? say what it is")]
+        if alone:
+            return []  # a profit, or a policy
     if latex != r"\pi" and (of.dotted or (of.arguments and _common_arguments(of)) or derived):
         return []  # a number depends on nothing
     if latex == r"\pi":

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from symcheck.reading import tex
 from symcheck.reading.complex_letters import complexes, equated
 from symcheck.reading.evidence import Evidence, gathered, spelling
 from symcheck.reading.faces import ACCENT, STYLED
@@ -95,6 +96,7 @@ def inferred(
     SymcheckError
         If a phrase is not understood, or there are too many readings.
     """
+    formulas = [*map(tex.spaced, formulas)]
     evidence = gathered(formulas, said)
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or each.derived)}

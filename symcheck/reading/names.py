@@ -24,6 +24,7 @@ FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _SIGNS |= {r"\perp", r"\parallel", r"\uparrow", r"\downarrow"}
+_STATES = frozenset("HSGU")  # enthalpy, entropy, and energies, whose changes have indices
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
 _ANGLES = frozenset(  # letters with a circle above of which that hardly says a standard state
     {r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\alpha", r"\beta", r"\gamma", r"\delta", r"\lambda", "x"}
@@ -93,7 +94,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if _is_power(each.above)},
         {each.above for each in scripted if each.applied and each.word != each.bare and _letters(each.above)},
         loose,
-        {each.word for each in scripted if each.above == ("0",) and each.word != each.bare},
+        {each.word for each in scripted if each.above in (("0",), ("1",)) and each.word != each.bare},
         {word for formula in raised for word in _APPLIED.findall(formula)},
         {
             each.above[0]
@@ -229,6 +230,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(letters[0])
     if not of.framed and any(letter in told.numbers for letter in letters):
         return None
+    members = {number.partition("_")[0] for number in told.numbers if "_" in number}
+    if not of.framed and len(letters) == 1 and "_" in letters[0] and letters[0].partition("_")[0] in members:
+        return None  # one of several numbers
     points = "_" in letters[0] or len(letters) > 1 or letters[0] in FRAMES
     if of.framed or "," in inside or letters[0].startswith(BOLD):
         return ""
@@ -404,6 +408,8 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
             while reader.peek() == "_":
                 reader.i += 1
                 reader.group()
+            if texts[reader.i - 1] == "e" and reader.peek() == "^":
+                continue  # of a power of Euler's number
             yield " ".join(texts[start : reader.i])
         except SymcheckError:
             reader.i = start + 1
@@ -417,7 +423,15 @@ _OF_MATRICES = re.compile(
 
 
 def _unit(latex: str, formula: str) -> str:
-    """The doubt about one letter in brackets: at the end behind a factor, or where nothing is a matrix."""
+    """The doubt about one letter in brackets: at the end behind a factor, or where nothing is a matrix.
+
+    That about a gradient is whether its power is meant.
+    """
+    if latex.startswith(r"\nabla"):
+        raised = re.search(rf"{re.escape(latex)} \^ (?:\{{ )?[\w\\](?<!T)(?!mathrm|top|text|dagger)", formula)
+        return "the gradient of a power, or a power of the gradient? write brackets" if raised else ""
+    if latex.startswith(r"\delta") and re.search(rf"\( {re.escape(latex)} (?:\\right )?\) \^ \{{ - 1 \}}", formula):
+        return "a change, or a factor before a letter? write \\cdot, or say what it is"
     if not latex.startswith("["):
         return ""
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
@@ -520,8 +534,9 @@ def _change(texts: Sequence[str], start: int) -> int:
         count += 1
     inside = texts[start + 3 : start + count - 1]
     word = [text for text in inside if text.isalpha()]
-    of_reaction = len(word) > 1 or {*inside} & {*ROMAN, r"\text"}
-    return count if word and of_reaction and "".join(texts[start + count : start + count + 1]).isupper() else 0
+    after = "".join(texts[start + count : start + count + 1])
+    of_reaction = len(word) > 1 or {*inside} & {*ROMAN, r"\text"} or (inside[0].islower() and after in _STATES)
+    return count if word and of_reaction and after.isupper() else 0
 
 
 def _begins_letter(text: str) -> bool:
@@ -531,6 +546,7 @@ def _begins_letter(text: str) -> bool:
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    bracketed = bracketed and not ("^" in inside or {"_", "+"} <= {*inside})  # that is a power
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
         return True
     if [*inside] == ["i", "g"]:  # of an ideal gas

@@ -131,14 +131,16 @@ class Scan(tex.Reader):
             before = self.texts[self.i - 1] if self.i else ""
             if self.wholes and (whole := self.whole())[0]:
                 name, dots = whole
+                arguments = self.arguments()
                 yield Occurrence(
                     name,
                     dots,
-                    arguments=self.arguments(),
+                    arguments=arguments,
+                    powered=arguments is not None and name[0] != "[" and self.peek_at(self.behind()) == "^",
                     role=scope.role,
                     by=scope.by,
                     before=before,
-                    after=self.peek(),
+                    after=next((text for text in self.texts[self.i :] if text not in _UNPRINTED), ""),
                     followed=self.vector_follows(),
                 )
             elif text in (r"\begin", r"\end"):

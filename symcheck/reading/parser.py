@@ -103,6 +103,7 @@ _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
 _BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
+_MEAN = re.compile(r"(?<![A-Za-z\\])E\s*(?:\\left|\\[bB]igg?l?)?\s*\[")  # the sign of an expectation
 _LOOSE = frozenset({"exists", "iff", "implies", "either"})  # rules of logical connectives
 # signs beside which an interval stands
 _OF_SETS = re.compile(r"\\(?:in|notin|subset|subseteq|supset|cup|cap|setminus)(?![a-z])")
@@ -549,6 +550,8 @@ class Builder:
         numbers = itertools.pairwise(isinstance(member, Number) for member in members)
         if any(sign == r"\sim" and all(pair) for sign, pair in zip(signs, numbers, strict=True)):
             raise self.fail(_place(nodes[0]), "numbers from one to the other? write between which a letter is")
+        if len(signs) > 2 and isinstance(members[0], Name) and all(map(_is_value_and_name, members[1:-1])):
+            raise self.fail(_place(nodes[0]), "do several equations stand in a row here? write commas between them")
         lists = any(isinstance(member, Tuple) for member in members[1:]) and not _is_of_capitals(members[0])
         if self.notation.inferred and _is_bracket(members[0]) and not lists:
             raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
@@ -752,7 +755,7 @@ class Builder:
         power = items[1].power.value if isinstance(items[1].power, Neg) else items[1].power
         if word not in DIMENSIONLESS or (word != "Re" and not isinstance(power, Number | None)):
             return
-        toks = tex.texts(NO_FACTORS.sub("", self.source))
+        toks = tex.texts(NO_FACTORS.sub("", tex.spaced(self.source)))
         pairs = sum(pair == (word[0], word[1]) for pair in itertools.pairwise(toks))
         alone = toks.count(word[0]) == toks.count(word[1]) == pairs
         clear = word not in PRODUCTS or items[0].at == self.first or "." in toks or "." in "".join(toks)
@@ -793,6 +796,16 @@ class Builder:
         bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
         if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
+        if (
+            isinstance(name, Name)
+            and name.letter == "E"
+            and not after.square
+            and bracketed
+            and _MEAN.search(self.source)
+        ):
+            raise self.fail(after.at, "the expectation of what is in these brackets, or times it? write square ones")
+        if isinstance(name, Name) and name.letter in (r"\Delta", r"\delta") and after.kind == "function":
+            raise self.fail(item.at, "the change of what follows, or times it? write \\cdot, or brackets")
         if isinstance(name, Name) and _OPERATOR.match(name.letter) and _STATE.match(to_latex(after.node or Blank())):
             raise self.fail(item.at, f"{to_latex(name)} applied to what follows, or times it? say what it is")
         if not self.in_brackets(after):
@@ -826,6 +839,8 @@ class Builder:
                 f"{shown} of what is in these brackets, or times it? declare {letter.latex} with kind='function', or "
                 r"write \cdot",
             )
+        if isinstance(inside, Call) and isinstance(inside.function, str) and inside.function in ("div", "curl"):
+            return  # their operator needs brackets behind a factor
         constant = letter is not None and (letter.depends == "" or letter.number)
         # a sum and a power of a product need their brackets, so that they are no sign of a function
         if isinstance(inside, Pair) and all(map(self.is_vector, children(inside))):
@@ -1022,7 +1037,8 @@ class Builder:
         counts = counted and (
             self.is_sequence(name) or any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
         )
-        return (inside,) if counts or isinstance(inside, Name | Number | Call) else ()
+        upright = name.letter.startswith(r"\text{")
+        return (inside,) if counts or upright or isinstance(inside, Name | Number | Call) else ()
 
     def is_sequence(self, name: Name) -> bool:
         """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
@@ -1566,6 +1582,11 @@ def _changes(name: Name, of: Tree | None) -> bool:
     r"""Is this the change of another letter, `\delta\alpha` behind `\alpha`?"""
     changes = (r"\delta", r"\Delta")
     return isinstance(of, Name) and any(name.letter.split() == [sign, *of.letter.split()] for sign in changes)
+
+
+def _is_value_and_name(tree: Tree) -> bool:
+    """Is this a number before a name, as where values of several letters are printed without a comma?"""
+    return isinstance(tree, Mul) and [type(part) for part in tree.factors] == [Number, Name]
 
 
 def _has_chain(listing: Listing) -> bool:

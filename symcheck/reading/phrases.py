@@ -17,6 +17,8 @@ _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,|~)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
 _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
+_CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: [_^] (?:\w|{_BRACED}))*)"
+_WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
 _SPELLINGS: Sequence[
     tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]
 ] = (  # of one thing in several tokens, behind what always stands in it, with the usual one
@@ -42,6 +44,15 @@ _SPELLINGS: Sequence[
         "~ ",
         re.compile(r"^((?:& )?\\?[A-Za-z]+(?: _ (?:\w|\{ [^{}]* \}))? )(?:~ )+(?=\( [^()]* \) (?:~ |& )*= )"),
         r"\1",
+    ),
+    # a row whose three entries or more are parted by spaces alone
+    (
+        "[ ",
+        re.compile(
+            rf"(?<== )(?:\\left |\\[bB]igg?l? )?\[ {_CELL}(?: {_WIDTHS.pattern}{_CELL}){{2,}}"
+            r" (?:\\right |\\[bB]igg?r? )?\]"
+        ),
+        lambda found: _WIDTHS.sub(", ", found[0]),
     ),
     # a narrow space before a script
     (r"\! ", re.compile(r"(?:\\! )+(?=[_^])"), ""),

@@ -51,14 +51,16 @@ _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # f
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
-_ITALIC = re.compile(r"\\mathit\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
-_BOLD = re.compile(r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})")  # words
+_ITALIC = re.compile(r"\\math(?:it|sf|tt)\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
+_BOLD = re.compile(  # words
+    r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})|\\(?:mathbf|boldsymbol|textbf)\s*(\{\s*[A-Z][a-z]{2,}\s*\})"
+)
 # the name of an operator, perhaps with spaces
 _OPERATOR = re.compile(
     r"\\operatorname(\*?)\s*\{([^{}]*)\}|(?<!\{)\\(?:mathrm|text|textrm)()\s*\{\s*(arg\W*(?:max|min))\s*\}"
 )
 # spaces with their lengths; the wide ones part relations
-_HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*(\d*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
+_HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*([\d.]*[1-9][\d.]*\s*(?:cm|em|in)|\d{2,}\s*(?:mm|pt|ex))|[^{}]*)\s*\}")
 _UNITS = re.compile(  # of which the last has a power
     r"(?<![_^{])\\(?:mathrm|text)\s*\{((?:\s*[A-Za-z]+\s*\\,)*\s*[A-Za-z]+)\s*\\,\s*([A-Za-z]+)\s*\}(?=\s*\^)"
 )
@@ -87,8 +89,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
     source = _UNITS.sub(r"\\mathrm{\1}\\,\\mathrm{\2}", source)
     source = _OPERATOR.sub(_operator, _EMPTY.sub(" ", source))
-    source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1", source))
-    if not any(map(_GAMMA.search, (source, *beside))):
+    source = _HIGH.sub(r"^{(\1)}", _BOLD.sub(r"\\text\1\2", source))
+    if not any(map(_GAMMA.search, (source, *beside))) or _FUNCTION_OF.match(source):
         source = re.sub(r"\\Gamma(?![A-Za-z])", r"\\varGamma ", source)  # a letter, and no function
     tokens = typed(source)
     try:
@@ -261,7 +263,8 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
         part = parts[k]
         if isinstance(part, Group):
             inner, after = _made_plain(part.parts), parts[k + 1] if k + 1 < len(parts) else ""
-            argument = bool(inner and found) and str(found[-1]) in _BARE and after not in ("^", "_", "'")
+            head = found[-3] if found[-2:-1] == ["_"] else found[-1] if found else ""  # perhaps with a base below it
+            argument = bool(inner) and str(head) in _BARE and after not in ("^", "_", "'")
             bracketed = argument and not _is_bracket(inner) and not _is_fraction(inner)
             found += ["(", *inner, ")"] if bracketed else _loose(inner, found, after)
             k += 1
@@ -413,7 +416,8 @@ def _second(command: str, first: Part, second: Part) -> list[Part]:
         r"[^a-z]", "", sign.removeprefix(r"\operatorname").removeprefix(r"\mathrm") + "".join(_texts(inner))
     ).endswith(("lim", "min", "max")):
         return [*inner, "_", first if isinstance(first, Group) else Group([first])]
-    if command == r"\textcolor" or sign in SIGNS_OVER:
+    asked = "?" in _texts([first])  # whether it holds
+    if command == r"\textcolor" or (sign in SIGNS_OVER and not asked):
         return inner
     return [command, first, second]
 
@@ -523,6 +527,12 @@ _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold 
 # words, perhaps with formulas among them
 _WORDS = re.compile(
     r"\\(?:text|mbox|textrm|textnormal|hbox)\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\$(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}"
+)
+# a function of the usual letters that is said to be something without an integral, a product or a factorial
+_FUNCTION_OF = re.compile(
+    r"\s*\\Gamma\s*\(\s*(?:[trkfE]|\\omega|\\theta|\\tau)\s*\)\s*="
+    r"(?!.*\\(?:Gamma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
+    re.DOTALL,
 )
 # the gamma function, which stands before its argument
 _GAMMA = re.compile(r"\\Gamma(?![A-Za-z])(?:\s|\\[!,;:]|_\s*(?:\w|\{[^{}]*\}))*(?:\\left|\\[bB]igg?l?)?\s*\(")

@@ -15,7 +15,7 @@ _TOKEN = re.compile(r"\\[A-Za-z]+\*?|\\.|\S", re.DOTALL)  # a command, an escape
 _SPACE = r"(?:\\quad|\\qquad|\\,|\\;|\\:|\\!|\\ |~|\s)"
 # the number of a formula at its end: "\tag{2.1}", or "\quad (2.1)"
 _TAG = re.compile(
-    rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+\.\d+[a-zа-я]?)\))(?={_SPACE}*$)"
+    rf"{_SPACE}*(?:\\(?:tag|eqno)\s*\{{\s*([^{{}}]*?)\s*\}}|\\q?quad{_SPACE}*\((\d+(?:\.\d+)?[a-zа-я]?)\))(?={_SPACE}*$)"
 )
 _TAGGED = (r"\tag", r"\eqno", "quad")  # one of these stands before it
 _TAIL = re.compile(rf"(?:{_SPACE}|(?<!\\right)(?<!\\right )[.,;])+$")  # spaces and punctuation at the end of a formula
@@ -25,6 +25,7 @@ MAX_DEPTH = 30  # of brackets; the papers have less than ten
 _LETTERED = OVER | ROMAN
 _LETTERS = _LETTERED | LETTER_COMMANDS
 _ROMAN = {"{", "}"} | ROMAN  # what a subscript is printed with
+_DIGITS = frozenset("0123456789.")
 _OPENING, _CLOSING = frozenset({"{", "(", "[", r"\{"}), frozenset({"}", ")", "]", r"\}"})
 
 
@@ -126,6 +127,17 @@ def compact(source: str) -> str:
         number = made[-1:].isdigit() and tok.text[0] in "0123456789." and tok.at > end
         made, end = made + " " * bool(command or number) + tok.text, tok.at + len(tok.text)
     return made
+
+
+@lru_cache(maxsize=2048)
+def spaced(source: str) -> str:
+    """The same tokens with one space between them, but for digits that make one number: as patterns expect them."""
+    made, end = list[str](), 0
+    for text, at in zip(*_tokens(source), strict=True):
+        number = at == end and made and made[-1] in _DIGITS and text in _DIGITS
+        made += [text] if number or not made else [" ", text]
+        end = at + len(text)
+    return "".join(made)
 
 
 class Reader:

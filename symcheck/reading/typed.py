@@ -79,8 +79,9 @@ def _with_words(source: str) -> list[tex.Tok]:
     return found
 
 
+LONGEST_PRODUCT = 4  # small letters that are typed without a space
 DECIMALS = 3  # digits before an e behind which nobody adds a whole number
-_POWER_OF_TEN = re.compile(r"e([-+]\d\d)(?![\w.])")  # with two digits, as computers print it
+_POWER_OF_TEN = re.compile(r"e([-+]\d\d?)(?![\w.])")  # with two digits, as computers print it, or behind decimals
 
 
 def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
@@ -91,7 +92,8 @@ def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
     number = k > 0 and toks[k - 1].text.isdigit() and toks[k - 1].at + 1 == toks[k].at
     found = _POWER_OF_TEN.match("".join(tok.text for tok in run)) if number else None
     decimals = "".join(tok.text for tok in toks[max(0, k - DECIMALS) : k])
-    return found[1] if found and (found[1][1] == "0" or (len(decimals) == DECIMALS and decimals.isdigit())) else ""
+    sure = len(decimals) == DECIMALS and decimals.isdigit()
+    return found[1] if found and (sure or found[1][1:].startswith("0")) else ""
 
 
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
@@ -192,6 +194,7 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     applied = applied or (word == "Li" and opening in (["_"], ["("]))  # the logarithmic integral, and polylogarithms
     cost = word == "cost" and first and behind == "("
     initials = first and behind == "(" and word.isupper() and len(word) > 2  # as in MSD(t) =
+    named |= len(word) > LONGEST_PRODUCT and word.islower() and len({*word}) > 2
     named = (named and not _WITH_FUNCTION.search(word)) or applied or cost or initials
     return word.isascii() and named and not inside
 
@@ -201,7 +204,7 @@ _COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mat
 # operators of statistics, before brackets
 _OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
 # and functions that have other names in print
-_OF_VARIABLES |= {"sign", "trace", "sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}
+_OF_VARIABLES |= {"sign", "trace", "tr", "Tr", "sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 

@@ -1,0 +1,121 @@
+r"""Letters side by side that may be one name: `UA`, `rpm`, `LHV`, beside the products `mg` and `Ax`.
+
+Print does not tell a name of several letters in italics from a product. It is a product where each of its letters
+stands elsewhere without the others; otherwise it may be either, and what is usual decides the products below alone.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+
+ONE_NAME = "one name"  # how the doubt begins
+# names, environments and frames, whose letters are no factors
+_NAMED = re.compile(
+    r"\\(?:text|mathrm|operatorname|begin|end|mathbf|mathsf|bm|boldsymbol|pmb|mathcal|mathbb|mathscr|mathfrak|"
+    r"prescript|vec|hat|widehat|bar|tilde|overline|dot|ddot) (?:\{(?:[^{}]|\{[^{}]*\})*\}|\S)(?: \{ [lcr |]+ \})?"
+)
+_BELOW = re.compile(r" ?_ (?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\S+)")
+_DIFFERENTIAL = re.compile(r"(?<![A-Za-z\\])d (?:\^ (?:\w|\{ \w+ \}) )?(?=[A-Za-z])")
+_OF_EULER = re.compile(r"(?<![A-Za-z\\])e (?=\^ (?!\d|\{ \d+ \}))")  # the base of a power in letters
+_RAISED = re.compile(
+    r"([A-Za-z]) (?=\^ (?:[A-Za-z\\]|\{ (?:- )?[A-Za-z\\]))"
+)  # to a power in letters, as one letter is
+_CHANGE = re.compile(r"\\[Dd]elta [A-Za-z](?= [A-Za-z] _)")  # a change, and a letter with an index behind it
+_FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=-]*?\\cdot")  # whose argument a dot ends
+_DERIVATIVE = re.compile(r"\\int|\{ d ")
+_LETTERS = re.compile(r"(?<![A-Za-z\\])[A-Za-z](?: [A-Za-z])*(?![A-Za-z])")
+# what shows that capitals are matrices
+_OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:T|- 1|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x")
+# a sign of multiplication between numbers, which nobody prints who puts factors side by side
+_SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
+_OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
+# weights and gravity, gases, circuits, ways and times
+_USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
+_GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
+_UNITS = frozenset(
+    {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
+)
+_APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
+LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
+_FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
+
+
+def doubted(formulas: Sequence[str]) -> dict[str, str]:
+    """The letters of what may be one name, or a product, each with its doubt; formulas have their tokens apart."""
+    texts = [_apart(text) for text in formulas]
+    runs = Counter(run for text in texts for run in _runs(text))
+    several = [run for run in runs if len(run) > 1]
+    if not several:
+        return {}
+    signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(
+        map(_OF_VECTORS.search, formulas)
+    )
+    matrices = any(map(_OF_MATRICES.search, formulas))
+    found: dict[str, str] = {}
+    for run in several:
+        alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
+        unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
+        if unit or (
+            alone
+            and _may_be_name(run, alone, signed=signed, matrices=matrices, named=_is_name_on_sight(run, several, texts))
+        ):
+            told = f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
+            found |= dict.fromkeys(alone or run, told)
+    return found
+
+
+def _apart(text: str) -> str:
+    text = _CHANGE.sub("", _RAISED.sub(r", \1 ", _OF_EULER.sub("", _BELOW.sub("_", _NAMED.sub(r"\\", text)))))
+    return _DIFFERENTIAL.sub("", text) if _DERIVATIVE.search(text) else text
+
+
+def _runs(text: str) -> Iterator[str]:
+    return (match[0].replace(" ", "") for match in _LETTERS.finditer(text))
+
+
+def _stands_elsewhere(letter: str, run: str, runs: Collection[str]) -> bool:
+    """Does a letter of a run stand anywhere alone, or at another place of another run; a small one, at any?"""
+    small = letter.islower() and len(run) == 2 and run.islower()
+    return any(
+        other == letter or any(x == letter and (small or run[k : k + 1] != letter) for k, x in enumerate(other))
+        for other in runs
+        if other != run and not (small and len(other) == 2 and other[1] == run[1])
+    )
+
+
+def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> bool:
+    """Is a run in capitals a whole left side, or one of several with one end; has one in small letters an index?
+
+    Nor is a product said to be something of several arguments.
+    """
+    printed = " ".join(run)
+    if run.isupper():
+        paired = any(
+            len(other) == 2 and other.isupper() and other[0] != run[0] and other[1] == run[1] for other in runs
+        )
+        return (len(run) == 2 and paired) or any(
+            re.match(rf"(?:& )?{printed}_?(?: \( [^()]* \))?(?: &)? =", text.strip()) for text in texts
+        )
+    if any(re.match(rf"(?:& )?{printed}_? \( [^()]*,[^()]* \)(?: &)? =", text.strip()) for text in texts):
+        return True  # a distance, say
+    places = [found[1] for text in texts for found in re.finditer(rf"(?<![A-Za-z\\]){printed} ?(_?)", text)]
+    return run[0] not in "gkmd" and all(places)  # gravity, springs, masses, differentials
+
+
+def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:
+    """May these letters, of which some stand nowhere else, be one name?"""
+    if "o" in run or "O" in run or run in _GREEK:  # an o is hardly a letter
+        return True
+    if _USUAL.fullmatch(run) or (_APPLIED.fullmatch(run) and not signed):
+        return False
+    if signed:
+        return True
+    if run.isupper() and len(run) == 2 and len(alone) < len({*run}):
+        return named and not matrices
+    if run.isupper():
+        return named or not matrices
+    if len(run) == 2 and (run.islower() or _FACTOR_FIRST.fullmatch(run)):
+        return named and len(alone) == 2 and run.islower()
+    return not run.islower() or len(run) > LONGEST or len(alone) == len({*run})
