@@ -2,7 +2,7 @@
 
 An identity is a pair of terms that a handbook equates, with random terms in place of its letters. A near miss is an
 identity with one random edit, of which mpmath shows at a random point that it fails. Both are printed as LaTeX in one
-of several styles.
+of several styles. Besides, `handbook_pairs.txt` has relations as people print them, each with a slip.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -28,6 +29,7 @@ class Case:
     relation: str
     given: tuple[str, ...]
     true: bool
+    where: tuple[str, ...] = ()
 
 
 # --- values
@@ -520,3 +522,15 @@ def _case(rng: random.Random, family: str, true: bool) -> Case:
             printer = Printer(rng)
             relation = f"{printer.text(left)[0]} = {printer.text(right)[0]}"
             return Case(family, relation, tuple(GIVEN[each] for each in given), true)
+
+
+def pairs() -> Iterator[tuple[Case, Case]]:
+    """Relations that were typed by hand, true and with a slip, by the parts of the handbook."""
+    part = ""
+    for line in Path(__file__).with_name("handbook_pairs.txt").read_text(encoding="utf-8").splitlines()[1:]:
+        if line.startswith("## "):
+            part = line[3:]
+        elif line:
+            right, wrong, *said = line.split(" @ ")
+            given, where = (tuple(text.split("; ")) if text else () for text in (*said, "", "")[:2])
+            yield Case(part, right, given, True, where), Case(part, wrong, given, False, where)

@@ -39,6 +39,7 @@ from symcheck.question.doubts import (
 )
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
+from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import OfAnySize, covers, of_any_size
 from symcheck.question.parts_of_turns import with_parts_of_turns
@@ -79,7 +80,7 @@ WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
 FACTORIALS = range(1, 9)  # whole numbers of which the gamma function is worked out
-WORKED_OUT = ("integral", "sum", "product")  # what is simpler where its letters are numbers
+WORKED_OUT = ("integral", "sum", "product", "gamma")  # what is simpler where its letters are numbers
 NUMBERS_TRIED = (1, 2, -1)  # exponents too, for which integrals have primitives
 FEW = 3  # letters: of more there are too many numbers to try
 AT_NUMBERS = 3.0  # seconds for all of them
@@ -284,6 +285,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     conditions = (name for name, text in reading.stated.items() if text in given)
     if (cases := induction(reading.problems, _whole_letters(reading), conditions)) is not None:
         return _by_induction(base, reading, cases)
+    if (shown := _by_ratios(base, reading)) is not None:
+        return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
@@ -363,6 +366,24 @@ def _by_steps(base: Answer, reading: Reading) -> Answer | None:
         return None
     answer = _by_induction(base, replace(reading, problems=problems), cases)
     return answer if answer.verdict is Status.PROVED else None
+
+
+def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that sums of what depends on their ends are what is claimed, by how neighbouring ones differ."""
+    cases, made = list[Problem](), list[Certificate]()
+    for problem in reading.problems:
+        if (found := added_up(problem, _whole_letters(reading))) is None:
+            return None
+        for several in (lambda found=found: found.first, found.step):
+            for step in several() or (None,):
+                if step is None:
+                    return None
+                verdict, certificate_, _ = _decided_one(step)
+                if certificate_ is None or verdict is not Verdict.PROVED:
+                    return None
+                cases.append(step)
+                made.append(certificate_)
+    return _proved_in_cases(base, reading, cases, made)
 
 
 def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:

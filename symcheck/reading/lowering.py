@@ -903,8 +903,11 @@ class Lowering:
 
     def of_binomial(self, tree: Binomial, env: Env) -> Value:
         top, bottom = self.scalar(tree.top, env), self.scalar(tree.bottom, env)
-        if not isinstance(bottom, int) or bottom < 0:
-            raise Unsaid(f"{to_latex(tree)}: the lower number of a binomial coefficient must be a whole number")
+        if isinstance(bottom, int) and bottom < 0:
+            raise NoForm(f"{to_latex(tree)}: the lower number of a binomial coefficient must not be negative")
+        if not isinstance(bottom, int):
+            first, *others = (node("gamma", node("+", n, 1)) for n in (top, bottom, node("+", top, node("-", bottom))))
+            return node("/", first, node("*", *others))
         if isinstance(top, int) and top >= 0:
             return comb(top, bottom)
         factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
