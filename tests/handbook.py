@@ -30,6 +30,7 @@ class Case:
     given: tuple[str, ...]
     true: bool
     where: tuple[str, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
 
 
 # --- values
@@ -532,5 +533,6 @@ def pairs() -> Iterator[tuple[Case, Case]]:
             part = line[3:]
         elif line:
             right, wrong, *said = line.split(" @ ")
-            given, where = (tuple(text.split("; ")) if text else () for text in (*said, "", "")[:2])
-            yield Case(part, right, given, True, where), Case(part, wrong, given, False, where)
+            given, where, meant = (tuple(text.split("; ")) if text else () for text in (*said, "", "", "")[:3])
+            letters_ = tuple((x, what) for each in meant for x, _, what in [each.partition(": ")])
+            yield Case(part, right, given, True, where, letters_), Case(part, wrong, given, False, where, letters_)

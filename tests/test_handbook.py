@@ -19,7 +19,7 @@ def judged(drawn: list[Case]) -> Counter[str]:
     """How many are right and how many are not decided; no verdict is wrong."""
     counts: Counter[str] = Counter()
     for case in drawn:
-        answer = decide(case.relation, case.where, case.given)
+        answer = decide(case.relation, case.where, case.given, dict(case.letters))
         known = TRUTH.get(answer.verdict)
         assert known in (None, case.true), (case, answer.reading, answer.counterexample)
         counts["undecided" if known is None else "right"] += 1

@@ -23,7 +23,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import jets
+from symcheck.question import jets, special
 from symcheck.question.answer import Answer, Slips, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
@@ -146,7 +146,11 @@ def answered(
     started = time.perf_counter()
     asked = None
     try:
-        printed = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+        declared = special.said((letters or {}).items())
+        plain_letters = tuple(
+            (x, phrase) for x, phrase in (letters or {}).items() if x.partition("_")[0] not in declared
+        )
+        printed = Asked(relation, _several(where), _several(given), plain_letters)
         asked = plainly(printed)
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
@@ -160,6 +164,8 @@ def answered(
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
+            if (known := _of_special_functions(asked, declared)) is not None:
+                return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
             found = [(reading, _decided(reading, asked, wanted, claimed)) for reading in several]
@@ -356,6 +362,62 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
+    """The answer about members of a family of special functions; None where there are none, or nothing is found."""
+    if asked.where or not special.may_have((asked.relation,), declared):
+        return None
+    with suppress(SymcheckError, Understood):
+        (reading, *others) = readings(special.with_whole_orders(asked, declared))
+        if others or len(reading.problems) != 1 or (found := special.members(reading, declared)) is None:
+            return None
+        if not declared and not special.is_telling(found):
+            return None
+        latex, taken = _shown(reading.tree, reading.inference)
+        base = Answer(Status.UNDECIDED, latex, taken | special.shown(found, declared))
+        return _proved_of_family(base, reading, found) or (
+            _refuted_of_family(base, reading, found, bool(declared)) if declared or not found.integrals else None
+        )
+    return None
+
+
+def _proved_of_family(base: Answer, reading: Reading, found: special.Members) -> Answer | None:
+    """Proved by the relations of the family, by members written out, or by induction."""
+    (problem,) = reading.problems
+    written = special.written_out(problem, found) if not found.base and not found.integrals else None
+    for stated in (written, *(special.related(problem, found, more) for more in (0, 1))):
+        if stated is not None:
+            verdict, made, _ = _decided_one(stated)
+            if made is not None and verdict is Verdict.PROVED:
+                return _proved_in_cases(base, reading, (stated,), (made,))
+    sequences = special.as_sequences(problem, found)
+    if sequences is not None and (cases := induction((sequences,), {found.base})) is not None:
+        answer = _by_induction(base, replace(reading, problems=(sequences,)), cases)
+        return answer if answer.verdict in (Status.PROVED, Status.AMBIGUOUS) else None
+    return None
+
+
+def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, declared: bool) -> Answer | None:
+    """Refuted by members that are written out, if somebody says what they are; otherwise it is in doubt."""
+    for number in special.tried(found):
+        if (problem := special.written_out(reading.problems[0], found, number)) is None:
+            continue
+        by_digits = _refuted_by_digits(jets.without(problem))
+        verdict, made, used = by_digits or ((Verdict.UNDECIDED, None, ()) if found.integrals else _decided_one(problem))
+        if made is None or verdict is not Verdict.REFUTED:
+            continue
+        if not declared:
+            names = ", ".join(sorted({x.partition("_")[0] for x in found.latex.values()}))
+            kinds = " and ".join(found.family.names.values())
+            return replace(base, verdict=Status.AMBIGUOUS, reason=f"it is false of the {kinds}: say what {names} is")
+        if reason := doubt(reading):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        order = {} if number is None else {found.base: str(number)}
+        point = order | {x: term(value) for x, value in made["point"]["values"].items()}
+        stated = tuple(reading.stated[name] for name in used if name in reading.stated)
+        return replace(base, verdict=Status.REFUTED, counterexample=point, used=stated, certificate=(made,))
+    return None
 
 
 def _by_steps(base: Answer, reading: Reading) -> Answer | None:
