@@ -93,6 +93,12 @@ _SPELLINGS: Sequence[
         re.compile(r"(\\begin \{ [bBpvV ]*m a t r i x \}(?:(?!\\begin|\\end).)*)(?=\\end)"),
         lambda found: found[1].replace(" , &", " &"),
     ),
+    # the skew matrix of a vector, with the sign of the product within the brackets
+    (
+        r"\times ",
+        re.compile(rf"(?:\\left )?\[ (\\?[a-zA-Z]+(?: {_BRACED})?(?: _ (?:\w|{_BRACED}))?) \\times (?:\\right )?\]"),
+        r"[ \1 ] _ { \\times }",
+    ),
     # a matrix in brackets, and one of zeros
     (r"\left [", re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
     ("[ 0 ]", re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
