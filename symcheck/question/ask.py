@@ -41,7 +41,7 @@ from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, covers, of_any_size
+from symcheck.question.matrices import OfAnySize, covers, false_gradients, of_any_size
 from symcheck.question.parts_of_turns import with_parts_of_turns
 from symcheck.question.prepare import (
     DEFINED,
@@ -74,6 +74,7 @@ ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that a
 REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
+LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -191,7 +192,8 @@ def answered(
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
         return replace(at, seconds=time.perf_counter() - started)
     if not found:
-        return replace(other, seconds=time.perf_counter() - started)
+        false = _false_gradient(asked) if asked else None
+        return replace(false or other, seconds=time.perf_counter() - started)
 
     seconds = time.perf_counter() - started
     choices = {choice for reading, _ in found for choice in reading.inference.choices}
@@ -221,6 +223,32 @@ def _of_any_size(asked: Asked) -> Answer | None:
         found = _in_all_readings(asked)
         return _in_general(*found) if found else None
     return None
+
+
+def _false_gradient(asked: Asked) -> Answer | None:
+    """The answer that a derivative by a matrix or vector is false for two rows and columns, in each layout."""
+    with suppress(SymcheckError, OutOfTime), limited(LIMIT):
+        (reading, *others) = _all_alike(unlowered(asked))
+        if others:
+            return None
+        latex, letters_ = _shown(reading.tree, reading.inference)
+        found, whole = None, True
+        for problems in false_gradients(reading):
+            answers = (_decided_one(problem) for problem in problems)
+            found = next((made for verdict, made, _ in answers if made and verdict is Verdict.REFUTED), None)
+            if found is None:
+                return None if whole else Answer(Status.AMBIGUOUS, latex, letters_, reason=LAYOUT)
+            whole = False
+        if found is not None:
+            point = {x: term(value) for x, value in found["point"]["values"].items()}
+            return Answer(Status.REFUTED, latex, letters_, counterexample=point, certificate=(found,))
+    return None
+
+
+def _all_alike(several: Sequence[Reading]) -> Sequence[Reading]:
+    """One reading, where all say the same of the letters."""
+    kinds = {tuple((g.letter.latex, g.letter.kind) for g in reading.inference.guesses) for reading in several}
+    return several[:1] if len(kinds) == 1 else several
 
 
 def proved_for_all_sizes(asked: Asked) -> OfAnySize | None:
