@@ -23,7 +23,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import jets, special
+from symcheck.question import jets, series, special
 from symcheck.question.answer import Answer, Slips, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
@@ -319,7 +319,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     conditions = (name for name, text in reading.stated.items() if text in given)
     if (cases := induction(reading.problems, _whole_letters(reading), conditions)) is not None:
         return _by_induction(base, reading, cases)
-    if (shown := _by_ratios(base, reading)) is not None:
+    if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
         return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
@@ -474,6 +474,24 @@ def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
                 cases.append(step)
                 made.append(certificate_)
     return _proved_in_cases(base, reading, cases, made)
+
+
+def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with the values of endless sums in their places, if what shows these values is proved."""
+    found = [series.with_values(problem) for problem in reading.problems]
+    if not any(found):
+        return None
+    made = list[Certificate]()
+    for side in (side for each in found if each is not None for side in each.sides):
+        verdict, certificate_, _ = _decided_one(side)
+        if certificate_ is None or verdict is not Verdict.PROVED:
+            return None
+        made.append(certificate_)
+    problems = tuple(
+        problem if each is None else each.problem for problem, each in zip(reading.problems, found, strict=True)
+    )
+    answer = _decided(replace(reading, problems=problems), asked, wanted, claimed)
+    return replace(answer, certificate=(*answer.certificate, *made) if answer.certificate else ())
 
 
 def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:

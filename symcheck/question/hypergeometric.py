@@ -102,9 +102,9 @@ class _Sum:
         from sympy.concrete.gosper import gosper_term
 
         k, n = (sympy.Symbol(x, real=True) for x in (self.k, self.n))
-        body, claimed = (_plain(to_sympy(each), k, n) for each in (self.body, self.claimed))
-        r = sympy.Integer(0) if claimed == 0 else _ratio(claimed, n)
-        ahead, back = _ratio(body, n), 1 / _ratio(body, k).subs(k, k - 1)
+        body, claimed = (plainly(to_sympy(each), k, n) for each in (self.body, self.claimed))
+        r = sympy.Integer(0) if claimed == 0 else ratio(claimed, n)
+        ahead, back = ratio(body, n), 1 / ratio(body, k).subs(k, k - 1)
         rest = sympy.factor(ahead - r)
         if rest == 0:
             return from_sympy(r), 0
@@ -114,7 +114,7 @@ class _Sum:
         return from_sympy(sympy.factor(r)), from_sympy(sympy.factor(sympy.cancel(found * rest / back)))
 
 
-def _plain(expr: Expr, *of: Symbol) -> Expr:
+def plainly(expr: Expr, *of: Symbol) -> Expr:
     """With a cosine of multiples of pi as a power of -1."""
     import sympy
 
@@ -125,7 +125,7 @@ def _plain(expr: Expr, *of: Symbol) -> Expr:
     return expr.replace(sympy.cos, power)
 
 
-def _ratio(expr: Expr, x: Symbol) -> Expr:
+def ratio(expr: Expr, x: Symbol) -> Expr:
     """That of neighbouring values: a rational function of the letter."""
     from sympy import factor
     from sympy.simplify.simplify import hypersimp
