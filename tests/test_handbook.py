@@ -27,12 +27,12 @@ def judged(drawn: list[Case]) -> Counter[str]:
 
 
 def test_a_sample_of_the_handbook_is_decided_rightly() -> None:
-    counts = judged([*cases(2 * len(FAMILIES), seed=7)])
+    counts = judged([*cases(len(FAMILIES), seed=7)])
     assert counts["right"] >= DECIDED * counts.total()
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(5))
 def test_three_hundred_identities_and_as_many_near_misses_are_decided_rightly(seed: int) -> None:
     counts = judged([*cases(300, seed)])
     assert counts.total() == 600
