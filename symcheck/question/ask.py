@@ -23,7 +23,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import jets, series, special
+from symcheck.question import indices, jets, series, special
 from symcheck.question.answer import Answer, Slips, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
@@ -165,7 +165,7 @@ def answered(
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
-            if (known := _of_special_functions(asked, declared)) is not None:
+            if (known := _of_special_functions(asked, declared) or _by_indices(asked)) is not None:
                 return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
@@ -407,6 +407,30 @@ def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer |
         return _proved_of_family(base, reading, found) or (
             _refuted_of_family(base, reading, found, bool(declared)) if declared or not found.integrals else None
         )
+    return None
+
+
+def _by_indices(asked: Asked) -> Answer | None:
+    """The answer about a relation with the symbols of Kronecker and Levi-Civita; None where there are none."""
+    if asked.where or asked.given or asked.letters or not indices.SYMBOL.search(asked.relation):
+        return None
+    with suppress(SymcheckError, Understood):
+        reading = unlowered(asked)[0]
+        if (found := indices.indexed(reading.tree)) is None:
+            return None
+        base = Answer(Status.UNDECIDED, with_brackets(reading.tree), indices.shown(found))
+        verdicts, made = list[Verdict](), list[Certificate]()
+        for dimension in found.dimensions:
+            answers = [_decided_one(problem) for problem in found.problems(dimension)]
+            verdicts.append(next((v for v, _, _ in answers if v is not Verdict.PROVED), Verdict.PROVED))
+            made += (c for v, c, _ in answers if c is not None and v is verdicts[-1])
+        if {*verdicts} == {Verdict.PROVED}:
+            return replace(base, verdict=Status.PROVED, certificate=tuple(made))
+        if Verdict.PROVED in verdicts:
+            return replace(base, verdict=Status.AMBIGUOUS, reason="of how many dimensions are the indices? say so")
+        if {*verdicts} == {Verdict.REFUTED} and found.is_law and found.dimensions == (3,):
+            point = {x: term(value) for x, value in made[0]["point"]["values"].items()}
+            return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made[0],))
     return None
 
 
