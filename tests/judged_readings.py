@@ -1535,7 +1535,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\lambda = \\mathrm{arctan2}\\left(x, \\,y\\right)",
-        "Chain(\\lambda, Call(\\text{arctan2}; x, y); =)",
+        "Chain(\\lambda, Call(arctan2; x, y); =)",
         "Mayitzin/ahrs/ahrs/common/frames.py",
     ),
     (
@@ -10455,7 +10455,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\theta}_{am} = \\begin{bmatrix} \\theta_x \\\\ \\theta_y \\\\ \\theta_z \\end{bmatrix} = \\begin{bmatrix} \\mathrm{arctan2}(a_y, a_z) \\\\ \\mathrm{arctan2}\\big(-a_x, \\sqrt{a_y^2+a_z^2}\\big) \\\\ 0 \\end{bmatrix}",
-        "Chain(\\boldsymbol{\\theta}_{am}, MatrixOf(\\theta_x, \\theta_y, \\theta_z), MatrixOf(Call(\\text{arctan2}; a_y, a_z), Call(\\text{arctan2}; Neg(a_x), Sqrt(Add(Pow(a_y; 2), Pow(a_z; 2)))), 0); =, =)",
+        "Chain(\\boldsymbol{\\theta}_{am}, MatrixOf(\\theta_x, \\theta_y, \\theta_z), MatrixOf(Call(arctan2; a_y, a_z), Call(arctan2; Neg(a_x), Sqrt(Add(Pow(a_y; 2), Pow(a_z; 2)))), 0); =, =)",
         "Mayitzin/ahrs/ahrs/filters/complementary.py",
     ),
     (

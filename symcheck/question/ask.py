@@ -36,6 +36,7 @@ from symcheck.question.doubts import (
     held,
     spelled_function,
     with_longer_arguments,
+    with_swapped_angles,
 )
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
@@ -75,6 +76,7 @@ REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
 LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
+SWAPPED = "which argument of atan2 is the height? it does not fail where the first one is the width"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -355,8 +357,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             continue
         if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
-        if verdict is Verdict.REFUTED and _perhaps_with_longer_arguments(reading):
+        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_longer_arguments(reading.tree)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=LONGER)
+        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_swapped_angles(reading.tree)):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=SWAPPED)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
         said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
@@ -578,9 +582,8 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
     return EQUATION if is_condition(problem, reading) else ""
 
 
-def _perhaps_with_longer_arguments(reading: Reading) -> bool:
-    """Is it not refuted where letters behind the brackets of a sine belong to its argument?"""
-    tree = with_longer_arguments(reading.tree)
+def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:
+    """Is a relation not refuted where it is understood in another way?"""
     if tree == reading.tree:
         return False
     with suppress(SymcheckError):

@@ -8,11 +8,12 @@ same determinant whichever of its factors comes first, so that of the unit plus 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 
 from symcheck.core.matrices import NUMBER, Factor, Monomial, Shape, Shapes, Word, flipped
-from symcheck.core.terms import JSON
+from symcheck.core.terms import JSON, Malformed
 from symcheck.core.verdicts import NoForm
 
 DET = "det"  # the tag of a determinant, which no certificate knows
@@ -43,6 +44,12 @@ class Determinants:
             return False
         n, m = Shapes(self.shapes).value(term).shape
         return n == m and n != 1
+
+    def both(self, sides: tuple[JSON, JSON]) -> tuple[JSON, JSON] | None:
+        """Both sides of an equation without determinants; None where they have one of which nothing is known."""
+        with suppress(NoForm, Malformed):
+            return self.without(sides[0]), self.without(sides[1])
+        return None
 
     def of(self, term: JSON) -> JSON:
         """The determinant of a term without any."""

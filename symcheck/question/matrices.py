@@ -161,17 +161,16 @@ def _stated(reading: Reading, *, loose: bool) -> Stated:
     inverses = {x: made.sized(term, sizes) for x, term in made.inverses.items()}
     sides = [(made.sized(left, sizes), made.sized(right, sizes)) for left, right in claims]
     plain = tuple(Statement({**shapes}, both, {**assumed}, {**inverses}) for both in sides)
-    if any(has(side) for both in (*sides, *assumed.values()) for side in both):
+    if any(has(side) for both in sides for side in both):
         found = Determinants(shapes, inverses, made.powers())
         inverses |= {x: found.without(term) for x, term in [*inverses.items()] if has(term)}
-        assumed |= {
-            f"{name}_{DET}": ([DET, left], [DET, right])
-            for name, (left, right) in assumed.items()
-            if found.square(left)
-        }
-        printed |= {f"{name}_{DET}": text for name, text in printed.items()}
         sides = [(found.without(left), found.without(right)) for left, right in sides]
-        assumed = {name: (found.without(left), found.without(right)) for name, (left, right) in assumed.items()}
+        square = {name: both for name, both in assumed.items() if found.square(both[0])}
+        assumed |= {f"{name}_{DET}": ([DET, left], [DET, right]) for name, (left, right) in square.items()}
+        printed |= {f"{name}_{DET}": text for name, text in printed.items()}
+        assumed = {name: told for name, both in assumed.items() if (told := found.both(both)) is not None}
+    else:  # determinants in what is assumed make no difference
+        assumed = {name: both for name, both in assumed.items() if not any(map(has, both))}
     statements = tuple(Statement(shapes, both, assumed, inverses) for both in sides)
     return Stated(statements, printed, made.needed, made.taken(shapes), plain, made.varied)
 
