@@ -46,6 +46,8 @@ DIVERGENT = {
     r"\sum_{k=1}^\infty \frac{x^k}{k} = -\ln(1-x)": ("x < 1",),
     r"\sum_{k=1}^\infty \frac{k}{k+1} = 0": (),
     r"\sum_{k=0}^\infty (-1)^k = \frac{1}{2}": (),
+    r"\sum_{k=1}^\infty \frac{1}{(k-3)(k-2)} = -\frac{1}{2}": (),  # two addends have no value
+    r"\sum_{k=0}^\infty \frac{1}{k(k+1)} = 1": (),
 }
 
 

@@ -8,13 +8,13 @@ recurrence of C. What is left to trust is that sums telescope, and induction ove
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import factorial
 from typing import TYPE_CHECKING
 
-from symcheck.core.calculus import letters, nodes, substituted
+from symcheck.core.calculus import domain, letters, nodes, substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Malformed, Node, Relation, T, Term, mapped, node
@@ -221,7 +221,28 @@ def _steps(problem: Problem, s: _Sum, first: int) -> tuple[Problem, ...]:
         (node("=", differ(k), node("+", ahead(k, 1), node("-", ahead(k, 0)))), inside),
         (node("=", left, 0), here),
     )
-    return tuple(replace(problem, claim=_tidy(claim), hypotheses=tuple(given)) for claim, given in claims)
+    stated = [(_tidy(claim), given) for claim, given in claims]
+    valued = [
+        (each, given)
+        for claim, given in stated
+        for each in dict.fromkeys(part for whole in domain(claim, divisors=True) for part in _factors(whole))
+        if letters(each) & {s.n, k}
+    ]
+    return tuple(replace(problem, claim=claim, hypotheses=tuple(given)) for claim, given in (*stated, *valued))
+
+
+def _factors(condition: Formula) -> Iterator[Formula]:
+    """The conditions that no factor of a divisor vanishes; a gamma function is positive where it has a value."""
+    match condition:
+        case Node(tag="!=", outside=(Node(tag="*", outside=factors), 0)):
+            for factor in factors:
+                yield from _factors(node("!=", factor, 0))
+        case Node(tag="!=", outside=(Node(tag="^", outside=(base, int())), 0)):
+            yield from _factors(node("!=", base, 0))
+        case Node(tag="!=", outside=(Node(tag="gamma" | "pow"), 0)):
+            pass
+        case _:
+            yield condition
 
 
 def _tidy(tree: T) -> T:

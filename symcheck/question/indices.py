@@ -22,9 +22,10 @@ from symcheck.reading.tree import Add, Chain, Div, Mul, Name, Neg, Number
 DELTAS, EPSILONS = frozenset({r"\delta"}), frozenset({r"\epsilon", r"\varepsilon"})
 # such a symbol with letters for indices
 SYMBOL = re.compile(r"\\delta\s*_\s*\{\s*[i-npqrs]\s*[i-npqrs]\s*\}|\\(?:var)?epsilon\s*_\s*\{(?:\s*[i-npqrs]){3}\s*\}")
+# a letter with such indices alone
 _INDEXED = re.compile(r"(\\?[A-Za-z]+)_(?:\{([i-npqrs]+)\}|([i-npqrs]))")
 MOST = 300  # values of free indices: relations with more than five are not printed
-DIMENSIONS = (2, 3, 4)
+DIMENSIONS = (2, 3, 4)  # of the plane, of space, of space and time
 
 Factor = tuple[str, str]  # a letter and its indices
 Addend = tuple[Fraction, tuple[Factor, ...]]

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from symcheck.core.calculus import functions, letters, nodes, substituted
+from symcheck.core.calculus import domain, functions, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, PI, Binder, Formula, Malformed, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
@@ -119,7 +119,9 @@ def _summed(body: Term, letter: str, low: int) -> tuple[Term, list[Formula]]:
         right = node("+", right, node("*", multiple, each))
         if base.below != 0:
             claims.append(node("<", node("^", from_sympy(sympy.sympify(base.below)), 2), 1))
-    return worked_out(value), [node("=", powers.without(body), worked_out(right)), *claims]
+    stated = node("=", powers.without(body), worked_out(right))
+    valued = [each for each in domain(stated, divisors=True) if letter in letters(each)]
+    return worked_out(value), [*valued, stated, *claims]
 
 
 class _Powers:
