@@ -1,7 +1,7 @@
-"""Formulas of public texts before and after their authors corrected them, decided here and by other tools.
+"""Formulas of public texts before and after their authors corrected them, and a handbook: how many are decided.
 
-The pairs lie in the folder `corrections` beside that of the papers (SYMCHECK_SOURCES). Other tools are asked in the
-Python that SYMCHECK_PEERS names, if it has them, otherwise in this one.
+The pairs of the first lie in the folder `corrections` beside that of the papers (SYMCHECK_SOURCES). Other tools decide
+them, too: they are asked in the Python that SYMCHECK_PEERS names, if it has them, otherwise in this one.
 """
 
 from __future__ import annotations
@@ -17,9 +17,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from handbook import Case, cases, pairs
 from peers import PEERS
 
 RIGHT = {True: "proved", False: "refuted"}
+DRAWN = 1500  # identities of the handbook, and as many near misses
 Records = list[dict[str, Any]]
 
 
@@ -72,8 +74,39 @@ def timed(run: Callable[[], Any]) -> tuple[Any, float]:
     return run(), time.perf_counter() - began
 
 
+def handbook(drawn: list[Case]) -> None:
+    """Print what is decided of a handbook, by its parts."""
+    asked = [
+        {"id": str(n), "relation": each.relation, "where": each.where, "given": each.given,
+         "letters": dict(each.letters), "truth": each.true}
+        for n, each in enumerate(drawn)
+    ]  # fmt: skip
+    verdicts, seconds = ours(asked)
+    median = statistics.median(seconds)
+    print(f"\n{len(drawn)} relations of a handbook, half of them false; the median is {median:.3f} s.\n")
+    print("| part | true | proved | refuted | false | refuted | proved |")
+    print("| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
+    for part in [*dict.fromkeys(each.family for each in drawn), "all"]:
+        cells = []
+        for truth in (True, False):
+            found = [
+                v
+                for v, each in zip(verdicts, drawn, strict=True)
+                if each.true is truth and part in (each.family, "all")
+            ]
+            cells += [len(found), found.count(RIGHT[truth]), found.count(RIGHT[not truth])]
+        print(f"| {part} | {' | '.join(map(str, cells))} |")
+
+
 def main() -> None:
-    """Print the table."""
+    """Print the tables."""
+    corrections()
+    handbook([*cases(DRAWN)])
+    handbook([each for pair in pairs() for each in pair])
+
+
+def corrections() -> None:
+    """Print what is decided of formulas before and after they were corrected, here and elsewhere."""
     sources = os.environ.get("SYMCHECK_SOURCES")
     file = Path(sources).parent / "corrections" / "dev.jsonl" if sources else None
     if file is None or not file.is_file():

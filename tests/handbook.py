@@ -2,7 +2,7 @@
 
 An identity is a pair of terms that a handbook equates, with random terms in place of its letters. A near miss is an
 identity with one random edit, of which mpmath shows at a random point that it fails. Both are printed as LaTeX in one
-of several styles.
+of several styles. Besides, `handbook_pairs.txt` has relations as people print them, each with a slip.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -28,6 +29,8 @@ class Case:
     relation: str
     given: tuple[str, ...]
     true: bool
+    where: tuple[str, ...] = ()
+    letters: tuple[tuple[str, str], ...] = ()
 
 
 # --- values
@@ -59,6 +62,32 @@ def _sum(parts: Sequence[Tree], env: Env) -> Any:
     body, k, low, high = parts
     first, last = int(value(low, env)), int(value(high, env))
     return mpmath.fsum(value(body, env | {k: mpmath.mpf(n)}) for n in range(first, last + 1))
+
+
+def _series(parts: Sequence[Tree], env: Env) -> Any:
+    body, k, low = parts
+    return mpmath.nsum(lambda n: value(body, env | {k: n}), [value(low, env), mpmath.inf])
+
+
+def _improper(parts: Sequence[Tree], env: Env) -> Any:
+    body, x, low = parts
+    ends = [value(low, env), *range(2, 12, 3), mpmath.inf] if low != INFINITE else [-mpmath.inf, -3, 0, 3, mpmath.inf]
+    return mpmath.quad(lambda t: value(body, env | {x: t}), ends)
+
+
+def _whole(function: Callable[[int, Any], Any]) -> Callable[..., Any]:
+    """A polynomial of whole order; an order that is none has no value."""
+
+    def at(n: Any, x: Any) -> Any:
+        if n != int(n) or n < 0:
+            raise ValueError(n)
+        return function(int(n), x)
+
+    return at
+
+
+def _sloped(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda n, x: mpmath.diff(lambda t: function(n, t), x)
 
 
 def _cross(a: Any, b: Any) -> Any:
@@ -93,7 +122,21 @@ def _det(m: Any) -> Any:
 
 
 CONSTANTS: dict[str, Callable[[], Any]] = {r"\pi": lambda: +mp.pi, "e": lambda: +mp.e}
-BINDERS = {"diff": _derivative, "int": _integral, "sum": _sum}
+BINDERS = {"diff": _derivative, "int": _integral, "sum": _sum, "series": _series, "improper": _improper}
+INFINITE = "-infinity"  # the lower end of an integral over the whole line
+FAMILIES: dict[str, Callable[..., Any]] = {
+    "P": _whole(mpmath.legendre),
+    "T": _whole(mpmath.chebyt),
+    "U": _whole(mpmath.chebyu),
+    "H": _whole(mpmath.hermite),
+    "J": mpmath.besselj,
+    "I": mpmath.besseli,
+}
+MEANT = {
+    "P": "Legendre polynomial", "T": "Chebyshev polynomial of the first kind", "H": "Hermite polynomial",
+    "U": "Chebyshev polynomial of the second kind", "J": "Bessel function of the first kind",
+    "I": "modified Bessel function of the first kind",
+}  # fmt: skip
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "+": lambda *xs: xs[0] if len(xs) == 1 else _each(lambda a, b: a + b, xs[0], FUNCTIONS["+"](*xs[1:])),
     "-": lambda x: _each(lambda a: -a, x),
@@ -108,6 +151,15 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
         name: getattr(mpmath, name)
         for name in ("sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "factorial", "binomial")
     },
+    **FAMILIES,
+    **{f"{name}'": _sloped(function) for name, function in FAMILIES.items()},
+    "gamma": mpmath.gamma,
+    "sgn": mpmath.sign,
+    "max": max,
+    "min": min,
+    "atan2": mpmath.atan2,
+    "skew": lambda v: [[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]],
+    "unit": lambda: [[int(i == j) for j in range(3)] for i in range(3)],
     "arctan": mpmath.atan,
     "arcsin": mpmath.asin,
     "arccos": mpmath.acos,
@@ -126,7 +178,21 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 # --- LaTeX
 
 SUM, PRODUCT, POWER, ATOM = range(4)
-OPEN = {"int", "sum", "diff", "sin", "cos", "tan", "sinh", "cosh", "tanh", "ln", "arctan"}  # what follows may belong to
+OPEN = {
+    "int",
+    "sum",
+    "series",
+    "improper",
+    "diff",
+    "sin",
+    "cos",
+    "tan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "ln",
+    "arctan",
+}  # what follows may belong to
 NAMED = {"ln", "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "arctan", "arcsin", "arccos", "det"}
 
 
@@ -220,6 +286,24 @@ class Printer:
             case "sum":
                 body, k, low, high = parts
                 return rf"\sum_{{{k}={self.text(low)[0]}}}^{{{self.text(high)[0]}}} {self.at(body, PRODUCT)}", PRODUCT
+            case "series":
+                body, k, low = parts
+                return rf"\sum_{{{k}={self.text(low)[0]}}}^\infty {self.at(body, PRODUCT)}", PRODUCT
+            case "improper":
+                body, x, low = parts
+                start = r"-\infty" if low == INFINITE else self.text(low)[0]
+                return rf"\int_{{{start}}}^\infty {self.at(body, PRODUCT)} \, d{x}", PRODUCT
+            case "gamma":
+                return rf"\Gamma({self.text(parts[0])[0]})", ATOM
+            case "sgn" | "atan2":
+                inner = ", ".join(self.text(part)[0] for part in parts)
+                return rf"\operatorname{{{tag}}}({inner})", ATOM
+            case "max" | "min":
+                return rf"\{tag}({', '.join(self.text(part)[0] for part in parts)})", ATOM
+            case "skew":
+                return rf"[{parts[0]}\times]", ATOM
+            case "unit":
+                return "I", ATOM
             case "dot":
                 return rf"{self.at(parts[0], ATOM)} \cdot {self.at(parts[1], ATOM)}", PRODUCT
             case "cross":
@@ -233,6 +317,9 @@ class Printer:
             case "pmatrix":
                 rows = r" \\ ".join(" & ".join(self.text(entry)[0] for entry in row[1:]) for row in parts)
                 return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}", ATOM
+        if tag.rstrip("'") in FAMILIES:
+            order, at = (self.text(part)[0].replace(" ", "") for part in parts)
+            return rf"{tag[0]}_{{{order}}}{tag[1:]}({at})", ATOM
         assert tag in NAMED, tag
         return rf"\{tag} {self.argument(parts[0])}", PRODUCT
 
@@ -274,6 +361,11 @@ sin, cos, tan, ln, exp, sqrt = map(f, ("sin", "cos", "tan", "ln", "exp", "sqrt")
 sinh, cosh, tanh, arctan = map(f, ("sinh", "cosh", "tanh", "arctan"))
 dot, cross, mat, transposed, det, trace, norm = map(f, ("dot", "cross", "mat", "T", "det", "tr", "norm"))
 diff, integral, total = map(f, ("diff", "int", "sum"))
+binomial, factorial, series, improper, gamma = map(f, ("binomial", "factorial", "series", "improper", "gamma"))
+sgn, atan2, skew = map(f, ("sgn", "atan2", "skew"))
+P, T, CU, H, J, I = map(f, FAMILIES)  # noqa: E741 - as they are printed
+P1, T1, H1, J1, I1 = map(f, ("P'", "T'", "H'", "J'", "I'"))
+UNIT = ("unit",)
 PI = r"\pi"
 U, V, W = r"\mathbf{u}", r"\mathbf{v}", r"\mathbf{w}"
 M1, M2 = r"\mathbf{A}", r"\mathbf{B}"
@@ -388,6 +480,74 @@ IDENTITIES: dict[str, list[tuple[Tree, Tree, tuple[str, ...]]]] = {
         (det(transposed(M1)), det(M1), ()),
         (dot(U, mat(M1, V)), dot(mat(transposed(M1), U), V), ()),
     ],
+    "sums": [
+        (total(binomial(N, K), K, 0, N), power(2, N), ("n",)),
+        (total(times(K, binomial(N, K)), K, 0, N), times(N, power(2, minus(N, 1))), ("n>",)),
+        (total(power(binomial(N, K), 2), K, 0, N), binomial(times(2, N), N), ("n",)),
+        (total(times(binomial(N, K), power("p", K), power(minus(1, "p"), minus(N, K))), K, 0, N), 1, ("n", "p")),
+        (
+            total(times(K, binomial(N, K), power("p", K), power(minus(1, "p"), minus(N, K))), K, 0, N),
+            times(N, "p"), ("n", "p"),
+        ),
+        (total(binomial(plus("m", K), K), K, 0, N), binomial(plus("m", N, 1), N), ("n", "m")),
+        (binomial(plus(N, 1), K), times(over(plus(N, 1), plus(N, 1, ("-", K))), binomial(N, K)), ("k",)),
+        (series(power("p", K), K, 0), over(1, minus(1, "p")), ("p",)),
+        (series(times(K, power("p", K)), K, 0), over("p", power(minus(1, "p"), 2)), ("p",)),
+        (series(over(1, times(K, plus(K, 1))), K, 1), 1, ()),
+        (series(over(power("p", K), factorial(K)), K, 0), exp("p"), ("p",)),
+        (series(over(1, power(K, 2)), K, 1), over(power(PI, 2), 6), ()),
+        (series(over(power("p", K), K), K, 1), ("-", ln(minus(1, "p"))), ("p",)),
+    ],
+    "special functions": [
+        (
+            times(plus(N, 1), P(plus(N, 1), X)),
+            minus(times(plus(times(2, N), 1), X, P(N, X)), times(N, P(minus(N, 1), X))), ("n>",),
+        ),
+        (minus(P1(plus(N, 1), X), P1(minus(N, 1), X)), times(plus(times(2, N), 1), P(N, X)), ("n>",)),
+        (P(2, X), over(minus(times(3, power(X, 2)), 1), 2), ()),
+        (T(plus(N, 1), X), minus(times(2, X, T(N, X)), T(minus(N, 1), X)), ("n>",)),
+        (T1(N, X), times(N, CU(minus(N, 1), X)), ("n>",)),
+        (T(3, X), minus(times(4, power(X, 3)), times(3, X)), ()),
+        (H1(N, X), times(2, N, H(minus(N, 1), X)), ("n>",)),
+        (H(plus(N, 1), X), minus(times(2, X, H(N, X)), times(2, N, H(minus(N, 1), X))), ("n>",)),
+        (plus(J(minus(N, 1), X), J(plus(N, 1), X)), times(over(times(2, N), X), J(N, X)), ("n>", "+x")),
+        (minus(J(minus(N, 1), X), J(plus(N, 1), X)), times(2, J1(N, X)), ("n>", "+x")),
+        (J1(0, X), ("-", J(1, X)), ("+x",)),
+        (plus(I(minus(N, 1), X), I(plus(N, 1), X)), times(2, I1(N, X)), ("n>", "+x")),
+        (gamma(plus(X, 1)), times(X, gamma(X)), ("+x",)),
+        (gamma(plus(N, 1)), factorial(N), ("n",)),
+    ],
+    "distributions": [
+        (improper(times("a", exp(("-", times("a", X)))), X, 0), 1, ("+a",)),
+        (improper(times("a", X, exp(("-", times("a", X)))), X, 0), over(1, "a"), ("+a",)),
+        (improper(exp(("-", power(X, 2))), X, INFINITE), sqrt(PI), ()),
+        (
+            improper(times(power(X, 2), exp(("-", times("a", power(X, 2))))), X, INFINITE),
+            over(sqrt(PI), times(2, power("a", over(3, 2)))), ("+a",),
+        ),
+        (improper(exp(("-", times("a", "t"))), "t", 0), over(1, "a"), ("+a",)),
+        (improper(times("t", exp(("-", times("a", "t")))), "t", 0), over(1, power("a", 2)), ("+a",)),
+        (improper(times(sin("t"), exp(("-", times("a", "t")))), "t", 0), over(1, plus(power("a", 2), 1)), ("+a",)),
+        (improper(over(1, plus(1, power(X, 2))), X, INFINITE), PI, ()),
+        (improper(over(1, power(X, 3)), X, 1), over(1, 2), ()),
+        (integral(times(X, minus(1, X)), X, 0, 1), over(1, 6), ()),
+    ],
+    "jumps": [
+        (("abs", X), times(X, sgn(X)), ()),
+        (sgn(times(X, Y)), times(sgn(X), sgn(Y)), ()),
+        (("max", X, Y), over(plus(X, Y, ("abs", minus(X, Y))), 2), ()),
+        (("min", X, Y), over(minus(plus(X, Y), ("abs", minus(X, Y))), 2), ()),
+        (atan2(Y, X), arctan(over(Y, X)), ("+x",)),
+        (atan2(times("a", Y), times("a", X)), atan2(Y, X), ("+a",)),
+        (plus(("max", X, Y), ("min", X, Y)), plus(X, Y), ()),
+    ],
+    "rotations": [
+        (mat(skew(U), V), cross(U, V), ()),
+        (transposed(skew(U)), ("-", skew(U)), ()),
+        (mat(skew(U), skew(V)), minus(mat(V, transposed(U)), times(dot(U, V), UNIT)), ()),
+        (mat(skew(U), U), 0, ()),
+        (dot(V, mat(skew(U), W)), dot(W, cross(V, U)), ()),
+    ],
 }  # fmt: skip
 TERMS: list[Tree] = [
     "a",
@@ -405,6 +565,8 @@ TERMS: list[Tree] = [
 GIVEN = {
     "+x": "x > 0", "+y": "y > 0", "+a": "a > 0", "x!=y": r"x \neq y", "cos": r"\cos x \neq 0",
     "tan": r"\cos x \neq 0, \tan^2 x \neq 1", "n": r"n \in \mathbb{N}",
+    "n>": r"n \in \mathbb{Z}_{>0}", "m": r"m \in \mathbb{N}", "p": "0 < p < 1",
+    "k": r"n \in \mathbb{N}; k \in \mathbb{N}; k \le n",
 }  # fmt: skip
 
 
@@ -436,6 +598,10 @@ def point(rng: random.Random, *trees: Tree) -> Env:
             env[x] = [[number() for _ in range(3)] for _ in range(3)]
         else:
             env[x] = mpmath.mpf(rng.randrange(3, 7)) if x == "n" else number()
+        if x in ("k", "m"):
+            env[x] = mpmath.mpf(rng.randrange(1, 3))
+        if x == "p":
+            env[x] = number() / 2
     return env
 
 
@@ -479,7 +645,7 @@ def edits(tree: Tree) -> Iterator[Tree]:
         if tag == "/" and parts[0] != parts[1]:
             yield (tag, parts[1], parts[0])
         for n, part in enumerate(parts):
-            if tag in ("diff", "int", "sum") and n == 1:
+            if (tag in BINDERS and n == 1) or part == INFINITE:
                 continue
             for changed in edits(part):
                 yield (tag, *parts[:n], changed, *parts[n + 1 :])
@@ -504,7 +670,7 @@ def _case(rng: random.Random, family: str, true: bool) -> Case:
         left, right, given = rng.choice(IDENTITIES[family])
         by = dict(zip((A, B, C), rng.sample(TERMS, 3), strict=True))
         left, right = substituted(left, by), substituted(right, by)
-        if rng.random() < 0.3 and family not in ("vectors", "matrices"):
+        if rng.random() < 0.3 and family not in ("vectors", "matrices", "rotations"):
             extra = rng.choice(["q", times(2, "q"), power("q", 2)])
             left, right = rng.choice(
                 [(plus(left, extra), plus(right, extra)), (times(extra, left), times(extra, right))]
@@ -519,4 +685,20 @@ def _case(rng: random.Random, family: str, true: bool) -> Case:
         if agree(rng, left, right) is true:
             printer = Printer(rng)
             relation = f"{printer.text(left)[0]} = {printer.text(right)[0]}"
-            return Case(family, relation, tuple(GIVEN[each] for each in given), true)
+            letters_ = tuple((x, MEANT[x]) for x in MEANT if f"{x}_{{" in relation and family == "special functions")
+            return Case(
+                family, relation, tuple(x for each in given for x in GIVEN[each].split("; ")), true, (), letters_
+            )
+
+
+def pairs() -> Iterator[tuple[Case, Case]]:
+    """Relations that were typed by hand, true and with a slip, by the parts of the handbook."""
+    part = ""
+    for line in Path(__file__).with_name("handbook_pairs.txt").read_text(encoding="utf-8").splitlines()[1:]:
+        if line.startswith("## "):
+            part = line[3:]
+        elif line:
+            right, wrong, *said = line.split(" @ ")
+            given, where, meant = (tuple(text.split("; ")) if text else () for text in (*said, "", "", "")[:3])
+            letters_ = tuple((x, what) for each in meant for x, _, what in [each.partition(": ")])
+            yield Case(part, right, given, True, where, letters_), Case(part, wrong, given, False, where, letters_)

@@ -385,7 +385,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\log(q) = \\frac{\\operatorname{atan2}\\left(\\sqrt{1-q_0^2},q_0\\right)}{\\sqrt{1-q_0^2}} \\left [\\begin{matrix}q_1,& q_2,& q_3\\end{matrix}\\right]",
-        "Chain(Call(log; q), Mul(Div(Call(\\text{atan2}; Sqrt(Add(1, Neg(Pow(q_0; 2)))), q_0); Sqrt(Add(1, Neg(Pow(q_0; 2))))), MatrixOf(q_1, q_2, q_3)); =)",
+        "Chain(Call(log; q), Mul(Div(Call(atan2; Sqrt(Add(1, Neg(Pow(q_0; 2)))), q_0); Sqrt(Add(1, Neg(Pow(q_0; 2))))), MatrixOf(q_1, q_2, q_3)); =)",
         "ceres-solver/ceres-solver/docs/source/nnls_modeling.rst",
     ),
     (
@@ -1605,7 +1605,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\lambda = \\mathrm{arctan2}\\left(x, \\,y\\right)",
-        "Chain(\\lambda, Call(\\text{arctan2}; x, y); =)",
+        "Chain(\\lambda, Call(arctan2; x, y); =)",
         "Mayitzin/ahrs/ahrs/common/frames.py",
     ),
     (
@@ -8405,7 +8405,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\tau =& \\text{atan2}(-x_2,x_1) \\\\ x_\\perp =& \\sqrt{x_1^2+x_2^2}-1,",
-        "System(Chain(\\tau, Call(\\text{atan2}; Neg(x_2), x_1); =), Chain(x_\\perp, Add(Sqrt(Add(Pow(x_1; 2), Pow(x_2; 2))), Neg(1)); =))",
+        "System(Chain(\\tau, Call(atan2; Neg(x_2), x_1); =), Chain(x_\\perp, Add(Sqrt(Add(Pow(x_1; 2), Pow(x_2; 2))), Neg(1)); =))",
         "RussTedrake/underactuated/book/limit_cycles.html",
     ),
     (
@@ -9840,7 +9840,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{bmatrix} \\phi \\\\ \\theta \\\\ \\psi \\end{bmatrix} = \\begin{bmatrix} \\mathrm{atan2}\\big(2(q_wq_x + q_yq_z), 1-2(q_x^2+q_y^2)\\big) \\\\ \\arcsin\\big(2(q_wq_y - q_zq_x)\\big) \\\\ \\mathrm{atan2}\\big(2(q_wq_z + q_xq_y), 1-2(q_y^2+q_z^2)\\big) \\end{bmatrix}",
-        "Chain(MatrixOf(\\phi, \\theta, \\psi), MatrixOf(Call(\\text{atan2}; Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z))), Add(1, Neg(Mul(2, Add(Pow(q_x; 2), Pow(q_y; 2)))))), Call(arcsin; Mul(2, Add(Mul(q_w, q_y), Neg(Mul(q_z, q_x))))), Call(\\text{atan2}; Mul(2, Add(Mul(q_w, q_z), Mul(q_x, q_y))), Add(1, Neg(Mul(2, Add(Pow(q_y; 2), Pow(q_z; 2))))))); =)",
+        "Chain(MatrixOf(\\phi, \\theta, \\psi), MatrixOf(Call(atan2; Mul(2, Add(Mul(q_w, q_x), Mul(q_y, q_z))), Add(1, Neg(Mul(2, Add(Pow(q_x; 2), Pow(q_y; 2)))))), Call(arcsin; Mul(2, Add(Mul(q_w, q_y), Neg(Mul(q_z, q_x))))), Call(atan2; Mul(2, Add(Mul(q_w, q_z), Mul(q_x, q_y))), Add(1, Neg(Mul(2, Add(Pow(q_y; 2), Pow(q_z; 2))))))); =)",
         "Mayitzin/ahrs/ahrs/common/quaternion.py",
     ),
     (
@@ -10525,7 +10525,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\boldsymbol{\\theta}_{am} = \\begin{bmatrix} \\theta_x \\\\ \\theta_y \\\\ \\theta_z \\end{bmatrix} = \\begin{bmatrix} \\mathrm{arctan2}(a_y, a_z) \\\\ \\mathrm{arctan2}\\big(-a_x, \\sqrt{a_y^2+a_z^2}\\big) \\\\ 0 \\end{bmatrix}",
-        "Chain(\\boldsymbol{\\theta}_{am}, MatrixOf(\\theta_x, \\theta_y, \\theta_z), MatrixOf(Call(\\text{arctan2}; a_y, a_z), Call(\\text{arctan2}; Neg(a_x), Sqrt(Add(Pow(a_y; 2), Pow(a_z; 2)))), 0); =, =)",
+        "Chain(\\boldsymbol{\\theta}_{am}, MatrixOf(\\theta_x, \\theta_y, \\theta_z), MatrixOf(Call(arctan2; a_y, a_z), Call(arctan2; Neg(a_x), Sqrt(Add(Pow(a_y; 2), Pow(a_z; 2)))), 0); =, =)",
         "Mayitzin/ahrs/ahrs/filters/complementary.py",
     ),
     (

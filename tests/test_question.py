@@ -382,6 +382,22 @@ def test_what_says_what_a_new_letter_is_is_neither_true_nor_false(relation: str)
     ],
 )
 def test_what_may_be_summed_is_not_refuted(relation: str) -> None:
+    answer = decide(relation)
+    assert answer.verdict in ("proved", "ambiguous")
+    assert answer.verdict != "proved" or any("summed" in said for said in answer.letters.values())
+
+
+@pytest.mark.parametrize(
+    "relation",
+    [
+        r"\sigma_{ij} = \lambda\delta_{ij}\varepsilon_{kk} + 2\mu\varepsilon_{ij}",
+        r"c_i = \epsilon_{ijk} a_j b_k",
+        r"\epsilon_{ijk} T_{jk} = 0",
+        r"\delta_{ij} a_j = b_i",
+        r"\delta_{ij}\delta_{jk} = 2\delta_{ik}",
+    ],
+)
+def test_laws_definitions_and_conditions_with_indices_are_not_refuted(relation: str) -> None:
     assert decide(relation).verdict in ("undecided", "ambiguous")
 
 

@@ -23,7 +23,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import jets
+from symcheck.question import indices, jets, series, special
 from symcheck.question.answer import Answer, Slips, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
@@ -36,11 +36,13 @@ from symcheck.question.doubts import (
     held,
     spelled_function,
     with_longer_arguments,
+    with_swapped_angles,
 )
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
+from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, covers, of_any_size
+from symcheck.question.matrices import OfAnySize, covers, false_gradients, of_any_size
 from symcheck.question.measured import checked as checked_units
 from symcheck.question.measured import measured
 from symcheck.question.parts_of_turns import with_parts_of_turns
@@ -75,13 +77,15 @@ ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that a
 REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
+LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
+SWAPPED = "which argument of atan2 is the height? it does not fail where the first one is the width"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
 USUALLY_WHOLE = frozenset({"k", "m", "n"})  # letters of which nobody may say that they are whole numbers
 FACTORIALS = range(1, 9)  # whole numbers of which the gamma function is worked out
-WORKED_OUT = ("integral", "sum", "product")  # what is simpler where its letters are numbers
+WORKED_OUT = ("integral", "sum", "product", "gamma")  # what is simpler where its letters are numbers
 NUMBERS_TRIED = (1, 2, -1)  # exponents too, for which integrals have primitives
 FEW = 3  # letters: of more there are too many numbers to try
 AT_NUMBERS = 3.0  # seconds for all of them
@@ -165,7 +169,11 @@ def answered(
     started = time.perf_counter()
     asked = None
     try:
-        printed = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+        declared = special.said((letters or {}).items())
+        plain_letters = tuple(
+            (x, phrase) for x, phrase in (letters or {}).items() if x.partition("_")[0] not in declared
+        )
+        printed = Asked(relation, _several(where), _several(given), plain_letters)
         asked = plainly(printed)
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
@@ -179,6 +187,8 @@ def answered(
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
+            if (known := _of_special_functions(asked, declared) or _by_indices(asked)) is not None:
+                return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
             found = [(reading, _decided(reading, asked, wanted, claimed)) for reading in several]
@@ -204,7 +214,8 @@ def answered(
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at
         return replace(at, seconds=time.perf_counter() - started)
     if not found:
-        return replace(other, seconds=time.perf_counter() - started)
+        false = _false_gradient(asked) if asked else None
+        return replace(false or other, seconds=time.perf_counter() - started)
 
     seconds = time.perf_counter() - started
     choices = {choice for reading, _ in found for choice in reading.inference.choices}
@@ -234,6 +245,32 @@ def _of_any_size(asked: Asked) -> Answer | None:
         found = _in_all_readings(asked)
         return _in_general(*found) if found else None
     return None
+
+
+def _false_gradient(asked: Asked) -> Answer | None:
+    """The answer that a derivative by a matrix or vector is false for two rows and columns, in each layout."""
+    with suppress(SymcheckError, OutOfTime), limited(LIMIT):
+        (reading, *others) = _all_alike(unlowered(asked))
+        if others:
+            return None
+        latex, letters_ = _shown(reading.tree, reading.inference)
+        found, whole = None, True
+        for problems in false_gradients(reading):
+            answers = (_decided_one(problem) for problem in problems)
+            found = next((made for verdict, made, _ in answers if made and verdict is Verdict.REFUTED), None)
+            if found is None:
+                return None if whole else Answer(Status.AMBIGUOUS, latex, letters_, reason=LAYOUT)
+            whole = False
+        if found is not None:
+            point = {x: term(value) for x, value in found["point"]["values"].items()}
+            return Answer(Status.REFUTED, latex, letters_, counterexample=point, certificate=(found,))
+    return None
+
+
+def _all_alike(several: Sequence[Reading]) -> Sequence[Reading]:
+    """One reading, where all say the same of the letters."""
+    kinds = {tuple((g.letter.latex, g.letter.kind) for g in reading.inference.guesses) for reading in several}
+    return several[:1] if len(kinds) == 1 else several
 
 
 def proved_for_all_sizes(asked: Asked) -> OfAnySize | None:
@@ -304,6 +341,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     conditions = (name for name, text in reading.stated.items() if text in given)
     if (cases := induction(reading.problems, _whole_letters(reading), conditions)) is not None:
         return _by_induction(base, reading, cases)
+    if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
+        return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
         verdict, made, found = _decided_one(problem)
@@ -338,8 +377,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             continue
         if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
-        if verdict is Verdict.REFUTED and _perhaps_with_longer_arguments(reading):
+        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_longer_arguments(reading.tree)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=LONGER)
+        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_swapped_angles(reading.tree)):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=SWAPPED)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
         said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
@@ -375,6 +416,86 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     )
 
 
+def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
+    """The answer about members of a family of special functions; None where there are none, or nothing is found."""
+    if asked.where or not special.may_have((asked.relation,), declared):
+        return None
+    with suppress(SymcheckError, Understood):
+        (reading, *others) = readings(special.with_whole_orders(asked, declared))
+        if others or len(reading.problems) != 1 or (found := special.members(reading, declared)) is None:
+            return None
+        if not declared and not special.is_telling(found):
+            return None
+        latex, taken = _shown(reading.tree, reading.inference)
+        base = Answer(Status.UNDECIDED, latex, taken | special.shown(found, declared))
+        return _proved_of_family(base, reading, found) or (
+            _refuted_of_family(base, reading, found, bool(declared)) if declared or not found.integrals else None
+        )
+    return None
+
+
+def _by_indices(asked: Asked) -> Answer | None:
+    """The answer about a relation with the symbols of Kronecker and Levi-Civita; None where there are none."""
+    if asked.where or asked.given or asked.letters or not indices.SYMBOL.search(asked.relation):
+        return None
+    with suppress(SymcheckError, Understood):
+        reading = unlowered(asked)[0]
+        if (found := indices.indexed(reading.tree)) is None:
+            return None
+        base = Answer(Status.UNDECIDED, with_brackets(reading.tree), indices.shown(found))
+        verdicts, made = list[Verdict](), list[Certificate]()
+        for dimension in found.dimensions:
+            answers = [_decided_one(problem) for problem in found.problems(dimension)]
+            verdicts.append(next((v for v, _, _ in answers if v is not Verdict.PROVED), Verdict.PROVED))
+            made += (c for v, c, _ in answers if c is not None and v is verdicts[-1])
+        if {*verdicts} == {Verdict.PROVED}:
+            return replace(base, verdict=Status.PROVED, certificate=tuple(made))
+        if Verdict.PROVED in verdicts:
+            return replace(base, verdict=Status.AMBIGUOUS, reason="of how many dimensions are the indices? say so")
+        if {*verdicts} == {Verdict.REFUTED} and found.is_law and found.dimensions == (3,):
+            point = {x: term(value) for x, value in made[0]["point"]["values"].items()}
+            return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made[0],))
+    return None
+
+
+def _proved_of_family(base: Answer, reading: Reading, found: special.Members) -> Answer | None:
+    """Proved by the relations of the family, by members written out, or by induction."""
+    (problem,) = reading.problems
+    written = special.written_out(problem, found) if not found.base and not found.integrals else None
+    for stated in (written, *(special.related(problem, found, more) for more in (0, 1))):
+        if stated is not None:
+            verdict, made, _ = _decided_one(stated)
+            if made is not None and verdict is Verdict.PROVED:
+                return _proved_in_cases(base, reading, (stated,), (made,))
+    sequences = special.as_sequences(problem, found)
+    if sequences is not None and (cases := induction((sequences,), {found.base})) is not None:
+        answer = _by_induction(base, replace(reading, problems=(sequences,)), cases)
+        return answer if answer.verdict in (Status.PROVED, Status.AMBIGUOUS) else None
+    return None
+
+
+def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, declared: bool) -> Answer | None:
+    """Refuted by members that are written out, if somebody says what they are; otherwise it is in doubt."""
+    for number in special.tried(found):
+        if (problem := special.written_out(reading.problems[0], found, number)) is None:
+            continue
+        by_digits = _refuted_by_digits(jets.without(problem))
+        verdict, made, used = by_digits or ((Verdict.UNDECIDED, None, ()) if found.integrals else _decided_one(problem))
+        if made is None or verdict is not Verdict.REFUTED:
+            continue
+        if not declared:
+            names = ", ".join(sorted({x.partition("_")[0] for x in found.latex.values()}))
+            kinds = " and ".join(found.family.names.values())
+            return replace(base, verdict=Status.AMBIGUOUS, reason=f"it is false of the {kinds}: say what {names} is")
+        if reason := doubt(reading):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        order = {} if number is None else {found.base: str(number)}
+        point = order | {x: term(value) for x, value in made["point"]["values"].items()}
+        stated = tuple(reading.stated[name] for name in used if name in reading.stated)
+        return replace(base, verdict=Status.REFUTED, counterexample=point, used=stated, certificate=(made,))
+    return None
+
+
 def _by_steps(base: Answer, reading: Reading) -> Answer | None:
     """The answer by induction over the letter up to which sums and products run."""
     whole = _whole_letters(reading)
@@ -383,6 +504,42 @@ def _by_steps(base: Answer, reading: Reading) -> Answer | None:
         return None
     answer = _by_induction(base, replace(reading, problems=problems), cases)
     return answer if answer.verdict is Status.PROVED else None
+
+
+def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that sums of what depends on their ends are what is claimed, by how neighbouring ones differ."""
+    cases, made = list[Problem](), list[Certificate]()
+    for problem in reading.problems:
+        if (found := added_up(problem, _whole_letters(reading))) is None:
+            return None
+        for several in (lambda found=found: found.first, found.step):
+            for step in several() or (None,):
+                if step is None:
+                    return None
+                verdict, certificate_, _ = _decided_one(step)
+                if certificate_ is None or verdict is not Verdict.PROVED:
+                    return None
+                cases.append(step)
+                made.append(certificate_)
+    return _proved_in_cases(base, reading, cases, made)
+
+
+def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with the values of endless sums in their places, if what shows these values is proved."""
+    found = [series.with_values(problem) for problem in reading.problems]
+    if not any(found):
+        return None
+    made = list[Certificate]()
+    for side in (side for each in found if each is not None for side in each.sides):
+        verdict, certificate_, _ = _decided_one(side)
+        if certificate_ is None or verdict is not Verdict.PROVED:
+            return None
+        made.append(certificate_)
+    problems = tuple(
+        problem if each is None else each.problem for problem, each in zip(reading.problems, found, strict=True)
+    )
+    answer = _decided(replace(reading, problems=problems), asked, wanted, claimed)
+    return replace(answer, certificate=(*answer.certificate, *made) if answer.certificate else ())
 
 
 def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
@@ -445,9 +602,8 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
     return EQUATION if is_condition(problem, reading) else ""
 
 
-def _perhaps_with_longer_arguments(reading: Reading) -> bool:
-    """Is it not refuted where letters behind the brackets of a sine belong to its argument?"""
-    tree = with_longer_arguments(reading.tree)
+def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:
+    """Is a relation not refuted where it is understood in another way?"""
     if tree == reading.tree:
         return False
     with suppress(SymcheckError):

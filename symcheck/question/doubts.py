@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from symcheck.core.calculus import functions, letters, nodes
@@ -322,6 +323,13 @@ def _members(tree: Tree, spelled: Iterable[str]) -> Iterator[str]:
         stem, below, subscript = latex.partition("_")
         if below and stem in families and re.search(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])", subscript):
             yield latex
+
+
+def with_swapped_angles(tree: Tree) -> Tree:
+    """The same with the arguments of angles of two arguments the other way round, as some programs have them."""
+    if isinstance(tree, Call) and tree.function in ("atan2", "arctan2"):
+        return replace(tree, arguments=tuple(map(with_swapped_angles, reversed(tree.arguments))))
+    return with_children(tree, tuple(map(with_swapped_angles, children(tree))))
 
 
 def with_longer_arguments(tree: Tree) -> Tree:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -11,11 +11,14 @@ from itertools import count, pairwise
 
 from symcheck.checker import check
 from symcheck.core.certificates import MatrixProof
-from symcheck.core.matrices import NUMBER, Shape, Size
+from symcheck.core.matrices import NUMBER, Shape, Shapes, Size, words
+from symcheck.core.problems import Problem
 from symcheck.core.terms import JSON, Malformed
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.proof.matrices import Statement, proved
+from symcheck.question.determinants import DET, Determinants, has
 from symcheck.question.prepare import Reading, declared_sizes
+from symcheck.question.small_matrices import Small
 from symcheck.reading import Notation, Tree, read, with_brackets
 from symcheck.reading.inference import Inference
 from symcheck.reading.names import KINDS_OPEN
@@ -77,13 +80,16 @@ class Stated:
     printed: Mapping[str, str]  # hypotheses by their names
     needed: Mapping[str, str]  # that there are the inverses
     taken: Mapping[str, str]
+    plain: tuple[Statement, ...] = ()  # the same with determinants as they are printed
+    varied: str = ""  # the letter by which something is differentiated
 
 
 def of_any_size(reading: Reading) -> OfAnySize | None:
     """The proof of a reading for matrices of all sizes, if there are matrices and a proof is found."""
-    if not any(letter.kind in ("vector", "matrix") for letter in reading.inference.notation.letters):
+    told = any(letter.kind in MATRICES for letter in reading.inference.notation.letters)
+    if not told and not any(isinstance(part, Call) and part.function in ("det", "tr") for part in nodes(reading.tree)):
         return None
-    for loose in (False, True):
+    for loose in (False, True) if told else (True,):
         try:
             return _proved(reading, loose=loose)
         except Mismatch:
@@ -139,6 +145,8 @@ def _stated(reading: Reading, *, loose: bool) -> Stated:
     always = [*(f"{left} = {right}" for left, _, right in defined.values()), *equations]
     for text in (*always, *conditions):
         for both in made.assumed(text):
+            if made.varied and made.varied in words(list(both)):
+                raise NoForm("a derivative by a matrix of which something is assumed")
             name = f"h{len(hypotheses) + 1}"
             hypotheses[name], printed[name] = both, text
     orders = range(1, made.dots + 1)
@@ -151,11 +159,42 @@ def _stated(reading: Reading, *, loose: bool) -> Stated:
     shapes, sizes = made.shapes_with_names()
     assumed = {name: (made.sized(left, sizes), made.sized(right, sizes)) for name, (left, right) in hypotheses.items()}
     inverses = {x: made.sized(term, sizes) for x, term in made.inverses.items()}
-    statements = tuple(
-        Statement(shapes, (made.sized(left, sizes), made.sized(right, sizes)), assumed, inverses)
-        for left, right in claims
-    )
-    return Stated(statements, printed, made.needed, made.taken(shapes))
+    sides = [(made.sized(left, sizes), made.sized(right, sizes)) for left, right in claims]
+    plain = tuple(Statement({**shapes}, both, {**assumed}, {**inverses}) for both in sides)
+    if any(has(side) for both in sides for side in both):
+        found = Determinants(shapes, inverses, made.powers())
+        inverses |= {x: found.without(term) for x, term in [*inverses.items()] if has(term)}
+        sides = [(found.without(left), found.without(right)) for left, right in sides]
+        square = {name: both for name, both in assumed.items() if found.square(both[0])}
+        assumed |= {f"{name}_{DET}": ([DET, left], [DET, right]) for name, (left, right) in square.items()}
+        printed |= {f"{name}_{DET}": text for name, text in printed.items()}
+        assumed = {name: told for name, both in assumed.items() if (told := found.both(both)) is not None}
+    else:  # determinants in what is assumed make no difference
+        assumed = {name: both for name, both in assumed.items() if not any(map(has, both))}
+    statements = tuple(Statement(shapes, both, assumed, inverses) for both in sides)
+    return Stated(statements, printed, made.needed, made.taken(shapes), plain, made.varied)
+
+
+def false_gradients(reading: Reading) -> Iterator[list[Problem]]:
+    """For a claim about a derivative by a matrix, what it says of two rows and columns, in each layout.
+
+    Nothing where a letter is not said to be a matrix or vector of some size, or where it is no such claim.
+    """
+    declared = declared_sizes(reading.source[0])
+    kinds = {x.latex: x.kind for x in reading.inference.notation.letters}
+    if any(kind in MATRICES and x not in declared for x, kind in kinds.items()):
+        return
+    for said in stated(reading)[:1]:
+        for statement in said.plain if said.varied else ():
+            left, right = statement.claim
+            layouts = [right]
+            match right:
+                case ["trace", ["*", ["transpose", gradient], change]]:
+                    layouts.append(["trace", ["*", gradient, change]])
+            for layout in layouts:
+                with suppress(Malformed, ValueError):
+                    small = Small(statement.shapes, statement.inverses)
+                    yield [*small.problems((left, layout), statement.hypotheses)]
 
 
 @dataclass
@@ -172,12 +211,19 @@ class Lowering:
     needed: dict[str, str] = field(default_factory=dict)  # that there are the inverses, in words
     same: dict[Size, Size] = field(default_factory=dict)
     dots: int = 0
+    varied: str = ""  # the letter by which something is differentiated
 
     def equations(self, tree: Tree) -> list[tuple[JSON, JSON]]:
         """Both sides of each equation of a chain."""
         if not isinstance(tree, Chain) or {*tree.signs} != {"="}:
             raise NoForm("it is no equation")
         members = tree.members
+        for left, right in (members, members[::-1]) if len(members) == 2 else ():
+            match left:
+                case Derivative(body, ((Name() as variable, 1),)) if self.declaration(variable).kind in MATRICES:
+                    return [self.gradient(body, variable, right)]
+                case Call(str() as operator, (body,)) if operator.startswith("grad_"):
+                    return [self.gradient(body, Name(operator.removeprefix("grad_")), right)]
         if all(isinstance(each, Norm) for each in members):  # lengths are equal if their squares are
             members = tuple(Pow(each, Number("2")) for each in members)
         sides = [self.side(each) for each in members]
@@ -255,14 +301,92 @@ class Lowering:
             case Call("exp", (exponent,)):
                 return self.exponential(exponent)
             case Call("tr", (value,)):
-                term, (n, m) = self.term(value)
-                self.unify((n, n), (m, m))
-                return ["trace", term], NUMBER
+                return ["trace", self.square(value)[0]], NUMBER
+            case Call("det", (value,)):
+                return self.determinant(value)
+            case Bars(value) if (inner := self.term(value))[1] != NUMBER and inner[1][1] != 1:
+                return self.determinant(value)
             case Derivative(body, ((variable, 1),)):
                 return self.derivative(body, variable)
             case Call(str()) | Sqrt() | Pow():
                 return self.opaque(tree)
         raise NoForm(f"{type(tree).__name__} is no term of matrices of all sizes")
+
+    def determinant(self, tree: Tree) -> Typed:
+        """The determinant of a square matrix."""
+        return [DET, self.square(tree)[0]], NUMBER
+
+    def square(self, tree: Tree) -> Typed:
+        """A square matrix; Mismatch where it would be made of numbers alone, which have no traces and determinants."""
+        term, (n, m) = self.term(tree)
+        kinds = {self.declaration(part).kind for part in nodes(tree) if isinstance(part, Name)}
+        if self.shape(n, m) == NUMBER and kinds.isdisjoint(MATRICES):
+            raise Mismatch("a trace or a determinant of a number")
+        self.same_size(n, m)
+        return term, (n, m)
+
+    def gradient(self, body: Tree, variable: Name, other: Tree) -> tuple[JSON, JSON]:
+        """That a matrix is the derivative of a number by another of its shape: the number changes by tr(G^T dX)."""
+        (name, shape), change = self.letter(variable), self.names.get("change")
+        if not isinstance(name, str) or change is not None or self.declaration(variable).skew:
+            raise NoForm("a derivative by several letters, or by a matrix whose entries depend on each other")
+        self.varied, change = name, self.named("change", f"d{name}")
+        self.shapes[change] = shape
+        match body:
+            case Call("ln" | "log", (Call("det", (inner,)) | Bars(inner),)):
+                self.determinant(inner)
+                rise = self.relative(self.term(inner)[0], name, change)
+            case _:
+                term, kind = self.term(body)
+                self.unify(kind, NUMBER)
+                rise = self.slope(term, name, change)
+        side = self.side(other)
+        gradient, own = side if side is not None else (_zero(shape), shape)
+        self.unify(own, shape)
+        return rise, ["trace", ["*", ["transpose", gradient], change]]
+
+    def relative(self, of: JSON, name: str, change: str) -> JSON:
+        """The change of a logarithm of a determinant: tr(A^{-1} dA)."""
+        inverse, _ = self.inverse((of, self.shape_of(of)), None)
+        self.needed[str(inverse)] = "a determinant that is not zero"
+        return ["trace", ["*", inverse, self.slope(of, name, change)]]
+
+    def shape_of(self, term: JSON) -> Shape:
+        """The shape of a term, as far as it is known."""
+        known = {x: self.shape(*shape) for x, shape in self.shapes.items()}
+        return Shapes(known).value(self.sized(term, {})).shape
+
+    def slope(self, term: JSON, name: str, change: str) -> JSON:
+        """How a term changes with a letter; all others are constant."""
+        match term:
+            case str():
+                if term == name:
+                    return change
+                if term in self.inverses:
+                    return ["-", ["*", term, self.slope(self.inverses[term], name, change), term]]
+                key = next(key for key, own in self.names.items() if own == term)
+                if not isinstance(key, tuple):
+                    raise NoForm("the derivative of a function of a matrix")
+                return _zero(self.shapes[term])
+            case [tag, of] if tag == DET:
+                return ["*", term, self.relative(of, name, change)]
+            case ["*", *factors]:
+                return [
+                    "+",
+                    *(
+                        ["*", *factors[:k], self.slope(x, name, change), *factors[k + 1 :]]
+                        for k, x in enumerate(factors)
+                    ),
+                ]
+            case ["unit", n]:
+                return ["zero", n, n]
+            case ["number", *_]:
+                return ["zero", 1, 1]
+            case ["zero", *_]:
+                return term
+            case [str() as tag, *parts]:
+                return [tag, *(self.slope(part, name, change) for part in parts)]
+        raise NoForm("no term")
 
     def declaration(self, name: Name) -> Letter:
         """What is known of a letter."""
@@ -401,6 +525,16 @@ class Lowering:
                 return [tag, *map(self.rate, parts)]
         raise NoForm("no term")
 
+    def powers(self) -> dict[tuple[str, str], str]:
+        """The names of powers of numbers whose exponents are numbers of rows, by base and exponent."""
+        found = dict[tuple[str, str], str]()
+        for key, name in self.names.items():
+            match key:
+                case Pow(Name(base, subscripts), Name(exponent)):
+                    own = self.names.get((base, subscripts, 0, 0))
+                    found |= {(own, exponent): name} if own is not None else {}
+        return found
+
     def fresh(self) -> Size:
         """A number of rows or columns of which nothing is known."""
         new = f"size_{len(self.same)}"
@@ -475,6 +609,10 @@ def _size(number: Size) -> Size:
     return f"size{number}" if isinstance(number, int) and number > 1 else number
 
 
+def _zero(shape: Shape) -> JSON:
+    return ["zero", *shape]
+
+
 def _told(size: Size) -> str:
     return str(size).removeprefix("size")
 
@@ -484,4 +622,5 @@ def _is_told(size: Size) -> bool:
 
 
 KINDS: dict[str, Shape] = {"scalar": NUMBER, "vector": (0, 1), "matrix": (0, 0), "function": NUMBER}  # 0: any
+MATRICES = ("vector", "matrix")
 WORDS = ("unit", "zero", "number", "transpose", "trace", "fact")  # no names of letters

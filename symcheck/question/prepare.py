@@ -12,21 +12,24 @@ from math import lcm
 from symcheck.checker.algebra import Algebra
 from symcheck.checker.residues import Reject
 from symcheck.core.calculus import Lambda, Unknown, derivative, domain, functions, letters, nodes, substituted
+from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, Value, mapped, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import Doubt, NoForm, SymcheckError, Unsaid
 from symcheck.core.words import term
+from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.evidence import spelling
 from symcheck.reading.inference import SIZES, Inference, inferred
 from symcheck.reading.lexer import SPACES
+from symcheck.reading.lowering import JUMPS
 from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
-from symcheck.reading.tree import BigSum, Chain, Forall, Limiting, Name, System, walk
+from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -381,29 +384,53 @@ def _reading(
     turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
     terms |= turned
     hypotheses = _used(claims, hypotheses, terms)
-    stated_ = [*claims, *(f for _, fs in hypotheses for f in fs)]
     order = _sorted(terms)
-    whole = [*stated_, *(terms[name] for name in order)]
     limiting = any(isinstance(part, Limiting) for _, part in walk(tree))
     if limiting or any(letter.order is not None for letter in notation.letters):
         _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
-    divided = (each for each in domain(*whole, divisors=True) if each.tag == "!=" and _is_rational(each[1], terms))
-    printed = dict.fromkeys((*domain(*whole), *divided, *begun(*whole)))
+    cases = [(name, case) for name, claim in _numbered(claims) for case in _cases(claim, tree)]
+    others = [*(f for _, fs in hypotheses for f in fs), *(terms[name] for name in order)]
+    problems = list[Problem]()
+    for name, (premises, claim) in cases:
+        more = ((CASE, premises),) if premises else ()
+        valued = _valued((claim, *premises, *others), terms, limiting)
+        if premises and not may_all_hold([*_stated(hypotheses), *valued, *premises]):
+            continue
+        given = (*hypotheses, *((DEFINED, valued),) * bool(valued), *more)
+        needed = set().union(*map(letters, (claim, *(f for _, fs in given for f in fs))))
+        for letter in reversed(order):
+            needed |= letters(terms[letter]) if letter in needed else set()
+        unfolding = tuple((letter, terms[letter]) for letter in order if letter in needed)
+        problems.append(Problem(name, claim, unfolding, given))
+    return Reading(
+        inference, tree, tuple(problems), stated, (asked, inference, defined, equations, conditions), held, regular
+    )
+
+
+def _numbered(claims: Sequence[Formula]) -> Iterator[tuple[str, Formula]]:
+    return ((f"question{n or ''}", claim) for n, claim in enumerate(claims))
+
+
+def _stated(hypotheses: Iterable[tuple[str, tuple[Formula, ...]]]) -> list[Formula]:
+    return [part for _, fs in hypotheses for f in fs for part in conjuncts(f)]
+
+
+def _cases(claim: Formula, tree: Tree) -> Iterable[tuple[tuple[Formula, ...], Formula]]:
+    """The claim, or each of its cases with the conditions, where values by cases are printed."""
+    jumps = any(isinstance(part, Call) and part.function in JUMPS for _, part in walk(tree))
+    return implied(claim) if jumps else (((), claim),)
+
+
+def _valued(trees: Sequence[Term], terms: Mapping[str, Term], limiting: bool) -> tuple[Formula, ...]:
+    """That all printed terms have values, as far as it depends on letters; refused where one has none."""
+    divided = (each for each in domain(*trees, divisors=True) if each.tag == "!=" and _is_rational(each[1], terms))
+    printed = dict.fromkeys((*domain(*trees), *divided, *begun(*trees)))
     valued = tuple(each for each in printed if letters(each) or functions(each))
     for each in printed:
         if each not in valued and not _may_hold(each):
             error = NoForm if limiting else SymcheckError
             raise error(f"a printed term has no value, as {term(each)} is not so")
-    if valued:
-        hypotheses.append((DEFINED, valued))
-    needed = set().union(*map(letters, (*stated_, *valued)))
-    for name in reversed(order):
-        needed |= letters(terms[name]) if name in needed else set()
-    unfolding = tuple((name, terms[name]) for name in order if name in needed)
-    problems = tuple(
-        Problem(f"question{n or ''}", claim, unfolding, tuple(hypotheses)) for n, claim in enumerate(claims)
-    )
-    return Reading(inference, tree, problems, stated, (asked, inference, defined, equations, conditions), held, regular)
+    return valued
 
 
 def _differentiated(

@@ -56,7 +56,8 @@ _WORDS = (
     "sin cos tan tg cot ctg cotan sec csc cosec arcsin arccos arctan arctg arccot arcctg asin acos atan sinh cosh tanh "
     "coth sh ch th cth sech csch arsinh arcosh artanh arsh arch arth ln log lg lb exp pow sqrt erf erfc Gamma gamma "
     "det dim deg ker im tr Tr sp Sp rank rang rk diag sgn sign sinc lim limsup liminf sup inf max min argmax argmin "
-    "arg Arg Re Im div grad rot curl mod gcd lcm Pr Var Cov var cov conj adj vec span and or if then where for all "
+    "arcoth arsech arcsch atan2 arctan2 arg Arg Re Im div grad rot curl mod gcd lcm Pr Var Cov var cov conj adj vec "
+    "span and or if then where for all "
     "when otherwise iff not mean infinity"
 )
 RESERVED_WORDS = frozenset(rf"\text{{{word}}}" for word in _WORDS.split())

@@ -144,6 +144,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
     printed = [formula for formula in formulas if r"\begin" in formula]
     shapes = {letter: shape for letter, other in equated(printed) if (shape := _shape(other))}
+    shapes |= {letter: (3, 3) for letter, other in equated(formulas) if letter.isupper() and _SKEW_ADDED.search(other)}
     found: dict[str, Evidence] = {}
     open_ = _in_doubt(formulas) | _forms(formulas)
     square = {
@@ -206,6 +207,8 @@ _PRODUCT_DERIVED = re.compile(
 )
 # a square before capitals in brackets, which no function has
 _SQUARE_OF = re.compile(r"([A-Za-z]|\\[a-z]+) (?:_ (?:\w|\{ \w \}) )?\^ (?:2|\{ 2 \}) \( [A-Z](?: [A-Z])+ \)")
+# an addend that ends with a skew matrix
+_SKEW_ADDED = re.compile(r"\]\s*_\s*\{?\s*\\times\s*\}?\s*(?:\^\s*\{?\s*\d\s*\}?\s*)?(?:[-+]|$)")
 # a coefficient before a product: `b(aNP)`
 _OF_PRODUCT = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-eikmr]) \( [a-z](?: [A-Z])+ \)")
 # what a function of one letter is equal to: `\sigma(t) = \sigma + b`
@@ -366,7 +369,7 @@ def _complete(evidence: dict[str, Evidence]) -> None:
         if each.said.startswith("skew matrix of "):
             name = canonical(each.said.removeprefix("skew matrix of "))
             own = evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
-            own.said = own.said or "vector"
+            own.said = own.said or ("" if is_styled(name, capital=False) else "vector")
 
 
 def time(every: Mapping[str, Evidence]) -> str:

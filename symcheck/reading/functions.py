@@ -61,6 +61,9 @@ REAL: dict[str, Build] = {
     "sech": _over(None, _COSH), "csch": _over(None, _SINH),
     "arsinh": _logarithm_of(_shifted_root(1)), "arcosh": _logarithm_of(_shifted_root(-1)),
     "artanh": lambda t: node("/", node("log", node("/", node("+", 1, t), node("+", 1, node("-", t)))), 2),
+    "arcoth": lambda t: node("/", node("log", node("/", node("+", t, 1), node("+", t, -1))), 2),
+    "arsech": lambda t: _logarithm_of(_shifted_root(-1))(node("/", 1, t)),
+    "arcsch": lambda t: _logarithm_of(_shifted_root(1))(node("/", 1, t)),
     "exp": _known("exp"), "ln": _known("log"), "lg": lambda t: node("/", node("log", t), node("log", 10)),
     "lb": lambda t: node("/", node("log", t), node("log", 2)), "Gamma": _known("gamma"),
     "erf": _error_function, "erfc": lambda t: node("+", 1, node("-", _error_function(t))),
@@ -69,13 +72,15 @@ SPELLED = {  # other names of the same functions
     "tg": "tan", "ctg": "cot", "cotan": "cot", "cosec": "csc", "arctg": "arctan", "asin": "arcsin", "acos": "arccos",
     "atan": "arctan", "sh": "sinh", "ch": "cosh", "th": "tanh", "cth": "coth", "arcsinh": "arsinh", "asinh": "arsinh",
     "arccosh": "arcosh", "acosh": "arcosh", "arctanh": "artanh", "atanh": "artanh", "arsh": "arsinh", "arch": "arcosh",
-    "arth": "artanh",
+    "arth": "artanh", "arccoth": "arcoth", "acoth": "arcoth", "arcsech": "arsech",
+    "arccsch": "arcsch", "arctan2": "atan2",
 }  # fmt: skip
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
 OF_MATRICES = ("det", "tr", "Tr", "Re", "Im", "rank", "sign", "max", "min", "log")
 FIELDS = ("grad", "div", "curl", "rot", "laplacian")  # operators on fields, which take one factor
 OPAQUE = (  # that are read and have no algebraic form
     "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "adj", "span", "sgn", "floor", "ceil", "sn", "cn", "dn", "am",
+    "atan2", "arctan2",
     *FIELDS, "average", "overlined",
 )  # fmt: skip
 NAMES = frozenset(REAL) | frozenset(SPELLED) | frozenset(OF_MATRICES) | frozenset(OPAQUE)

@@ -1,4 +1,7 @@
-r"""Relations up to terms of an order: `f(x) = p(x) + O(x^n)` says that the derivatives of f - p below n vanish at 0."""
+r"""Relations up to terms of an order: `f(x) = p(x) + O(x^n)` says that the derivatives of f - p below n vanish at 0.
+
+Of a quotient by a power of x, the derivatives of the top vanish below as many more.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ from functools import reduce
 from symcheck.core.calculus import letters
 from symcheck.core.terms import Formula, Term, Value, node
 from symcheck.core.verdicts import NoForm
+from symcheck.reading.limits import quotient
 from symcheck.reading.notation import Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import Add, Call, Div, Mul, Name, Neg, Number, Path, Tree, children, replaced, walk
@@ -76,4 +80,27 @@ def vanishing(gaps: Sequence[Term], size: Term, steps: int, factor: Term, printe
     if x in letters(factor):
         raise NoForm(f"{to_latex(printed)}: its factor depends on {x}; write the product as one order")
     scaled = [gap if isinstance(factor, int) else node("/", gap, factor) for gap in gaps]
-    return x, [node("=", node("diff", gap, x, n, 0), 0) for gap in scaled for n in range(power + steps)]
+    tops = [_undivided(gap, x) for gap in scaled]
+    if power + steps + max(more for _, more in tops) > MOST:
+        raise NoForm(f"{to_latex(printed)}: no order above {MOST} is decided")
+    formulas = [node("=", node("diff", top, x, n, 0), 0) for top, more in tops for n in range(power + steps + more)]
+    return x, formulas
+
+
+def _undivided(gap: Term, x: str) -> tuple[Term, int]:
+    """What is divided by a power of the letter that goes to 0, and that power, by which the order of it is higher."""
+    top, bottom = quotient(gap)
+    if x not in letters(bottom):
+        return gap, 0
+    power = 0
+    for factor in bottom.outside if isinstance(bottom, Value) and bottom.tag == "*" else (bottom,):
+        match factor:
+            case str() if factor == x:
+                power += 1
+            case Value(tag="^", terms=(base, int(n))) if base == x and n > 0:
+                power += n
+            case Value(tag="*", terms=parts) if all(part == x or x not in letters(part) for part in parts):
+                power += sum(part == x for part in parts)
+            case _ if x in letters(factor):
+                return gap, 0
+    return top, power

@@ -389,7 +389,11 @@ class Lowering:
 
     def compare(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
         if found := [*self.held(Piecewise, left, right)]:
+            self.refuse_bound(found[0], left, right)
             return [self.by_cases(found[0], left, sign, right, env)]
+        if jump := next((each for each in self.held(Call, left, right) if each.function in JUMPS), None):
+            self.refuse_bound(jump, left, right)
+            return [self.between_jumps(jump, left, sign, right, env)]
         if any(self.held(Antiderivative, left, right)):
             return self.primitive(left, sign, right, env)
         if isinstance(left, Limiting) != isinstance(right, Limiting) and sign == "=":
@@ -903,8 +907,11 @@ class Lowering:
 
     def of_binomial(self, tree: Binomial, env: Env) -> Value:
         top, bottom = self.scalar(tree.top, env), self.scalar(tree.bottom, env)
-        if not isinstance(bottom, int) or bottom < 0:
-            raise Unsaid(f"{to_latex(tree)}: the lower number of a binomial coefficient must be a whole number")
+        if isinstance(bottom, int) and bottom < 0:
+            raise NoForm(f"{to_latex(tree)}: the lower number of a binomial coefficient must not be negative")
+        if not isinstance(bottom, int):
+            first, *others = (node("gamma", node("+", n, 1)) for n in (top, bottom, node("+", top, node("-", bottom))))
+            return node("/", first, node("*", *others))
         if isinstance(top, int) and top >= 0:
             return comb(top, bottom)
         factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
@@ -942,6 +949,21 @@ class Lowering:
             holds = self.formula(where, env) if where is not None else _and(map(contrary, before))
             before.append(holds)
             parts.append(node("=>", holds, stated))
+        return _and(parts)
+
+    def refuse_bound(self, values: Tree, *sides: Tree) -> None:
+        """Refuses values by cases under an integral, a sum and the like, where a letter runs through all cases."""
+        for each in (part for side in sides for part in nodes(side) if isinstance(part, BINDING)):
+            if values in nodes(each):
+                raise NoForm(f"{to_latex(each)}: values by cases stand under it; write the pieces")
+
+    def between_jumps(self, jump: Call, left: Tree, sign: str, right: Tree, env: Env) -> Formula:
+        """A relation with a function that jumps: it holds with each of its values, where it has them."""
+        parts: list[Formula] = []
+        for value, where in JUMPS[str(jump.function)](*jump.arguments):
+            holds = _and([node(order, self.scalar(each, env), 0) for each, order in where])
+            stated = self.compare(_put(left, jump, value), sign, _put(right, jump, value), env)
+            parts.append(node("=>", holds, _and(stated)))
         return _and(parts)
 
     def primitive(self, left: Tree, sign: str, right: Tree, env: Env) -> list[Formula]:
@@ -1434,6 +1456,32 @@ def _part(k: int) -> Callable[[Tree, Value], Value]:
 OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
     "det": determinant, "tr": _trace, "Tr": _trace, "Re": _part(0), "Im": _part(1),
 }  # fmt: skip
+
+
+BINDING = (Integral, Antiderivative, BigSum, Limiting, Derivative, Total)
+Jumps = Iterator[tuple[Tree, tuple[tuple[Tree, str], ...]]]  # values, each with the signs of terms where it is that
+
+
+def _sign(t: Tree) -> Jumps:
+    yield tree_of.Number("1"), ((t, ">"),)
+    yield tree_of.Number("0"), ((t, "="),)
+    yield Neg(tree_of.Number("1")), ((t, "<"),)
+
+
+def _angle_of(y: Tree, x: Tree) -> Jumps:
+    """The angle of a point in (-pi, pi]."""
+    angle, right, half = (
+        Call("arctan", (tree_of.Div(y, x),)),
+        *(tree_of.Degrees(tree_of.Number(n)) for n in ("90", "180")),
+    )
+    yield angle, ((x, ">"),)
+    yield Add((angle, half)), ((x, "<"), (y, ">="))
+    yield Add((angle, Neg(half))), ((x, "<"), (y, "<"))
+    yield right, ((x, "="), (y, ">"))
+    yield Neg(right), ((x, "="), (y, "<"))
+
+
+JUMPS: dict[str, Callable[..., Jumps]] = {"sgn": _sign, "sign": _sign, "atan2": _angle_of, "arctan2": _angle_of}
 
 
 def _put(tree: Tree, old: Tree, new: Tree) -> Tree:

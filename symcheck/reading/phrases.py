@@ -104,6 +104,19 @@ _SPELLINGS: Sequence[
         re.compile(r"(\\begin \{ [bBpvV ]*m a t r i x \}(?:(?!\\begin|\\end).)*)(?=\\end)"),
         lambda found: found[1].replace(" , &", " &"),
     ),
+    # the skew matrix of a vector, with the sign of the product within the brackets
+    (
+        r"\times ",
+        re.compile(rf"(?:\\left )?\[ (\\?[a-zA-Z]+(?: {_BRACED})?(?: _ (?:\w|{_BRACED}))?) \\times (?:\\right )?\]"),
+        r"[ \1 ] _ { \\times }",
+    ),
+    # the logarithm of a determinant, and the determinant of an inverse or a transpose, which is the same as its power
+    (
+        r"\det ",
+        re.compile(rf"(?:(?<=\\ln )|(?<=\\log ))\\det ({_LETTER}|[A-Z])(?! [\^_(])"),
+        r"( \\det ( \1 ) )",
+    ),
+    (r"\det ", re.compile(rf"\\det ((?:{_LETTER}|[A-Z]) \^ (?:\{{ - 1 \}}|T|\{{ T \}}|\\top))"), r"\\det ( \1 )"),
     # a matrix in brackets, and one of zeros
     (r"\left [", re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
     ("[ 0 ]", re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),

@@ -51,6 +51,8 @@ MAX_POWER_SUM = 8  # of an index: the sums that people print have at most the fo
 HALF_LINE = (0, INFINITY)
 WHOLE_LINE = (MINUS_INFINITY, INFINITY)
 
+STEPS = range(2, 9)  # between gamma functions: in printed formulas hardly more
+
 
 def instances(name: str, names: set[str]) -> Iterator[Instance]:
     """The theorems about an atom, and about it together with other atoms."""
@@ -222,8 +224,11 @@ def _gamma(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
     for (other,) in (gamma.terms for gamma in others):
         if number is None and number_of(node("+", other, node("-", t))) == 1:
             yield applied("gamma", t)
-        if number is None and number_of(node("+", t, node("-", other))) == 1:
+        ahead = number_of(node("+", t, node("-", other))) if number is None else None
+        if ahead == 1:
             yield applied("gamma", other)
+        elif ahead in STEPS:  # down to the other one by one
+            yield applied("gamma", node("+", t, -1))
 
 
 def _mean(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:

@@ -1,0 +1,154 @@
+"""Special functions by their letters: the relations of each family against mpmath, and what is decided with them."""
+
+from __future__ import annotations
+
+import ast
+import random
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import pytest
+from handbook import pairs
+
+from symcheck import decide
+from symcheck.checker.enclosures import ONE, enclosed
+from symcheck.core.calculus import substituted
+from symcheck.core.terms import node
+from symcheck.question.special import FAMILIES, INTEGRALS, NAMED, written
+
+TRUTH: dict[str, Callable[[Any, Any], Any]] = {
+    "P": mpmath.legendre,
+    "T": mpmath.chebyt,
+    "U": mpmath.chebyu,
+    "H": mpmath.hermite,
+    "He": lambda n, x: 2 ** (-n / 2) * mpmath.hermite(n, x / mpmath.sqrt(2)),
+    "L": lambda n, x: mpmath.laguerre(n, 0, x),
+    "J": mpmath.besselj,
+    "Y": mpmath.bessely,
+    "I": mpmath.besseli,
+    "K": mpmath.besselk,
+    "j": lambda n, x: mpmath.sqrt(mpmath.pi / (2 * x)) * mpmath.besselj(n + mpmath.mpf(1) / 2, x),
+    "y": lambda n, x: mpmath.sqrt(mpmath.pi / (2 * x)) * mpmath.bessely(n + mpmath.mpf(1) / 2, x),
+}
+RELATIONS = [text for family in FAMILIES for text in family.relations]
+DECLARED = {
+    "J": "Bessel function of the first kind", "I": "modified Bessel function of the first kind",
+    "P": "Legendre polynomial", "H": "Hermite polynomial", "L": "Laguerre polynomial",
+    "T": "Chebyshev polynomial of the first kind", "U": "Chebyshev polynomial of the second kind",
+}  # fmt: skip
+
+
+def value(tree: ast.expr, n: Any, x: Any) -> Any:
+    """The value of a side of a relation at an order and an argument."""
+    match tree:
+        case ast.Constant(value=number):
+            return number
+        case ast.Name(id=name):
+            return {"n": n, "x": x, "pi": mpmath.pi}[name]
+        case ast.UnaryOp(operand=inner):
+            return -value(inner, n, x)
+        case ast.BinOp(op=op, left=left, right=right):
+            a, b = value(left, n, x), value(right, n, x)
+            done = {"Add": lambda: a + b, "Sub": lambda: a - b, "Mult": lambda: a * b, "Div": lambda: a / b}
+            return a**b if isinstance(op, ast.Pow) else done[type(op).__name__]()
+        case ast.Call(func=ast.Name(id="d"), args=[inner]):
+            return mpmath.diff(lambda t: value(inner, n, t), x)
+        case ast.Call(func=ast.Name(id=name), args=[inner]) if name in TRUTH:
+            return TRUTH[name](value(inner, n, x), x)
+        case ast.Call(func=ast.Name(id=name), args=[inner]):
+            return getattr(mpmath, name)(value(inner, n, x))
+    raise AssertionError(ast.dump(tree))
+
+
+@pytest.mark.parametrize("text", RELATIONS)
+def test_a_relation_of_a_family_holds(text: str) -> None:
+    rng, tree = random.Random(text), ast.parse(text, mode="eval").body
+    assert isinstance(tree, ast.Compare)
+    whole = re.match(r".*\b(?:P|T|U|H|He|L|j|y)\(", text)
+    with mpmath.workdps(30):
+        for _ in range(4):
+            n = mpmath.mpf(rng.randrange(1, 6)) + (0 if whole else mpmath.mpf(rng.randrange(10)) / 10)
+            x = mpmath.mpf(rng.randrange(2, 30)) / 11
+            left, right = (value(side, n, x) for side in (tree.left, tree.comparators[0]))
+            assert abs(left - right) < 1e-12 * (1 + abs(left)), (n, x)
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: "_".join(family.names))
+def test_members_that_are_known_and_those_after_them_are_right(family: Any) -> None:
+    with mpmath.workdps(30):
+        x = mpmath.mpf(17) / 11
+        for (letter, order), text in family.first.items():
+            known = value(ast.parse(text, mode="eval").body, order, x)
+            assert abs(known - TRUTH[letter](mpmath.mpf(order.numerator) / order.denominator, x)) < 1e-20
+        for letter, text in family.step.items():
+            after = value(ast.parse(text, mode="eval").body, 3, x)
+            assert abs(after - TRUTH[letter](4, x)) < 1e-15 * (1 + abs(after))
+        for letter, sign in family.mirrored.items():
+            for n in range(4):
+                assert abs(TRUTH[letter](-n, x) - sign**n * TRUTH[letter](n, x)) < 1e-20
+
+
+INTEGRANDS: dict[str, Callable[..., Any]] = {
+    "J": lambda n, x, t: mpmath.cos(n * t - x * mpmath.sin(t)),
+    "I": lambda n, x, t: mpmath.exp(x * mpmath.cos(t)) * mpmath.cos(n * t),
+}
+
+
+@pytest.mark.parametrize("letter", INTEGRALS)
+@pytest.mark.parametrize("n", range(3))
+def test_a_member_of_whole_order_is_its_integral(letter: str, n: int) -> None:
+    x = mpmath.mpf(7) / 5
+    found = mpmath.quad(lambda t: INTEGRANDS[letter](n, x, t), [0, mpmath.pi]) / mpmath.pi
+    assert abs(found - TRUTH[letter](n, x)) < 1e-12
+    term = written(letter, next(name for name, (x, _) in NAMED.items() if x == letter), Fraction(n))
+    assert term is not None
+    enclosure = enclosed(substituted(term, {"x": node("/", 7, 5)}))
+    assert enclosure.low <= found * ONE <= enclosure.high
+    assert enclosure.high - enclosure.low < ONE / 1000
+
+
+SPECIAL = [pair for pair in pairs() if pair[0].letters]
+
+
+def test_there_are_relations_of_special_functions() -> None:
+    assert len(SPECIAL) >= 30
+    assert {name for pair in SPECIAL for _, name in pair[0].letters} <= {*NAMED}
+
+
+def test_what_is_false_of_a_special_function_is_not_refuted_where_nobody_says_that_it_is_meant() -> None:
+    for _, wrong in [pair for pair in SPECIAL if "d}{d" not in pair[1].relation][::15]:
+        assert decide(wrong.relation, given=wrong.given).verdict in ("ambiguous", "undecided", "unreadable")
+
+
+OTHERS = {
+    r"P_1(x) = 2x": "ambiguous or undecided: a first member may be anything",
+    r"T_2 = 2 T_1": "no arguments",
+    r"P_n(x) = x^n": "it may be a power",
+    r"J_m(q) = q": "a mass matrix",
+}
+
+
+@pytest.mark.parametrize("relation", OTHERS)
+def test_letters_that_mean_something_else_are_not_refuted(relation: str) -> None:
+    assert decide(relation).verdict not in ("refuted", "proved")
+
+
+def test_what_a_letter_is_said_to_be_is_shown() -> None:
+    answer = decide(r"P_2(x) = \frac{3x^2 - 1}{2}", letters={"P_n": "Legendre polynomials"})
+    assert answer.verdict == "proved"
+    assert answer.letters["P_2"] == "a Legendre polynomial (said so)"
+    assert decide(r"P_2(x) = \frac{3x^2 - 1}{2}").letters["P_2"] == "a Legendre polynomial (its usual letter)"
+
+
+def test_a_definition_takes_precedence_over_the_usual_meaning_of_a_letter() -> None:
+    assert decide(r"P_2(x) = \frac{3x^2 - 1}{2}", "P_2(x) = x^2").verdict == "refuted"
+
+
+def test_hermite_polynomials_are_those_that_are_said() -> None:
+    relation = r"H_2(x) = x^2 - 1"
+    assert decide(relation, letters={"H": "probabilist's Hermite polynomial"}).verdict == "proved"
+    assert decide(relation, letters={"H": "Hermite polynomial"}).verdict == "refuted"
+    assert decide(relation).verdict not in ("proved", "refuted")
