@@ -10,8 +10,7 @@ import pytest
 from kernel_reference import Case, cases, random_points
 
 from symcheck.generated import ignatov2005, poloskov2004
-from symcheck.kernels import runtime
-from symcheck.kernels.runtime import BLOCK, SMALL, Array
+from symcheck.kernels.runtime import BLOCK, DOUBLE, SMALL, Array
 
 CASES = cases()
 SHAPES = ((7,), (5, 3), (SMALL + 5,), (2, BLOCK + 3), (0,), (3, 0))
@@ -114,9 +113,21 @@ def test_what_numbers_alone_make_undefined_is_what_numpy_gives() -> None:
     assert seen
 
 
-def test_numbers_are_combined_once_where_that_is_worth_it() -> None:
-    density, moments = CASES["poloskov2004:density_of_frequency"], CASES["mirer2009:axial_moments"]
-    block = density.ways["_density_of_frequency"]
-    assert runtime._many_of_numbers(block, (False, True, True, True, True))
-    assert not runtime._many_of_numbers(block, (False,) * 5)
-    assert not runtime._many_of_numbers(moments.ways["_axial_moments"], (True,) * 3 + (False,) * 9)
+def test_what_depends_on_numbers_alone_is_computed_by_math() -> None:
+    density = CASES["poloskov2004:density_of_frequency"].function.ways
+    whole, mixed = (
+        density.plan(False, patterns, 1, DOUBLE).whole.__code__.co_names
+        for patterns in ((1,) * 5, (1, None, None, None, None))
+    )
+    assert "gamma_ratio" in whole
+    assert {"of_gamma_ratio", "number"} <= {*mixed}
+    assert "gamma_ratio" not in mixed
+
+
+def test_a_value_has_the_shape_of_what_it_depends_on() -> None:
+    case = CASES["mirer2009:direction_cosines"]
+    rows, columns = np.linspace(0, 1, 3)[:, None], np.linspace(0, 1, 4)
+    found = case.function.ways.plan(False, (1, 2, 2), 3, DOUBLE)
+    assert found.prelude is not None
+    assert {x.shape for x in found.prelude(rows, columns, columns)} == {(3, 1), (4,)}
+    np.testing.assert_allclose(case.function(rows, columns, columns)[3], np.broadcast_to(np.sin(columns), (3, 4)))
