@@ -365,7 +365,7 @@ def averaged_diffusion(a, Omega, k, alpha, beta, g_13, g_23):
         "The ulp are those of the value times its condition number, 1 + |kappa_1| log(1 + 3 alpha^2 a^2/(4 "
         "beta^2)), as the exponent is rounded."
     ),
-    degenerate="For alpha -> 0 it becomes Rayleigh's density.",
+    degenerate="For alpha -> 0 it becomes Rayleigh's density. Where it is below 1e-308 it is 0.",
     claims={"3.4": "1151d266f39f", "3.5": "9b09838828a8", "4.0.3": "ab42d552a443", "B.2": "e5842dbdec58",
         "B.3": "c68c40b1b8ed"},
 )
@@ -400,7 +400,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
         "The ulp are those of the value times its condition number, 1 + |kappa_2| log(1 + g_13^2 Omega^2/(g_23 "
         "k)^2), as the exponent is rounded."
     ),
-    degenerate="For g_13 -> 0 it becomes normal.",
+    degenerate="For g_13 -> 0 it becomes normal. Where it is below 1e-308 it is 0.",
     claims={"3.4.2": "6a0fedfb75dc", "3.5.1": "9ebdaa94d36f", "4.0.5": "d9e732415424", "B.5": "3a5d29509c0e"},
 )
 def density_of_frequency(Omega, k, g_13, g_23, d_33):

@@ -113,6 +113,34 @@ def test_what_numbers_alone_make_undefined_is_what_numpy_gives() -> None:
     assert seen
 
 
+def test_a_unit_or_a_mask_that_would_be_lost_is_refused() -> None:
+    volume = ignatov2005.volume_of_four_wheels
+    for units in ("deg", "degrees", "arcmin"):
+        degrees = Labelled([30.0, 40.0], units)
+        with pytest.raises(ValueError, match=f"volume_of_four_wheels: b has units '{units}'; angles are in radians"):
+            volume(0.5, degrees)
+    assert np.array_equal(volume(0.5, Labelled([0.3, 0.4], "rad")), volume(0.5, np.array([0.3, 0.4])))
+    with pytest.raises(ValueError, match="a is a masked array, whose mask would be lost"):
+        volume(np.ma.masked_less([0.3, 0.4], 0.35), 0.5)
+
+
+class Labelled:
+    """An array with a unit, as xarray's are."""
+
+    def __init__(self, values: list[float], units: str) -> None:
+        self.values, self.attrs = np.array(values), {"units": units}
+        self.dtype = self.values.dtype
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return self.values
+
+
+def test_a_density_below_the_range_of_doubles_is_zero() -> None:
+    density = poloskov2004.density_of_amplitude(np.array([1.0, 60.0]), 1e-12, 1.0, 1.0)
+    assert density[0] > 0
+    assert density[1] == 0
+
+
 def test_what_depends_on_numbers_alone_is_computed_by_math() -> None:
     density = CASES["poloskov2004:density_of_frequency"].function.ways
     whole, mixed = (
