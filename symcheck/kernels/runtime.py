@@ -21,7 +21,7 @@ import re
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache, update_wrapper
+from functools import cache, lru_cache, update_wrapper
 from inspect import cleandoc
 from itertools import combinations, product, repeat
 from math import isfinite, prod
@@ -51,7 +51,7 @@ __all__ = [
 ]
 
 BLOCK = 8192  # elements: 64 kB of doubles
-DOUBLE = np.dtype(np.float64)
+DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
 SMALL = 12288  # elements: up to here a second piece costs more time than it saves
 FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them beyond
@@ -148,21 +148,23 @@ class _Mix:
     plain     whether the numbers are Python's
     first     which is the first array, None if all are numbers or not all are known
     rest      which others are arrays
-    few       the plan for arrays of one shape, once there is one; `many` the same for many points
+    weak      whether they leave single precision single
+    patterns  of arrays of one shape
+    plans     those that there are
     """
 
-    __slots__ = ("few", "first", "known", "many", "patterns", "plain", "rest")
+    __slots__ = ("first", "known", "patterns", "plain", "plans", "rest", "weak")
 
     def __init__(self, kinds: tuple[type, ...]) -> None:
         numbers = {*kinds} - {ndarray}
         arrays = [k for k, kind in enumerate(kinds) if kind is ndarray]
         self.known = numbers <= NUMBERS
-        self.plain = numbers <= ({float} if arrays else PLAIN)
+        self.weak = numbers <= PLAIN
+        self.plain = numbers <= {float} if arrays else self.weak
         self.first = arrays[0] if arrays and self.known else None
         self.rest = arrays[1:]
         self.patterns: tuple[Pattern, ...] = tuple([1 if kind is ndarray else None for kind in kinds])
-        self.few: Plan | None = None
-        self.many: Plan | None = None
+        self.plans: dict[tuple[Any, ...], Plan] = {}
 
 
 class Ways:
@@ -246,29 +248,34 @@ class Ways:
                     pass
             return self._of_any_types(inputs, out, many)
         first = inputs[mix.first]
-        shape = first.shape
-        if first.dtype is not DOUBLE or not shape:
+        shape, dtype, alike = first.shape, first.dtype, True
+        if (dtype is not DOUBLE and (dtype is not SINGLE or not mix.weak)) or not shape:
             return self._of_any_types(inputs, out, many)
         for k in mix.rest:
             x = inputs[k]
-            if x.shape != shape or x.dtype is not DOUBLE:
+            if x.dtype is not dtype:
                 return self._of_any_types(inputs, out, many)
+            if (own := x.shape) != shape:
+                if not own:
+                    return self._of_any_types(inputs, out, many)
+                alike = False
         if not mix.plain:
             inputs = [x if type(x) is ndarray else float(x) for x in inputs]
-        given = None if out is None else fitting(out, len(self.said.outputs), shape, DOUBLE)
-        found = mix.many if many or first.size > FEW else mix.few
+        patterns, full = mix.patterns, 1
+        if not alike:
+            shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in inputs]))
+        given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
+        size = prod(shape)
+        key = many or size > FEW, patterns, full, dtype
+        found = mix.plans.get(key)
         if found is None:
-            found = self.plan(many or first.size > FEW, mix.patterns, 1, DOUBLE)
-            if many or first.size > FEW:
-                mix.many = found
-            else:
-                mix.few = found
-        if given is None and found.even and found.handful < first.size <= SMALL:
+            found = mix.plans[key] = self.plan(*key)
+        if given is None and not found.uneven and found.handful < size <= SMALL:
             try:
                 return found.whole(*inputs)
             except UNDEFINED:  # in what only numbers have part in
-                return self._of_whole_arrays(inputs, shape, DOUBLE, None, many)
-        return self._computed(found, inputs, shape, DOUBLE, given, one_by_one=not many)
+                return self._of_whole_arrays(inputs, shape, dtype, None, many)
+        return self._computed(found, inputs, shape, dtype, given, one_by_one=alike and not many)
 
     def _mix(self, kinds: tuple[type, ...]) -> _Mix:
         """What is known of arguments of these types; the first time."""
@@ -286,22 +293,17 @@ class Ways:
         if dtype != np.float32:
             dtype = DOUBLE
         arrays = [x if type(x) is ndarray else np.asarray(x) for x in inputs]
-        shapes = {x.shape for x in arrays} - {()} or {()}
-        shape = np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop()
+        shape, patterns, full = _aligned(tuple([x.shape for x in arrays]))
         given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
         if not shape:
             return self._of_point(arrays, dtype, given)
-        small = prod(shape) <= SMALL
+        size = prod(shape)
         values: list[Any] = []
-        patterns: list[Pattern] = []
-        full = (1 << len(shape)) - 1
-        for x in arrays:
-            pattern = _pattern(x.shape, shape) if x.ndim else None
-            if x.dtype != dtype and (pattern != full or small):
+        for x, pattern in zip(arrays, patterns, strict=True):
+            if x.dtype != dtype and (pattern != full or size <= SMALL):
                 x = x.astype(dtype, casting="same_kind")
             values.append(x if x.ndim else x.item())
-            patterns.append(pattern)
-        found = self.plan(many or prod(shape) > FEW, tuple(patterns), full, dtype)
+        found = self.plan(many or size > FEW, patterns, full, dtype)
         return self._computed(found, values, shape, dtype, given, one_by_one=not many and {*patterns} <= {None, full})
 
     def _refuse_what_would_be_lost(self, inputs: Sequence[Any]) -> None:
@@ -342,7 +344,7 @@ class Ways:
                 return self._one_by_one(values, shape, dtype, given)
             if size > SMALL:
                 return self._in_pieces(found, values, shape, dtype, given)
-            if given is None and found.even:
+            if given is None and not found.uneven:
                 return found.whole(*values)
             return self._at_once(found, values, shape, dtype, given)
         except UNDEFINED:  # in what only numbers have part in
@@ -389,15 +391,16 @@ class Ways:
         given: Sequence[Array] | None,
     ) -> Results:
         """The results of small arrays, in the arrays that are given, or where not all outputs have the whole shape."""
-        order = self.traced().order
-        first = [order.index(k) for k in range(max(order) + 1)]
-        into = [] if given is None else [given[first[k]] for k in found.into]
-        results = found.whole(*(_apart(values, given) if given else values), *into)
+        results = found.whole(*values)
         several = results if isinstance(results, tuple) else (results,)
-        if given is not None:
+        if given is not None:  # to be written to last, as they may share memory with the arguments
             return _one_or_tuple(_put(several, given))
-        whole = [_spread(several[k], shape, dtype) for k in first]
-        return _one_or_tuple([whole[k] for k in order])
+        whole = [*several]
+        for places in found.uneven:
+            x = _filled(several[places[0]], shape, dtype)
+            for place in places:
+                whole[place] = x
+        return _one_or_tuple(whole)
 
     def _in_pieces(
         self,
@@ -484,23 +487,21 @@ def _put(results: Sequence[Any], given: Sequence[Array]) -> Sequence[Array]:
     return given
 
 
-def _pattern(own: tuple[int, ...], shape: tuple[int, ...]) -> int:
-    """The axes of a shape that an array has in full, as bits."""
-    missing = len(shape) - len(own)
-    return sum(1 << k for k, n in enumerate(shape) if (own[k - missing] if k >= missing else 1) == n)
+@lru_cache(256)
+def _aligned(shapes: tuple[tuple[int, ...], ...]) -> tuple[tuple[int, ...], tuple[Pattern, ...], int]:
+    """The shape to which shapes broadcast, which of its axes each has in full as bits, and all of them."""
+    shape = np.broadcast_shapes(*shapes)
+    patterns: list[Pattern] = []
+    for own in shapes:
+        whole = (1,) * (len(shape) - len(own)) + own
+        patterns.append(sum(1 << k for k, n in enumerate(shape) if whole[k] == n) if own else None)
+    return shape, tuple(patterns), (1 << len(shape)) - 1
 
 
 def _filled(x: Any, shape: tuple[int, ...], dtype: DType) -> Array:
     whole = np.empty(shape, dtype)
     np.copyto(whole, x, casting="same_kind")
     return whole
-
-
-def _spread(value: Any, shape: tuple[int, ...], dtype: DType) -> Array:
-    """A result as an array of its own, of this shape and type."""
-    if type(value) is ndarray and value.shape == shape and value.dtype == dtype:
-        return value
-    return _filled(value, shape, dtype)
 
 
 def _parts(shape: tuple[int, ...]) -> Iterator[tuple[slice, ...]]:
@@ -538,9 +539,8 @@ def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[
         if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
             found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
             raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
-    if len({*map(id, results)}) < outputs or (
-        not all(x.flags.owndata for x in results) and any(np.shares_memory(x, y) for x, y in combinations(results, 2))
-    ):
+    own = outputs == 1 or (len({*map(id, results)}) == outputs and all(x.flags.owndata for x in results))
+    if not own and any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
         raise ValueError("two arrays of out share memory; each output needs memory of its own")
     return results
 

@@ -63,8 +63,8 @@ class Plan(NamedTuple):
     prelude    of all arguments: what `block` takes, then the outputs that not all axes have; None if block takes all
     block      of arrays of a piece, numbers as arrays without dimensions, then arrays for results and registers
     taken      how many values `block` takes
-    full       which of the distinct outputs are block's; `into`: which `whole` takes arrays for
-    even       whether all results of `whole` have the shape of the results
+    full       which of the distinct outputs are block's
+    uneven     outputs for which `whole` gives arrays of other shapes, or numbers: the places of each that are the same
     registers  how many it takes
     handful    up to so many points are computed in less time one by one
     """
@@ -74,8 +74,7 @@ class Plan(NamedTuple):
     block: Callable[..., Any]
     taken: int
     full: tuple[int, ...]
-    into: tuple[int, ...]
-    even: bool
+    uneven: tuple[tuple[int, ...], ...]
     registers: int
     handful: int
 
@@ -159,8 +158,9 @@ def plan(traced: Trace, patterns: Sequence[Pattern], full: int, kind: dtype[Any]
         space["block"] if split else space["whole"],
         len(taken) if split else traced.arity,
         tuple(values.index(place) for place in even),
-        tuple(values.index(place) for place in into),
-        len(into) == len(values),
+        tuple(
+            tuple(n for n, each in enumerate(traced.outputs) if each == place) for place in values if place not in into
+        ),
         registers,
         _handful(traced, writing),
     )

@@ -94,12 +94,11 @@ class Forms:
         inputs = [x.copy() for x in truth.points]
         with np.errstate(all="ignore"):
             try:
-                function = self._compiled(form, FLOATS)
-                results = [*self._results(function, inputs)]
+                results = self._results(self._compiled(form, FLOATS), inputs)
+                right = all((truth.error(result) <= self.case.kernel.ulp).all() for result in results)
             except (ArithmeticError, AttributeError, NameError, TypeError, ValueError):
                 return False
-        kept = all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
-        return kept and all((truth.error(result) <= self.case.kernel.ulp).all() for result in results)
+        return right and all(np.array_equal(x, y) for x, y in zip(inputs, truth.points, strict=True))
 
     def equivalent(self, mutant: Mutant) -> bool:
         """Whether the mutant means what the kernel means, for all arguments."""
