@@ -150,7 +150,7 @@ class _Mix:
     rest      which others are arrays
     weak      whether they leave single precision single
     patterns  of arrays of one shape
-    plans     those that there are
+    plans     those of arrays of one shape, once there are any, by their type and whether points are many
     """
 
     __slots__ = ("first", "known", "patterns", "plain", "plans", "rest", "weak")
@@ -261,15 +261,17 @@ class Ways:
                 alike = False
         if not mix.plain:
             inputs = [x if type(x) is ndarray else float(x) for x in inputs]
-        patterns, full = mix.patterns, 1
-        if not alike:
-            shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in inputs]))
-        given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
-        size = prod(shape)
-        key = many or size > FEW, patterns, full, dtype
-        found = mix.plans.get(key)
+        size = first.size if alike else 0
+        found = mix.plans.get((dtype, many or size > FEW)) if alike else None
         if found is None:
-            found = mix.plans[key] = self.plan(*key)
+            patterns, full = mix.patterns, 1
+            if not alike:
+                shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in inputs]))
+                size = prod(shape)
+            found = self.plan(many or size > FEW, patterns, full, dtype)
+            if alike:
+                mix.plans[dtype, many or size > FEW] = found
+        given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
         if given is None and not found.uneven and found.handful < size <= SMALL:
             try:
                 return found.whole(*inputs)
