@@ -16,6 +16,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, update_wrapper
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from math import prod
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import ModuleType
@@ -26,7 +27,7 @@ from platformdirs import user_cache_path
 
 from symcheck.core.extras import installing
 from symcheck.core.verdicts import SymcheckError
-from symcheck.kernels.runtime import DOUBLE, FEW, NUMBERS, Array, Ways, fitting
+from symcheck.kernels.runtime import DOUBLE, NUMBERS, Array, Ways, fitting
 from symcheck.kernels.specification import KernelFunction
 
 ENGINES = ("numpy", "numba", "c")
@@ -42,6 +43,7 @@ FLAGS = (
     "-shared",
     "-fPIC",
 )
+LEAST = 1000  # points from which a call of C takes less time than one of NumPy
 PIECE = 4096  # points that are copied at once where arrays are not as compiled code takes them
 LIMIT = 120  # seconds for the compiler
 
@@ -106,7 +108,7 @@ def _by_numba(module: ModuleType, kernels: Mapping[str, KernelFunction]) -> dict
 
 
 def _in_c(kernel: KernelFunction) -> KernelFunction:
-    """A kernel whose arrays of more than FEW points go through C: for each mix of numbers and arrays its own loop."""
+    """A kernel whose arrays of LEAST points or more go through C: for each mix of numbers and arrays its own loop."""
     ways: Ways = kernel.ways
     names = [argument.name for argument in ways.said.arguments]
 
@@ -115,21 +117,22 @@ def _in_c(kernel: KernelFunction) -> KernelFunction:
         if len(inputs) != len(names) or len(arguments) + len(named) != len(names):
             return kernel(*arguments, out=out, **named)  # which says what is missing
         uniform = tuple([type(x) in NUMBERS for x in inputs])
-        if all(uniform):
+        shape, dtype, ready = _common(inputs)
+        if prod(shape) < LEAST or (loop := _loop(ways, uniform)) is None:
             return kernel(*inputs, out=out)
-        arrays = [x if number else np.asarray(x) for x, number in zip(inputs, uniform, strict=True)]
-        shape = np.broadcast_shapes(*(np.shape(x) for x in arrays))
-        if np.prod(shape) <= FEW or (loop := _loop(ways, uniform)) is None:
-            return kernel(*inputs, out=out)
-        order = ways.traced().order
+        order = ways.order
         first = [order.index(k) for k in range(max(order) + 1)]
-        dtype = DOUBLE if np.result_type(*inputs) != np.float32 else np.dtype(np.float32)
         given = None if out is None else fitting(out, len(order), shape, dtype)
-        values: list[Any] = [float(x) if number else x for x, number in zip(arrays, uniform, strict=True)]
+        values: list[Any] = [float(x) if number else x for x, number in zip(inputs, uniform, strict=True)]
+        if not ready:
+            values = [x if type(x) is float else np.asarray(x) for x in values]
         if given:
             values = [x.copy() if type(x) is not float and _shared(x, given) else x for x in values]
         results = [np.empty(shape, dtype) if given is None else given[k] for k in first]
-        _run(loop, values, results)
+        if ready and (given is None or all(x.flags.carray for x in results)):
+            loop(results[0].size, *[x if type(x) is float else x.ctypes.data for x in (*values, *results)])
+        else:
+            _run_pieces(loop, values, results)
         for each, k in zip(given or (), order, strict=False):
             if each is not results[k]:
                 each[...] = results[k]
@@ -145,21 +148,28 @@ def _shared(x: Array, given: Sequence[Array]) -> bool:
     return any(np.may_share_memory(x, y) for y in given)
 
 
-def _run(loop: Callable[..., None], values: Sequence[Any], results: Sequence[Array]) -> None:
-    """One loop over all points, or where arrays are not as it takes them over pieces that are copied."""
+def _common(inputs: Sequence[Any]) -> tuple[tuple[int, ...], Any, bool]:
+    """The shape and type of the results, and whether all arrays are as compiled code takes them."""
+    shape = None
+    for x in inputs:
+        if type(x) is np.ndarray:
+            if x.dtype is not DOUBLE or (shape is not None and x.shape != shape) or not x.flags.carray:
+                break
+            shape = x.shape
+        elif type(x) not in NUMBERS:
+            break
+    else:
+        if shape is not None:
+            return shape, DOUBLE, True
+    single = np.result_type(*inputs) == np.float32
+    return np.broadcast_shapes(*map(np.shape, inputs)), np.dtype(np.float32) if single else DOUBLE, False
+
+
+def _run_pieces(loop: Callable[..., None], values: Sequence[Any], results: Sequence[Array]) -> None:
+    """The loop over pieces, which are copied where they are not as it takes them."""
     places = [k for k, x in enumerate(values) if type(x) is not float]
     arrays = [*(values[k] for k in places), *results]
-    given = [ctypes.c_double(x) if type(x) is float else x for x in values]
-
-    def run(size: int, pieces: Sequence[Array]) -> None:
-        for k, piece in zip(places, pieces, strict=False):
-            given[k] = ctypes.c_void_p(piece.ctypes.data)
-        loop(ctypes.c_size_t(size), *given, *(ctypes.c_void_p(x.ctypes.data) for x in pieces[len(places) :]))
-
-    shape = results[0].shape
-    if all(x.shape == shape and x.dtype == DOUBLE and x.flags.carray for x in arrays):
-        run(results[0].size, arrays)
-        return
+    given = [*values]
     chunks: Any = np.nditer  # its types know neither `with` nor lists of modes
     modes = [["readonly", "contig", "aligned"]] * len(places) + [["writeonly", "contig", "aligned"]] * len(results)
     flags = ["external_loop", "buffered", "zerosize_ok", "delay_bufalloc"]
@@ -167,7 +177,9 @@ def _run(loop: Callable[..., None], values: Sequence[Any], results: Sequence[Arr
     with chunks(arrays, flags, modes, kinds, casting="same_kind", buffersize=PIECE) as iterator:
         iterator.reset()
         for chunk in iterator:
-            run(chunk[0].size, chunk)
+            for k, piece in zip(places, chunk, strict=False):
+                given[k] = piece.ctypes.data
+            loop(chunk[0].size, *given, *(x.ctypes.data for x in chunk[len(places) :]))
 
 
 _loops: dict[tuple[str, str, tuple[bool, ...]], Any] = {}
@@ -195,7 +207,10 @@ def _compiled_loop(ways: Ways, uniform: tuple[bool, ...]) -> Any:
     whole = traced.program(trace, [each.name for each in said.arguments], outputs.values())
     numbers = [each.name for each, number in zip(said.arguments, uniform, strict=True) if number]
     text = c_target.alone(said.paper, said.name, whole, numbers)
-    return getattr(_library(text), f"{said.paper}_{said.name}")
+    loop = getattr(_library(text), f"{said.paper}_{said.name}")
+    kinds = [ctypes.c_double if number else ctypes.c_void_p for number in uniform]
+    loop.argtypes, loop.restype = [ctypes.c_size_t, *kinds, *[ctypes.c_void_p] * len(outputs)], None
+    return loop
 
 
 def _library(text: str) -> ctypes.CDLL:

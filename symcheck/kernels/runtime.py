@@ -21,7 +21,7 @@ import re
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache, lru_cache, update_wrapper
+from functools import cache, cached_property, lru_cache, update_wrapper
 from inspect import cleandoc
 from itertools import combinations, product, repeat
 from math import isfinite, prod
@@ -206,6 +206,11 @@ class Ways:
             self._traces[formula] = trace(formula)
         return self._traces[formula]
 
+    @cached_property
+    def order(self) -> list[int]:
+        """For each output, which of the distinct results it is."""
+        return self.traced().order
+
     def plan(self, many: bool, patterns: tuple[Pattern, ...], full: int, dtype: DType) -> Plan:
         """How arguments of these patterns are computed; sines are no slower than tangents in single precision."""
         many = many and dtype is DOUBLE and self.many is not self.formula
@@ -375,7 +380,7 @@ class Ways:
             for each, column in zip(given, columns, strict=True):
                 each[...] = column if len(shape) == 1 else array(column, dtype).reshape(shape)
             return _one_or_tuple(given)
-        order = self.traced().order
+        order = self.order
         shared = len({*order}) < len(order)
         if shared:
             columns = [columns[order.index(k)] for k in range(max(order) + 1)]
@@ -413,7 +418,7 @@ class Ways:
         given: Sequence[Array] | None,
     ) -> Results:
         """The results of large arrays, piece by piece."""
-        order = self.traced().order
+        order = self.order
         distinct = range(max(order) + 1)
         outputs = [np.empty(shape, dtype) if given is None else given[order.index(k)] for k in distinct]
         ready = values if given is None else _apart(values, given)
