@@ -10,8 +10,7 @@ import pytest
 from kernel_reference import Case, cases, random_points
 
 from symcheck.generated import ignatov2005, poloskov2004
-from symcheck.kernels import runtime
-from symcheck.kernels.runtime import BLOCK, SMALL, Array
+from symcheck.kernels.runtime import BLOCK, DOUBLE, SMALL, Array
 
 CASES = cases()
 SHAPES = ((7,), (5, 3), (SMALL + 5,), (2, BLOCK + 3), (0,), (3, 0))
@@ -114,9 +113,49 @@ def test_what_numbers_alone_make_undefined_is_what_numpy_gives() -> None:
     assert seen
 
 
-def test_numbers_are_combined_once_where_that_is_worth_it() -> None:
-    density, moments = CASES["poloskov2004:density_of_frequency"], CASES["mirer2009:axial_moments"]
-    block = density.ways["_density_of_frequency"]
-    assert runtime._many_of_numbers(block, (False, True, True, True, True))
-    assert not runtime._many_of_numbers(block, (False,) * 5)
-    assert not runtime._many_of_numbers(moments.ways["_axial_moments"], (True,) * 3 + (False,) * 9)
+def test_a_unit_or_a_mask_that_would_be_lost_is_refused() -> None:
+    volume = ignatov2005.volume_of_four_wheels
+    for units in ("deg", "degrees", "arcmin"):
+        degrees = Labelled([30.0, 40.0], units)
+        with pytest.raises(ValueError, match=f"volume_of_four_wheels: b has units '{units}'; angles are in radians"):
+            volume(0.5, degrees)
+    assert np.array_equal(volume(0.5, Labelled([0.3, 0.4], "rad")), volume(0.5, np.array([0.3, 0.4])))
+    with pytest.raises(ValueError, match="a is a masked array, whose mask would be lost"):
+        volume(np.ma.masked_less([0.3, 0.4], 0.35), 0.5)
+
+
+class Labelled:
+    """An array with a unit, as xarray's are."""
+
+    def __init__(self, values: list[float], units: str) -> None:
+        self.values, self.attrs = np.array(values), {"units": units}
+        self.dtype = self.values.dtype
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return self.values
+
+
+def test_a_density_below_the_range_of_doubles_is_zero() -> None:
+    density = poloskov2004.density_of_amplitude(np.array([1.0, 60.0]), 1e-12, 1.0, 1.0)
+    assert density[0] > 0
+    assert density[1] == 0
+
+
+def test_what_depends_on_numbers_alone_is_computed_by_math() -> None:
+    density = CASES["poloskov2004:density_of_frequency"].function.ways
+    whole, mixed = (
+        density.plan(False, patterns, 1, DOUBLE).whole.__code__.co_names
+        for patterns in ((1,) * 5, (1, None, None, None, None))
+    )
+    assert "gamma_ratio" in whole
+    assert {"of_gamma_ratio", "number"} <= {*mixed}
+    assert "gamma_ratio" not in mixed
+
+
+def test_a_value_has_the_shape_of_what_it_depends_on() -> None:
+    case = CASES["mirer2009:direction_cosines"]
+    rows, columns = np.linspace(0, 1, 3)[:, None], np.linspace(0, 1, 4)
+    found = case.function.ways.plan(False, (1, 2, 2), 3, DOUBLE)
+    assert found.prelude is not None
+    assert {x.shape for x in found.prelude(rows, columns, columns)} == {(3, 1), (4,)}
+    np.testing.assert_allclose(case.function(rows, columns, columns)[3], np.broadcast_to(np.sin(columns), (3, 4)))

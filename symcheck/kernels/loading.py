@@ -39,7 +39,7 @@ def folder() -> Path:
     return Path(spec.submodule_search_locations[0]).resolve()
 
 
-def load(name: str, *, check: bool = False) -> ModuleType:
+def load(name: str, *, check: bool = False, engine: str = "numpy") -> ModuleType:
     """Import the kernels of a paper whose key is known only when the program runs.
 
     Parameters
@@ -48,16 +48,21 @@ def load(name: str, *, check: bool = False) -> ModuleType:
         The key of the paper, such as "ignatov2005", or the folder of an audit.
     check
         True gives kernels that raise ValueError for an argument outside of its domain; else nothing is checked.
+    engine
+        What computes arrays: "numpy"; "c", which the machine's compiler compiles when a mix of arrays and numbers is
+        first met; or "numba". What is compiled stays in the user's cache. Where there is no compiler, or no Numba, a
+        RuntimeWarning says so, and the kernels run in NumPy.
 
     Returns
     -------
     module
-        `symcheck.generated.<key>`, or one like it whose kernels are checked.
+        `symcheck.generated.<key>`, or one like it whose kernels are checked, or run by another engine.
 
     Raises
     ------
     SymcheckError
-        If nothing was generated under that name, or kernels of another folder with the same key are in use.
+        If nothing was generated under that name, if kernels of another folder with the same key are in use, or if
+        there is no engine of that name.
 
     Examples
     --------
@@ -80,6 +85,10 @@ def load(name: str, *, check: bool = False) -> ModuleType:
         raise SymcheckError(f"no kernels named {key!r} in {home}; run `symcheck generate`") from error
     if (other := Path(found.__file__ or "").resolve().parent) != home:
         raise SymcheckError(f"the kernels of {other} are in use under the key {key!r}; rename one of the folders")
+    if engine != "numpy":
+        from symcheck.kernels.engines import compiled_module
+
+        found = compiled_module(found, engine)
     if not check:
         return found
     from symcheck.kernels.checked import checked_module

@@ -76,6 +76,7 @@ class KernelFunction(Protocol):
     __name__: str
     __doc__: str | None
     specification: Specification
+    ways: Any  # how it runs: `runtime.Ways`
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
         """The results at some points."""

@@ -22,6 +22,7 @@ from symcheck.audit import kernels as evidence
 from symcheck.kernels.codegen import numpy_target
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.kernels.codegen.target import CompiledKernel
+from symcheck.kernels.runtime import DOUBLE
 from symcheck.kernels.specification import KernelFunction
 from symcheck.papers import load
 
@@ -145,18 +146,18 @@ class Case:
         return _compiled(self)
 
     @property
-    def texts(self) -> tuple[str, str]:
-        """The formula of this kernel alone and the ways it runs, as text."""
-        return _texts(self)
-
-    @property
-    def ways(self) -> dict[str, Any]:
-        """What the generated module of its ways defines: its blocks, and the functions they call."""
-        return vars(kernels.load(f"_{self.paper}"))
+    def text(self) -> str:
+        """The module of this kernel alone."""
+        return _text(self)
 
     @property
     def function(self) -> KernelFunction:
         return kernels.find(self.paper, self.name)
+
+    def of_many(self, *arguments: Any) -> Any:
+        """The results of arrays of one shape, computed as those of many points are."""
+        count = len(self.kernel.arguments)
+        return self.function.ways.plan(True, (1,) * count, 1, DOUBLE).whole(*arguments)
 
     @property
     def derived(self) -> list[Any]:
@@ -181,9 +182,8 @@ def _compiled(case: Case) -> CompiledKernel:
 
 
 @cache
-def _texts(case: Case) -> tuple[str, str]:
-    files = numpy_target.files(case.paper, {case.name: case.compiled})
-    return files[f"{case.paper}.py"], files[f"_{case.paper}.py"]
+def _text(case: Case) -> str:
+    return numpy_target.files(case.paper, {case.name: case.compiled})[f"{case.paper}.py"]
 
 
 @cache

@@ -12,7 +12,7 @@ from random import Random
 import numpy as np
 
 from symcheck.ledger import Record
-from symcheck.selftest.kernel_mutants import SYMBOLIC, Forms, Mutant
+from symcheck.selftest.kernel_mutants import CONSTANTS, SYMBOLIC, Forms, Mutant
 from symcheck.selftest.kernel_points import crowded_points, random_points
 from symcheck.selftest.kernel_truth import Case, Truth, cases
 from symcheck.selftest.trial import FaultClass, Status, Trial, mixed
@@ -33,9 +33,9 @@ def _prepared(case: Case) -> tuple[Forms, Truth, dict[str, list[Mutant]]]:
 
 def kind(mutant: Mutant) -> str:
     """Which kind of token is changed."""
-    if isinstance(mutant.node, ast.Constant) or mutant.value == "e":
+    if isinstance(mutant.node, ast.Constant) or mutant.value in CONSTANTS:
         return "constant"
-    operator = isinstance(mutant.node, ast.BinOp | ast.UnaryOp | ast.Attribute) or mutant.value in SYMBOLIC
+    operator = isinstance(mutant.node, ast.BinOp | ast.UnaryOp) or mutant.value in SYMBOLIC
     return "operator" if operator else "operand"
 
 

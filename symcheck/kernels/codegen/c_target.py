@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.kernels.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLEL, SOURCE, VECTORS
 from symcheck.kernels.codegen.docstring import numpydoc
-from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, under_root
+from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, is_number, under_root
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 
@@ -56,53 +56,80 @@ def vector(name: str) -> str:
     return f'__attribute__((simd("notinbranch"))) double {name}({operands});'
 
 
-def signature(key: str, name: str, program: Program, restrict: str = "SYMCHECK_RESTRICT") -> str:
+def alone(key: str, name: str, program: Program, uniform: Collection[str]) -> str:
+    """The source of one kernel, of which some arguments are numbers instead of arrays."""
+    body = source(key, name, program, uniform)
+    text = "\n".join([*written(body), body])
+    vectors = [vector(function) for function in VECTOR if re.search(rf"\b{function}\(", text)]
+    head = [SOURCE.format(key=key, mark=MARK).replace(f'#include "{key}.h"', "#include <stddef.h>")]
+    head += [VECTORS.format(declarations="\n".join(vectors))] if vectors else []
+    return "\n".join([*head, text])
+
+
+def signature(
+    key: str, name: str, program: Program, restrict: str = "SYMCHECK_RESTRICT", uniform: Collection[str] = ()
+) -> str:
     """The declaration of a kernel. C has no modules: the key of the paper sets kernels of the same name apart."""
-    return _wrapped(f"void {key}_{name}(", ["size_t n", *_parameters(program, restrict)])
+    return _wrapped(f"void {key}_{name}(", ["size_t n", *_parameters(program, restrict, uniform)])
 
 
-def source(key: str, name: str, program: Program) -> str:
-    """The definition: what is computed at one point, in a loop; with angles apart from it, as the rest needs it too."""
+def source(key: str, name: str, program: Program, uniform: Collection[str] = ()) -> str:
+    """The definition: what is computed at one point, in a loop; with angles apart from it, as the rest needs it too.
+
+    What depends on `uniform` arguments alone, which are numbers, is computed before the loop.
+    """
     _refuse_words_of_c(name, program)
-    places = {x: f"{x}[i]" for x in program.inputs}
+    places = {x: f"{x}[i]" for x in program.inputs if x not in uniform}
     used = {x for operation in program.operations for x in operation.operands} | {*program.outputs.values()}
-    lines = [f"(void){x};" for x in program.inputs if x not in used]
-    lines += [statement(operation, places) for operation in program.operations]
+    fixed = {*uniform}
+    before, lines = [], [f"(void){x};" for x in program.inputs if x not in used]
+    varying = []
+    for operation in program.operations:
+        if all(is_number(x) or x in fixed for x in operation.operands):
+            fixed.add(operation.result)
+            before.append(statement(operation, places, CIRCULAR))
+        else:
+            varying.append(operation)
+            lines.append(statement(operation, places))
     lines += [f"out_{x}[i] = {number(y, places)};" for x, y in program.outputs.items()]
-    head = signature(key, name, program, "restrict")
-    angles = dict.fromkeys(number(o.operands[0], places) for o in program.operations if o.function in CIRCULAR)
+    head = f"{signature(key, name, program, 'restrict', uniform)}\n{{\n"
+    head += _indented([*before, ""], 4) if before else ""
+    angles = dict.fromkeys(number(o.operands[0], places) for o in varying if o.function in CIRCULAR)
     if not angles:
-        return f"{head}\n{{\n{LOOP.format(parallel=PARALLEL, body=_indented(lines, 8))}}}\n"
+        return f"{head}{LOOP.format(parallel=PARALLEL, body=_indented(lines, 8))}}}\n"
     lines.append(f"return {' | '.join(f'(fabs({x}) > {REACH})' for x in angles)};")
-    point = _wrapped(f"static INLINE int {name}_at(", ["size_t i", "int libm", *_parameters(program, "restrict")])
-    near, far = (_call(name, libm, program) for libm in (0, 1))
+    needed = {x for o in varying for x in o.operands} | {*program.outputs.values()}
+    more = [x for x in (o.result for o in program.operations) if x in fixed and x in needed]
+    parameters = [*_parameters(program, "restrict", uniform), *(f"double {x}" for x in more)]
+    point = _wrapped(f"static INLINE int {name}_at(", ["size_t i", "int libm", *parameters])
+    near, far = (_call(name, libm, program, more) for libm in (0, 1))
     loop = LOOP_AND_REST.format(parallel=PARALLEL, near=near, far=far)
-    return f"{point}\n{{\n{_indented(lines, 4)}\n}}\n\n{head}\n{{\n{loop}}}\n"
+    return f"{point}\n{{\n{_indented(lines, 4)}\n}}\n\n{head}{loop}}}\n"
 
 
-def _call(name: str, libm: int, program: Program) -> str:
-    arrays = [*program.inputs, *(f"out_{x}" for x in program.outputs)]
+def _call(name: str, libm: int, program: Program, more: Iterable[str]) -> str:
+    arrays = [*program.inputs, *(f"out_{x}" for x in program.outputs), *more]
     return textwrap.indent(_wrapped(f"{name}_at(", ["i", str(libm), *arrays]), " " * 12).lstrip()
 
 
-def _parameters(program: Program, restrict: str) -> list[str]:
-    inputs = [f"const double *{restrict} {x}" for x in program.inputs]
+def _parameters(program: Program, restrict: str, uniform: Collection[str] = ()) -> list[str]:
+    inputs = [f"double {x}" if x in uniform else f"const double *{restrict} {x}" for x in program.inputs]
     return inputs + [f"double *{restrict} out_{x}" for x in program.outputs]
 
 
-def statement(operation: Operation, places: Mapping[str, str]) -> str:
-    """One operation as a constant with its name."""
+def statement(operation: Operation, places: Mapping[str, str], of_libm: Collection[str] = ()) -> str:
+    """One operation as a constant with its name; some functions are those of libm only."""
     operands = [number(x, places) for x in operation.operands]
-    return f"const double {operation.result} = {_expression(operation.function, operands)};"
+    return f"const double {operation.result} = {_expression(operation.function, operands, of_libm)};"
 
 
-def _expression(function: str, operands: list[str]) -> str:
+def _expression(function: str, operands: list[str], of_libm: Collection[str] = ()) -> str:
     if function in INFIX:
         return f" {INFIX[function]} ".join(operands)
     if function == "negative":
         return f"-{operands[0]}"
     inside = ", ".join(operands)
-    if function in CIRCULAR:
+    if function in CIRCULAR and function not in of_libm:
         return f"libm ? {function}({inside}) : vector_{function}({inside})"
     if function not in (*UNARY, *RUNTIME, "power"):
         raise SymcheckError(f"{function} has no form in C; add it to symcheck/kernels/codegen/c_target.py")

@@ -1,21 +1,21 @@
-"""What a kernel says of itself, in whatever language it is written: the sections of a numpydoc docstring."""
+"""What a kernel that was declared says of itself, in whatever language it is written."""
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from symcheck.core.lazy import lazy
+from symcheck.kernels import documentation
 from symcheck.kernels.codegen.target import CompiledKernel
-from symcheck.kernels.specification import Argument, Output
+from symcheck.kernels.specification import Argument, Specification
 
 if TYPE_CHECKING:
     from symcheck.kernels.codegen.kernel import Kernel
 
 sp = lazy("sympy")
-WIDTH = 110  # columns of a text, which stands four columns in
+LINE = 112  # columns of a line in a docstring
 
 
 def numpydoc(
@@ -25,31 +25,32 @@ def numpydoc(
     further: Mapping[str, tuple[str, str]] | None = None,
     examples: str = "",
 ) -> str:
-    """What the function is, takes and returns, how accurate it is, on what it rests, and an example.
+    """The docstring of a kernel; `kind` is the type of arguments and results, `notes` say how it is called."""
+    said = specification("", "", compiled)
+    return documentation.numpydoc(said, "\n".join(formulas(compiled.kernel)), kind, notes, further, examples)
 
-    kind     the type of arguments and results
-    notes    how the function is called
-    further  type and meaning of arguments that are not the kernel's
-    """
+
+def specification(key: str, name: str, compiled: CompiledKernel) -> Specification:
+    """What a module says of a kernel."""
     kernel = compiled.kernel
-    takes = [_entry(argument.name, kind, f"{_meaning(argument)}; {argument.domain}.") for argument in kernel.arguments]
-    takes += [_entry(name, *each) for name, each in (further or {}).items()]
-    gives = [_entry(each.name, kind, f"{_meaning(each)}.") for each in kernel.outputs]
+    return Specification(
+        paper=key,
+        name=name,
+        says=kernel.says,
+        arguments=kernel.arguments,
+        outputs=kernel.outputs,
+        ulp=kernel.ulp,
+        condition=" ".join(kernel.condition.split()),
+        degenerate=" ".join(kernel.degenerate.split()),
+        claims=compiled.claims,
+        forms=compiled.forms,
+    )
+
+
+def formulas(kernel: Kernel) -> list[str]:
+    """What each output is."""
     derived = kernel.derived()
-    formulas = [f"    {output.name} = {derived[output.name]}" for output in kernel.outputs]
-    accuracy = f"Accuracy: {kernel.ulp} ulp over the domain. {kernel.condition} {kernel.degenerate}"
-    parts = [
-        kernel.says,
-        _section("Parameters", "\n".join(takes)),
-        _section("Returns", "\n".join(gives)),
-        _section("Notes", "The function computes ::"),
-        "\n".join(formulas),
-        wrapped(accuracy),
-        wrapped(notes),
-        wrapped(compiled.evidence),
-        _section("Examples", examples) if examples else "",
-    ]
-    return "\n\n".join(filter(None, parts))
+    return [f"{output.name} = {derived[output.name]}" for output in kernel.outputs]
 
 
 def docstring(text: str) -> str:
@@ -57,19 +58,36 @@ def docstring(text: str) -> str:
     return f'"""{text}\n"""'
 
 
-def wrapped(text: str) -> str:
-    """A text in lines."""
-    return textwrap.fill(" ".join(text.split()), WIDTH)
-
-
-def example(kernel: Kernel, module: str, name: str) -> str:
+def example(kernel: Kernel, name: str) -> str:
     """A call of the kernel on numbers, with the results to six digits."""
     point = _ordinary(kernel.arguments)
     derived = kernel.derived()
     texts = [f"{float(_value(derived[output.name], point)):.6g}" for output in kernel.outputs]
-    call = f"{name}({', '.join(str(float(x)) for x in point.values())})"
-    shown = f'f"{{{call}:.6g}}"' if len(texts) == 1 else f'[f"{{x:.6g}}" for x in {call}]'
-    return f">>> from {module} import {name}\n>>> {shown}\n{(texts[0] if len(texts) == 1 else texts)!r}"
+    call = filled(f"{name}(", [str(float(x)) for x in point.values()], ")", LINE - 30, "...     ")
+    if len(texts) == 1:
+        return f'>>> format({call}, ".6g")\n{texts[0]!r}'
+    shown = f'>>> [f"{{x:.6g}}" for x in {call}]'
+    results = filled("[", map(repr, texts), "]", LINE, " ")
+    if "\n" not in results:
+        return f"{shown}\n{results}"
+    directive = "# doctest: +NORMALIZE_WHITESPACE"
+    return (
+        f"{shown}{f'  {directive}' if len(shown) < LINE - len(directive) else f'{chr(10)}... {directive}'}\n{results}"
+    )
+
+
+def filled(first: str, items: Iterable[str], last: str, width: int, indent: str) -> str:
+    """A list in brackets, in lines that end between its items."""
+    lines, every = [first], [*items]
+    if not every:
+        return first + last
+    for k, item in enumerate(every):
+        text = f"{item}," if k + 1 < len(every) else f"{item}{last}"
+        if len(lines[-1]) + len(text) + 1 > width:
+            lines.append(f"{indent}{text}")
+        else:
+            lines[-1] += text if lines[-1] in (first, indent) else f" {text}"
+    return "\n".join(lines)
 
 
 def _value(expression: Any, point: Mapping[str, Fraction]) -> Any:
@@ -93,17 +111,3 @@ def _ordinary(arguments: tuple[Argument, ...]) -> dict[str, Fraction]:
         last = float(high) if high is not None else first + 1
         found[argument.name] = Fraction(round(100 * (first + (last - first) * part)), 100)
     return {argument.name: found[argument.name] for argument in arguments}
-
-
-def _section(name: str, text: str) -> str:
-    return f"{name}\n{'-' * len(name)}\n{text}"
-
-
-def _entry(name: str, kind: str, text: str) -> str:
-    lines = textwrap.wrap(text, WIDTH - 4, initial_indent="    ", subsequent_indent="    ")
-    return "\n".join([f"{name} : {kind}", *lines])
-
-
-def _meaning(value: Argument | Output) -> str:
-    text = f"{value.meaning[0].upper()}{value.meaning[1:]}" if value.meaning.split()[0].isalpha() else value.meaning
-    return f"{text}, {'a number' if value.unit == '1' else f'in {value.unit}'}"

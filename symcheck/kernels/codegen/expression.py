@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 from symcheck.kernels.codegen.program import INFIX, Operation, Program, Ref, is_number, under_root
@@ -79,10 +79,3 @@ def _joined(
         return f"-{side(operation.operands[0], ATOM)}"
     left, right = operation.operands
     return f"{side(left, binding)} {INFIX[operation.function]} {side(right, binding + 1)}"
-
-
-def body(program: Program) -> Iterator[str]:
-    """The lines of a function of floats."""
-    lines, results = assignments(program)
-    yield from lines
-    yield f"return {', '.join(results)}"

@@ -22,9 +22,9 @@ from symcheck.kernels import runtime
 from symcheck.kernels.codegen import numba_calls, numba_functions
 from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import number
-from symcheck.kernels.codegen.numpy_target import KIND, calls, out_of
 from symcheck.kernels.codegen.program import INFIX, Operation, Program, distinct, order_of
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
+from symcheck.kernels.documentation import KIND, calls, out_of
 from symcheck.kernels.runtime import fitting
 
 SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio"}  # the same for numbers and in loops
@@ -170,7 +170,8 @@ def source(name: str, compiled: CompiledKernel) -> str:
     library = [f"math.{LIBRARY.get(function, function)}" for function in taken]
     types = " is ".join(f"type({x})" for x in program.inputs)
     found = ", ".join(f"result_{k}" for k in range(len(results)))
-    text = numpydoc(compiled, KIND, f"{calls(program)} {NOTE}", {"out": out_of(program), "threads": THREADS})
+    count = len(program.outputs)
+    text = numpydoc(compiled, KIND, f"{calls(count)} {NOTE}", {"out": out_of(count), "threads": THREADS})
     return f"""def {name}({inputs}, out=None, *, threads=1):
 {textwrap.indent(docstring(text), "    ")}
     if out is None and {types} is float:

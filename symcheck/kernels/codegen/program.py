@@ -7,7 +7,7 @@ at pi/2, where 1 - sin^2 x does.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -238,23 +238,6 @@ def under_root(x: Ref) -> Ref | None:
 def is_number(x: Ref) -> bool:
     """Whether this is not a named value."""
     return isinstance(x, Fraction) or x == "pi" or under_root(x) is not None
-
-
-def registers(program: Program) -> Iterator[tuple[Operation, int | None]]:
-    """Each operation with the register of its result, None for an output; a register is free after its last use."""
-    last: dict[Ref, int] = {}
-    for n, operation in enumerate(program.operations):
-        last.update(dict.fromkeys(operation.operands, n))
-    final = set(program.outputs.values())
-    places: dict[Ref, int] = {}
-    free: list[int] = []
-    for n, operation in enumerate(program.operations):
-        free += [places[x] for x in dict.fromkeys(operation.operands) if x in places and last[x] == n]
-        if operation.result in final:
-            yield operation, None
-            continue
-        places[operation.result] = free.pop() if free else len(set(places.values()))
-        yield operation, places[operation.result]
 
 
 def _folded(function: str, x: Fraction, y: Fraction = Fraction(0)) -> Fraction:

@@ -29,13 +29,6 @@ class CompiledKernel:
     claims: Mapping[str, str] = field(default_factory=dict)
     forms: str = ""
 
-    @property
-    def evidence(self) -> str:
-        """On which claims and proofs it rests, in words."""
-        rests = f"Rests on {', '.join(f'{id} (sha256 {digest})' for id, digest in self.claims.items())}."
-        equal = f"The forms computed are proved equal to those shown (sha256 {self.forms})."
-        return f"{rests if self.claims else ''} {equal if self.forms else ''}".strip()
-
 
 @dataclass(frozen=True)
 class Target:

@@ -51,8 +51,8 @@ def kernel(paper: str, name: str) -> Function:
 
     Notes
     -----
-    Chunks go through the kernel's blocks whatever their size, so that results are those of `out=`, and of plain calls
-    with arrays of more than 512 elements, to the last bit.
+    Chunks of whatever size are computed as many points are, so that results are those of plain calls with arrays of
+    more than 200 elements, to the last bit.
 
     Examples
     --------
@@ -77,15 +77,13 @@ def kernel(paper: str, name: str) -> Function:
 
 
 def by_blocks(paper: str, name: str, /, **arguments: ArrayLike) -> Any:
-    """The kernel of this name on arrays or numbers that broadcast, as with `out=`: the same bits for few and for many.
+    """The kernel of this name on arrays or numbers that broadcast: the same bits for few points and for many.
 
     >>> by_blocks("ignatov2005", "volume_of_four_wheels", a=np.full((2, 1), 0.5), b=np.full(3, 1.0)).shape
     (2, 3)
     """
     function = kernels.find(paper, name)
-    shape, dtype = np.broadcast_shapes(*map(np.shape, arguments.values())), _dtype(arguments.values())
-    out = tuple(np.empty(shape, dtype) for _ in declaration(function).results)
-    return function(**arguments, out=out)
+    return function.ways.of_anything([arguments[x.name] for x in specification(function).arguments], many=True)
 
 
 def _together(*results: object) -> object:

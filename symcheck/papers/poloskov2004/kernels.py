@@ -207,7 +207,7 @@ density_of_amplitude = Kernel(
     ulp=8,
     scale=_conditioned(derivation.normalised_densities, "p_s1", _power_of_amplitude),
     condition=f"{TAIL}, 1 + |kappa_1| log(1 + 3 alpha^2 a^2/(4 beta^2)), as the exponent is rounded.",
-    degenerate="For alpha -> 0 it becomes Rayleigh's density.",
+    degenerate="For alpha -> 0 it becomes Rayleigh's density. Where it is below 1e-308 it is 0.",
 )
 
 density_of_frequency = Kernel(
@@ -219,7 +219,7 @@ density_of_frequency = Kernel(
     ulp=16,
     scale=_conditioned(derivation.normalised_densities, "p_s3", _power_of_frequency),
     condition=f"{TAIL}, 1 + |kappa_2| log(1 + g_13^2 Omega^2/(g_23 k)^2), as the exponent is rounded.",
-    degenerate="For g_13 -> 0 it becomes normal.",
+    degenerate="For g_13 -> 0 it becomes normal. Where it is below 1e-308 it is 0.",
 )
 
 logarithm_of_constant_of_amplitude = Kernel(
