@@ -361,7 +361,7 @@ def test_what_means_one_thing_is_read(latex: str) -> None:
     assert first_reading(latex)
 
 
-SAME = {  # what is typed otherwise, and reads as the second one
+TYPED = {  # what is typed otherwise, and reads as the second one
     r"azimuth = \arctan x": r"\mathrm{azimuth} = \arctan x",
     r"\mathsf{SNR} = 10 x": r"\mathrm{SNR} = 10 x",
     r"N = [N_1 \, N_2 \, N_3]": r"N = [N_1, N_2, N_3]",
@@ -370,9 +370,9 @@ SAME = {  # what is typed otherwise, and reads as the second one
 }
 
 
-@pytest.mark.parametrize("latex", SAME)
+@pytest.mark.parametrize("latex", TYPED)
 def test_what_is_typed_otherwise_reads_alike(latex: str) -> None:
-    assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(SAME[latex])[0])
+    assert bracketed(first_reading(latex)[0]) == bracketed(first_reading(TYPED[latex])[0])
 
 
 def test_a_question_is_in_doubt_as_its_print_is() -> None:
