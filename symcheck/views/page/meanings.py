@@ -25,8 +25,8 @@ MEANINGS = {
     "implies it, such as a positive mass",
     Reading.MISPRINT: "read as printed, and wrong so; what is right is given",
     Reading.NEEDS_HYPOTHESIS: "wrong as printed, and right under a condition that the paper does not print",
-    Reading.DAMAGED: "the characters of the text at hand say nothing, or something else than was meant; it is said what "
-    "is read instead",
+    Reading.DAMAGED: "the characters of the text at hand say nothing, or something else than was meant; it is said "
+    "what is read instead",
     Reading.STATED: "stated by the auditor of this document, not read from it",
     Reading.REWRITTEN: "read with what the auditor wrote in place of what is printed",
 }

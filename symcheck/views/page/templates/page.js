@@ -124,24 +124,36 @@ function fillRow(entry, part) {
   setProse(said, entry.paper);
 }
 
-function makeLedger() {
-  if (one("#best")) return;
-  const lists = new Map(), sections = [made("section", {id: "best"}, made("h2", {textContent: "Best matches"}), made("ol"))];
-  for (const entry of entries) {
-    if (!lists.has(entry.paper)) {
-      const list = made("ol");
-      lists.set(entry.paper, list);
-      sections.push(made("section", {}, made("h2", {textContent: entry.paper}), list));
+// Many rows take their time: whoever looks at the first ones need not wait for the last.
+const SLICE = 40; // milliseconds
+let ledger = null, kept = new Set();
+const makeLedger = () => ledger ??= (async () => {
+  const lists = new Map();
+  for (const entry of entries) lists.get(entry.paper)?.push(entry) ?? lists.set(entry.paper, [entry]);
+  let start = performance.now();
+  for (const [paper, members] of lists) {
+    const home = made("ol"), section = made("section", {className: "paper"}, made("h2", {textContent: paper}), home);
+    section.dataset.paper = paper;
+    section.style.containIntrinsicSize = `auto ${4 * members.length}rem`;
+    section.hidden = !members.some((entry) => kept.has(entry));
+    one("#rows").append(section);
+    for (const entry of members) {
+      home.append(makeRow(entry, home));
+      if (performance.now() - start < SLICE) continue;
+      await new Promise((done) => setTimeout(done));
+      start = performance.now();
     }
-    const badge = made("span", {className: `badge ${entry.role ? "role" : entry.state}`, textContent: entry.state});
-    entry.row = made("li", {}, made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place}), made("div", {className: "said"}),
-      made("div", {className: "end"}, badge, entry.kind ? made("div", {textContent: entry.kind}) : ""));
-    entry.row.dataset.n = entry.number;
-    entry.home = lists.get(entry.paper);
-    entry.home.append(entry.row);
   }
-  one("#rows").append(...sections);
-  entries.forEach((entry) => filling.observe(entry.row));
+})();
+function makeRow(entry, home) {
+  const badge = made("span", {className: `badge ${entry.role ? "role" : entry.state}`, textContent: entry.state});
+  entry.row = made("li", {hidden: !kept.has(entry)}, made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place}), made("div", {className: "said"}),
+    made("div", {className: "end"}, badge, entry.kind ? made("div", {textContent: entry.kind}) : ""));
+  entry.row.dataset.n = entry.number;
+  entry.home = home;
+  if (!entry.row.hidden) home.parentElement.hidden = false;
+  filling.observe(entry.row);
+  return entry.row;
 }
 function makeFilters() {
   for (const field of FIELDS) {
@@ -178,27 +190,26 @@ const chosen = () => Object.fromEntries([...new FormData(one("#filters"))].filte
 let shown = [], asked = 0;
 async function filter() {
   const turn = ++asked, {text = "", ...fields} = chosen();
-  if (text.trim() && index.papers.some((each) => !papers[each.key])) {
-    one("#rows").ariaBusy = "true";
-    await wholePapers();
-    if (turn !== asked) return;
-  }
-  one("#rows").ariaBusy = null;
-  makeLedger();
+  one("#rows").ariaBusy = "true";
+  if (text.trim()) await Promise.all([wholePapers(), makeLedger()]);
+  if (turn !== asked) return;
   const sought = soughtIn(text), fits = new Map();
   for (const entry of entries) {
     if (!Object.entries(fields).every(([name, value]) => entry[name] === value)) continue;
     const how = text.trim() ? fit(entry, sought) : 2;
     if (how !== null) fits.set(entry, how);
   }
-  const first = Math.min(...fits.values());
+  let first = 2;
+  for (const how of fits.values()) first = Math.min(first, how);
   const fitting = first < 2 ? [...fits.keys()].filter((entry) => fits.get(entry) === first) : [];
   setBest(fitting.length < fits.size ? fitting : []);
   shown = [...fits.keys()].sort((a, b) => (fits.get(a) > first) - (fits.get(b) > first));
-  const kept = new Set(shown);
-  entries.forEach((entry) => { entry.row.hidden = !kept.has(entry); });
+  kept = new Set(shown);
+  entries.forEach((entry) => { if (entry.row) entry.row.hidden = !kept.has(entry); });
   all("#rows section").forEach((section) => { section.hidden = !one("li:not([hidden])", section); });
   one("#count").textContent = `${shown.length.toLocaleString("en")} of ${entries.length.toLocaleString("en")} items`;
+  await makeLedger();
+  if (turn === asked) one("#rows").ariaBusy = null;
 }
 function filtered() {
   filter();
@@ -287,17 +298,18 @@ async function go() {
     const asked = new URLSearchParams(query);
     all("#filters [name]").forEach((field) => { field.value = asked.get(field.name) ?? ""; });
   }
-  if (view === "pictures") await drawGraphs();
+  if (view === "pictures") await Promise.all([drawGraphs(), document.fonts.load('16px "STIX Two Math"')]);
   if (view === "review") showReview();
   if (claim) { if (!await showClaim(claim.id)) return; } else document.title = "symcheck: audit report";
   all(".view").forEach((each) => { each.hidden = each.id !== `view-${view}`; });
   all(".top nav a").forEach((a) => { a.ariaCurrent = a.hash === `#${view}` ? "page" : null; });
   dispatchEvent(new CustomEvent("view", {detail: view}));
-  if (view === "ledger") { await filter(); wholePapers(); }
+  const filtering = view === "ledger" && filter();
   const moved = here !== "" && here !== location.hash;
   here = location.hash;
   scrollTo(0, claim ? 0 : places[here] ?? 0);
   if (claim && moved) one("#claim-title").focus({preventScroll: true});
+  if (filtering) { await filtering; wholePapers(); }
 }
 
 function decoded(text) {
