@@ -9,6 +9,7 @@ import zlib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from hashlib import sha256
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -95,7 +96,7 @@ def test_every_role_reading_and_method_is_explained() -> None:
     methods = {record.method for key in ("mirer2009:2.12", "mirer2009:2.17") for record in decide(key)}
     assert methods == {"identity", "cases"}
     declared = {each.name for each in vars(search_methods).values() if isinstance(each, Method)}
-    assert {*Role, *Reading, *methods, *declared} <= {*MEANINGS}
+    assert {*Verdict, *Role, *Reading, *methods, *declared} <= {*MEANINGS}
     index = folded(page([record("1")], TOY), "index")
     assert index["meanings"] == {str(word): says for word, says in MEANINGS.items()}
 
@@ -201,8 +202,10 @@ def test_the_page_says_what_the_records_say() -> None:
     claims = dict(zip((each.id for each in rows), ledger["claims"], strict=True))
     assert 'href="#toy:2"' in claims["toy:1"]
     assert 'href="#toy:1"' in claims["toy:2"]
-    assert "2/7" in claims["toy:3"]
     assert "−2/7" in claims["toy:3"]
+    point = re.search(r'<span data-f="([^"]*)"', claims["toy:3"])
+    assert point
+    assert json.loads(unescape(point[1])) == ["=", "x", ["/", 2, 7]]
     assert "<b>bold</b> & sentence" in "".join(ledger["strings"])
     assert "<b>bold" not in "".join(claims.values())
 

@@ -400,6 +400,13 @@ TERMS = (
     (["/", -1, 3], "−13"),
     (["sin", ["+", "omega_3", ["pi"]]], "sin(ω3+π)"),
     (["sqrt", ["^", "x", 2]], "x2"),
+    (["^", ["cos", "a"], 2], "cos2(a)"),
+    (["^", ["cos", "a"], -1], "(cos(a))−1"),
+    (["*", ["sin", "a"], "b"], "sin(a)b"),
+    (["^", ["sqrt", "x"], 3], "x3"),
+    (["and", ["<=", ["/", 1087411, 1000000], "r"], ["<=", "r", ["/", -12, 10000000]]], "1.087411≤r≤−0.0000012"),
+    (["^", ["/", 1087411, 1000000], 2], "1.0874112"),
+    (["and", ["<=", "x", "y"], ["<=", "z", "w"]], "x≤y,z≤w"),
     (["=>", ["or", ["=", "x", 1], ["<", "x", 0]], ["and", ["!=", "y", 0], [">=", "z", "y"]]], "x=1orx<0⟹y≠0,z≥y"),
     (["and", ["or", ["=", "x", 1], ["=", "y", 1]], ["=", "z", 1]], "(x=1ory=1),z=1"),
     (["exists", ["x"], ["and", ["=", "x", 1]]], "∃x:(x=1)"),
@@ -418,8 +425,31 @@ def test_a_term_is_set_with_the_brackets_that_it_needs(opened: Callable[..., Pag
 def test_a_claim_explains_the_words_beside_its_verdict(opened: Callable[..., Page]) -> None:
     page = opened("#mirer2009:2.12")
     page.get_by_text("What these words mean").click()
-    assert page.locator(".meanings dt").all_inner_texts() == ["as printed", "identity", "claim"]
+    assert page.locator(".meanings dt").all_inner_texts() == [
+        "proved",
+        "as printed",
+        "identity",
+        "claim",
+        "confirmed by Coq",
+    ]
     assert "the paper asserts it" in page.locator(".meanings").inner_text()
+
+
+def test_the_point_of_a_refutation_is_set_as_formulas(opened: Callable[..., Page]) -> None:
+    place = opened("#mirer2009:2.9.1").locator(".counterexample")
+    assert place.locator(".values .formula math").count() > 3
+    assert not {"*", "sqrt", "_"} & set(re.findall(r"sqrt|[*_]", place.inner_text()))
+
+
+def test_what_nobody_wrote_or_folded_out_is_not_printed(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.emulate_media(media="print")
+    assert page.locator(".own").is_hidden()
+    assert page.locator(".context").is_hidden()
+    page.emulate_media(media="screen")
+    noted(page, "A note")
+    page.emulate_media(media="print")
+    assert page.locator(".own").is_visible()
 
 
 def test_relations_that_words_name_are_links(opened: Callable[..., Page]) -> None:

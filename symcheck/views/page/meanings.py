@@ -1,8 +1,8 @@
-"""What the words mean that stand beside a verdict: roles, readings, methods, where hypotheses come from."""
+"""What the words mean that stand beside a verdict: the verdict itself, roles, readings, methods."""
 
 from __future__ import annotations
 
-from symcheck.core.verdicts import Reading, Role
+from symcheck.core.verdicts import Reading, Role, Verdict
 
 METHODS = {
     "identity": "the difference of the two sides is a sum of multiples of what is given, so it vanishes",
@@ -12,12 +12,16 @@ METHODS = {
     "theorems": "theorems of a fixed table are applied, each with its premises proved; Coq has proofs of the theorems",
 }
 MEANINGS = {
+    Verdict.PROVED: "it follows from the hypotheses listed, wherever its terms have values; a certificate shows it",
+    Verdict.REFUTED: "it fails at an exact point that satisfies the hypotheses; a certificate shows it",
+    Verdict.UNDECIDED: "neither a proof nor a point where it fails was found; it may be either",
     **METHODS,
     Role.CLAIM: "the paper asserts it, so it is decided",
     Role.DEFINITION: "the paper says what a letter means; it can be neither true nor false",
     Role.PREMISE: "the paper assumes, chooses or cites it; nothing is decided of it",
     Role.EXCLUSION: "it is printed, but asserts nothing that could be decided",
     Role.OURS: "the paper does not print it; we state it beside the paper's relations, and it is decided",
+    "confirmed by Coq": "whether Coq, a proof checker of somebody else, accepts the proof, or that of the correction",
     Reading.AS_PRINTED: "what is decided was read from the printed formula, sign by sign",
     Reading.WORDS: "the paper says it in words; the formula that is decided was put together from them by us",
     Reading.ADDED: "nothing of it is printed",

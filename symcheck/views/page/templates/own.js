@@ -22,7 +22,7 @@ const sayKept = () => all(".kept").forEach((place) => {
 function showOwn(entry, body) {
   const {opinion = "", note = ""} = own[entry.id] ?? {}, {line} = one(".crumbs", body).dataset;
   const choice = made("select", {}, ...Object.entries(OPINIONS).map(([value, textContent]) => made("option", {value, textContent, selected: value === opinion})));
-  const text = made("textarea", {value: note, rows: 3});
+  const text = made("textarea", {value: note, rows: 3, placeholder: " "});
   for (const field of [choice, text]) field.addEventListener("input", () => keep(entry.id, choice.value, text.value));
   const source = sources[entry.paper], {source: file} = index.papers.find((each) => each.key === entry.paper);
   body.append(made("section", {className: "context"}, made("h2", {textContent: "In its context"}),

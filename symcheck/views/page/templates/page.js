@@ -235,7 +235,8 @@ async function showClaim(id) {
   const parts = entries.filter((each) => each.whole === entry.whole);
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((each) =>
     made("a", {href: `#${each.id}`, textContent: partsOf(each.id).place, ariaCurrent: each === entry ? "page" : null}))]);
-  if (entry.coq) one(".facts", body).append(" ", made("span", {textContent: `confirmed by Coq: ${entry.coq}`}));
+  if (entry.coq) one(".facts", body).append(" ", coqSays(entry.coq));
+  all("[data-f]", body).forEach((place) => { place.append(formula(JSON.parse(place.dataset.f))); });
   one("#claim-title", body).prepend(id, " ");
   all("[data-h]", body).forEach((place) => { place.innerHTML = part.strings[place.dataset.h]; });
   setFormulas(body, part);
@@ -249,9 +250,14 @@ async function showClaim(id) {
   document.title = `${id} · symcheck`;
   return true;
 }
+function coqSays(says) {
+  const place = made("span", {textContent: `confirmed by Coq: ${says}`});
+  place.dataset.word = "confirmed by Coq";
+  return place;
+}
 // What the words beside a verdict mean.
 function setMeanings(body) {
-  const words = all(".facts [data-word]", body).map((each) => each.dataset.word).filter((word) => index.meanings[word]);
+  const words = [...new Set(all(".facts [data-word]", body).map((each) => each.dataset.word))].filter((word) => index.meanings[word]);
   one(".meanings", body)?.append(made("dl", {}, ...words.flatMap((word) => [made("dt", {textContent: word}), made("dd", {textContent: index.meanings[word]})])));
 }
 // The certificates of a paper, put together again from their fields, with what its rules and theorems say.

@@ -41,10 +41,11 @@ function termMath(term, outer = 0) {
     pi: "<mi>π</mi>", infinity: "<mi>∞</mi>", "-infinity": `${mo("−")}<mi>∞</mi>`}[head] ?? `<mi>${escaped(head)}</mi>`;
   const made = SHAPES[head];
   if (made) return made(parts, outer);
-  return mrow(`<mi>${escaped(head)}</mi>`, mo("\u2061"), simple(parts) ? mrow("<mspace width=\"0.17em\"/>", termMath(parts[0])) : fenced(parts.map((part) => termMath(part)).join(mo(","))));
+  return applied(`<mi>${escaped(head)}</mi>`, parts);
 }
+// A function at its arguments, always in brackets: "sin a b" might be either.
+const applied = (name, parts) => mrow(name, mo("\u2061"), fenced(parts.map((part) => termMath(part)).join(mo(","))));
 const wrapped = (text, level, outer) => level < outer ? fenced(text) : mrow(text);
-const simple = (parts) => parts.length === 1 && (typeof parts[0] === "string" || (typeof parts[0] === "number" && parts[0] >= 0) || parts[0][0] === "pi");
 const under = (sign, below, above = "") => `<munderover>${mo(sign)}${mrow(below)}${mrow(above)}</munderover>`;
 const summed = (sign) => ([term, letter, low, high], outer) =>
   wrapped(under(sign, letterMath(letter) + mo("=") + termMath(low), termMath(high)) + termMath(term, 7), 6, outer);
@@ -56,6 +57,8 @@ function pieces(term) {
   const [head, ...parts] = Array.isArray(term) ? term : [];
   if (head === "+" && parts.length) return parts.map((part, n) => addend(part, n).join(""));
   if (!JOINED[head] || parts.length < 2) return [termMath(term)];
+  if (head === "and" && parts.length === 2 && parts.every((part) => part[0] === "<=") && JSON.stringify(parts[0][2]) === JSON.stringify(parts[1][1]))
+    return [termMath(parts[0][1], 5) + infix("≤"), termMath(parts[0][2], 5) + infix("≤"), termMath(parts[1][2], 5)];
   const level = LEVEL[head] ?? 5, found = [];
   parts.forEach((part, n) => {
     if (n > 0) found.push(found.pop() + between(head));
@@ -72,11 +75,23 @@ function times(parts, outer) {
 }
 const plus = (parts, outer) => wrapped(parts.map((part, n) => mrow(...addend(part, n))).join(""), 6, outer);
 const addend = (part, n) => negative(part) ? [n > 0 ? infix("−") : mo("−"), termMath(opposite(part), 7)] : [n > 0 ? infix("+") : "", termMath(part, n > 0 ? 7 : 6)];
-const power = (base, exponent) => typeof base === "string" ? letterMath(base, mrow(termMath(exponent))) : `<msup>${mrow(termMath(base, 10))}${mrow(termMath(exponent))}</msup>`;
+function power(base, exponent) {
+  const raised = mrow(termMath(exponent)), [head, ...parts] = Array.isArray(base) ? base : [];
+  if (typeof base === "string") return letterMath(base, raised);
+  if (parts.length && !SHAPES[head] && exponent > 0) return applied(`<msup><mi>${escaped(head)}</mi>${raised}</msup>`, parts);
+  return `<msup>${parts.length && !SHAPES[head] ? fenced(termMath(base)) : mrow(termMath(base, 10))}${raised}</msup>`;
+}
+// A fraction with a high power of ten below, as numbers are enclosed.
+function decimal(top, bottom) {
+  const digits = String(bottom).length - 1;
+  if (!Number.isSafeInteger(top) || top < 0 || digits < 6 || bottom !== 10 ** digits) return "";
+  const text = String(top).padStart(digits + 1, "0");
+  return `<mn>${text.slice(0, -digits)}.${text.slice(-digits)}</mn>`;
+}
 const SHAPES = {
   "+": plus, "*": times,
   "-": ([part], outer) => wrapped(mo("−") + termMath(part, 7), 6, outer),
-  "/": ([top, bottom], outer) => negative(top) ? wrapped(mo("−") + termMath(["/", opposite(top), bottom]), 6, outer) : wrapped(`<mfrac>${mrow(termMath(top))}${mrow(termMath(bottom))}</mfrac>`, 9, outer),
+  "/": ([top, bottom], outer) => negative(top) ? wrapped(mo("−") + termMath(["/", opposite(top), bottom]), 6, outer) : decimal(top, bottom) || wrapped(`<mfrac>${mrow(termMath(top))}${mrow(termMath(bottom))}</mfrac>`, 9, outer),
   "^": ([base, exponent], outer) => wrapped(power(base, exponent), 9, outer),
   pow: ([base, exponent], outer) => wrapped(power(base, exponent), 9, outer),
   sqrt: ([part]) => `<msqrt>${termMath(part)}</msqrt>`,
