@@ -21,7 +21,7 @@ from warm_cache import warm_cache
 from symcheck.checker.__main__ import main
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, Page, Playwright
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 SELECTION = ("mirer2009", "ignatov2005:2.1V", "ignatov2005:2.1E")
@@ -57,14 +57,19 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
+def playwright() -> Iterator[Playwright]:
     from playwright.sync_api import sync_playwright
 
-    arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
-    with sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+    with sync_playwright() as found:
         yield found
-        found.close()
+
+
+@pytest.fixture(scope="module")
+def browser(playwright: Playwright) -> Iterator[Browser]:
+    arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    found = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+    yield found
+    found.close()
 
 
 @pytest.fixture
@@ -138,6 +143,26 @@ def test_nor_is_there_in_what_is_folded_out(opened: Callable[..., Page], place: 
     page.locator(".steps").first.wait_for()
     found = Axe().run(page).response["violations"]
     assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
+
+
+@pytest.mark.slow
+def test_firefox_shows_every_view_without_an_error(playwright: Playwright, address: str) -> None:
+    if not Path(playwright.firefox.executable_path).exists():
+        pytest.skip("no Firefox is found; `playwright install firefox` installs it")
+    firefox = playwright.firefox.launch()
+    said: list[str] = []
+    page = firefox.new_page(viewport=WIDE)
+    page.on("pageerror", lambda error: said.append(str(error)))
+    for place in VIEWS:
+        page.goto("about:blank")
+        page.goto(address + place)
+        page.wait_for_selector("html[data-ready]", state="attached")
+        assert page.locator("h1:visible").count() == 1
+        for fold in page.locator("#view-claim details.proof > summary").all():
+            fold.click()
+            page.locator("#view-claim .steps").first.wait_for()
+    firefox.close()
+    assert said == []
 
 
 def test_the_counts_are_those_of_the_ledger(opened: Callable[..., Page]) -> None:
