@@ -62,7 +62,7 @@ def counterexample(certificate: Certificate) -> Counterexample:
     found = certificate["point"]
     where = [*coordinates(found["values"])]
     at = ((f"{function} {name}".lstrip(), term(value)) for function, name, value in where)
-    equations = tuple(["=", [function, name] if function else name, value] for function, name, value in where)
+    equations: list[JSON] = [["=", [function, name] if function else name, value] for function, name, value in where]
     both = [*map(term, compared(found))]
     of_parts = certificate["claim"][0] in ("and", "or")
     names = [f"part {number}" for number in range(1, len(both) + 1)] if of_parts else ["left side", "right side"]
@@ -70,7 +70,7 @@ def counterexample(certificate: Certificate) -> Counterexample:
         tuple(at),
         tuple(zip(names, both, strict=False)),
         sides(found),
-        equations,
+        tuple(equations),
         () if both else tuple(found.get("shown", ())),
     )
 
