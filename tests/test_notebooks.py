@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import subprocess
 import sys
 from collections.abc import Callable
 from copy import deepcopy
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -24,9 +26,12 @@ from symcheck.cli import cli
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.papers import load
+from symcheck.papers.mirer2009 import derivation
 from symcheck.views.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
+from symcheck.views.notebook.derivations import LONGEST
+from symcheck.views.notebook.derivations import source as source_of
 from symcheck.views.notebook.execute import in_kernel, in_process
-from symcheck.views.notebook.output import Heading, Math, Output, Prose, Table
+from symcheck.views.notebook.output import Code, Heading, Math, Output, Prose, Table
 from symcheck.views.steps import compared
 
 NAMES = committed.names()
@@ -152,6 +157,82 @@ def test_prose_that_states_a_relation_is_refused(prose: str) -> None:
 
 def test_prose_may_name_letters() -> None:
     assert list(rules.faults_of_prose(r"The angles $a$ and $\alpha_1$, at 0 < 1.")) == []
+
+
+# --- what readers try
+
+
+def test_a_changed_relation_is_decided_anew_and_the_recorded_one_stays() -> None:
+    changes: tuple[tuple[str, dict[str, Any]], ...] = (
+        ("proved", {}),
+        ("proved", {"printed": {"I_3 I_1 a_{22}^2": "I_1 I_3 a_{22}^2"}}),
+        ("refuted", {"printed": {"a_{23}^2": "a_{32}^2"}}),
+        ("refuted", {"without": ["orthogonal"]}),
+    )
+    for verdict, change in changes:
+        text = repr(show.changed("mirer2009:2.12", **change))
+        assert text.startswith(f"changed (2.12) — **{verdict}**"), change
+        assert ("fails there" in text) == (verdict == "refuted")
+        assert " holds" in text.split("checker: ")[1]
+    assert "— **proved** by `identity`" in repr(show.claim("mirer2009:2.12"))
+
+
+@pytest.mark.parametrize(
+    ("id", "change", "told"),
+    [
+        ("mirer2009:2.12", {"printed": {"a_{99}": "x"}}, "'a_{99}' is not printed in mirer2009:2.12; there stands J_1"),
+        ("mirer2009:2.12", {"without": ["gravity"]}, "is not given 'gravity'; it is given 'orthogonal'"),
+        ("mirer2009:1.0.1", {}, "claims nothing"),
+        ("mirer2009:2.12", {"printed": {"J_1 J_3 =": "J_1 J_3 + ="}}, "+= assigns a value"),
+    ],
+)
+def test_a_change_that_cannot_be_made_is_told_in_one_line(id: str, change: dict[str, Any], told: str) -> None:
+    with pytest.raises(SymcheckError, match=re.escape(told)) as error:
+        show.changed(id, **change)
+    assert "\n" not in str(error.value)
+
+
+def test_the_answer_of_an_exercise_is_folded_away() -> None:
+    shown = show.exercise("mirer2009:2.13.1c")
+    markdown = shown._repr_mimebundle_()["text/markdown"]
+    question, answer = markdown.split("<details><summary>The answer</summary>")
+    assert "wrong letter" in answer
+    assert "wrong letter" not in question
+    assert not {"proved", "refuted"} & set(re.findall(r"\w+", question))
+    assert answer.rstrip().endswith("</details>")
+    with pytest.raises(SymcheckError, match="is not an erratum"):
+        show.exercise("mirer2009:2.12")
+
+
+def test_a_step_shows_how_it_is_derived() -> None:
+    shown = show.step(derivation.control_torque)
+    [code] = [part for part in shown.parts if isinstance(part, Code)]
+    assert code.text.startswith("def control_torque()")
+    assert "torque -= gain * rate.dot(axis) * axis" in code.text
+    assert '"""' not in code.text
+    assert f"```python\n{code.text}\n```" in shown._repr_mimebundle_()["text/markdown"]
+
+
+@pytest.mark.parametrize("key", load())
+def test_the_source_of_every_derivation_is_python_without_its_docstring(key: str) -> None:
+    module = import_module(f"symcheck.papers.{key}.derivation")
+    functions = [each for name, each in vars(module).items() if callable(each) and not name.startswith("_")]
+    own = [each for each in functions if getattr(each, "__module__", "") == module.__name__]
+    assert own
+    for each in own:
+        text = source_of(each)
+        assert text.startswith(f"def {each.__name__}(")
+        assert '"""' not in text
+        assert len(text.splitlines()) <= LONGEST + 1
+        ast.parse(text if "more lines" not in text else "pass")
+
+
+def test_every_notebook_of_a_paper_has_something_to_change() -> None:
+    for name in PAPERS.values():
+        cells = [cell.source for cell in committed.committed(name).cells]
+        assert any(cell.startswith("show.changed(") for cell in cells), name
+    shown = [name for name in NAMES if any("show.exercise(" in cell.source for cell in committed.committed(name).cells)]
+    assert len(shown) >= 4
 
 
 # --- sources and ids

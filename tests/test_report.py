@@ -8,6 +8,8 @@ import struct
 import zlib
 from collections import Counter
 from collections.abc import Callable, Iterator
+from hashlib import sha256
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -21,20 +23,23 @@ from unpacked import unpacked
 from symcheck import __version__, kernels, papers
 from symcheck.audit import expand
 from symcheck.audit.decide import decide
+from symcheck.core.problems import Method
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
-from symcheck.ledger import Need, Record
+from symcheck.ledger import Edit, Need, Record, Repair
 from symcheck.ledger.selftested import evidence
+from symcheck.proof.search import methods as search_methods
 from symcheck.views.latex import is_formula
 from symcheck.views.model import errata
 from symcheck.views.page import sources
 from symcheck.views.page.difference import marked
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
+from symcheck.views.page.meanings import MEANINGS
 from symcheck.views.page.page import Extras, page
 from symcheck.views.page.plots import colour, coloured, curves, png
 from symcheck.views.page.sources import Excerpt, Publication, meanings
 from symcheck.views.page.typeset import typeset
-from symcheck.views.steps import steps
+from symcheck.views.steps import RULES, steps
 
 TOY = (Publication("toy", "The toy paper", "toy.txt", {"1": "The only section"}),)
 ROW = r"V_1 : \mathbf{H} = [1, 1, -1] = (0, 0, 1)"
@@ -81,6 +86,58 @@ def printed_texts() -> Iterator[str]:
 
 def test_the_page_says_which_version_wrote_it() -> None:
     assert f"symcheck report</code>, version {__version__}, from" in page([], [])
+
+
+def test_the_page_says_when_it_was_written() -> None:
+    assert ", on 2026-02-03, from" in page([], [], Extras(date="2026-02-03"))
+
+
+def test_every_role_reading_and_method_is_explained() -> None:
+    methods = {record.method for key in ("mirer2009:2.12", "mirer2009:2.17") for record in decide(key)}
+    assert methods == {"identity", "cases"}
+    declared = {each.name for each in vars(search_methods).values() if isinstance(each, Method)}
+    assert {*Verdict, *Role, *Reading, *methods, *declared} <= {*MEANINGS}
+    index = folded(page([record("1")], TOY), "index")
+    assert index["meanings"] == {str(word): says for word, says in MEANINGS.items()}
+
+
+def test_a_claim_says_where_its_paper_was_published_and_which_file_was_audited() -> None:
+    shown = Publication("toy", "The toy paper", "toy.txt", {}, "Journal of Toys 3, pages 4-5", "0123")
+    text = page([record("1", line=7)], [shown])
+    (claim,) = folded(text, "claims-toy")["claims"]
+    assert "Journal of Toys 3, pages 4-5" in claim
+    assert "line 7 of toy.txt" in claim
+    assert folded(text, "index")["papers"] == [{"key": "toy", "source": "toy.txt", "digest": "0123"}]
+
+
+def test_the_digests_of_the_papers_are_those_of_the_texts_at_hand(sources: Path) -> None:
+    for paper in papers.load().values():
+        assert paper.published
+        assert len(paper.digest) == 16
+        assert sha256((sources / paper.source).read_bytes()).hexdigest().startswith(paper.digest), paper.key
+
+
+def test_repairs_are_shown_as_formulas_and_never_as_the_signs_of_their_source() -> None:
+    repair = Repair("factor", r"factor \frac{a}{b} dropped", "x = y")
+    row = wrong(
+        "1",
+        r"x = \frac{a}{b} y",
+        "x = y",
+        read=r"x = \frac{a}{b} y",
+        repair={"repairs": (repair,), "edit": (Edit("a", "b"),)},
+    )
+    (claim,) = folded(page([row], TOY), "claims-toy")["claims"]
+    assert "one single edit repairs it" in claim
+    assert "dropped" not in claim
+    assert len(re.findall(r'class="m"', claim.split("one single edit")[1].split("</ul>")[0])) == 2
+
+
+def test_what_is_seen_first_has_its_formulas_apart_from_those_of_the_claims() -> None:
+    rows = [wrong("1", "x = 1", "x = 2"), record("2", printed="y = 3")]
+    text = page(rows, TOY)
+    assert len(folded(text, "errata")["math"]) == 2
+    assert any("<mn>3</mn>" in math for math in folded(text, "claims-toy")["math"])
+    assert not any("<mn>3</mn>" in math for math in folded(text, "errata")["math"])
 
 
 def test_letters_of_ours_are_told_from_those_that_are_printed() -> None:
@@ -137,16 +194,18 @@ def test_the_page_says_what_the_records_say() -> None:
         record("4", role=Role.PREMISE, verdict=None),
     ]
     text = page(rows, TOY)
-    ledger = folded(text, "ledger")
-    assert [row[0] for row in ledger["rows"]] == [each.id for each in rows]
-    assert Counter(row[1] for row in ledger["rows"]) == {"proved": 2, "refuted": 1, "premise": 1}
+    index, ledger = folded(text, "index"), folded(text, "claims-toy")
+    assert [row[0] for row in index["rows"]] == [each.id for each in rows]
+    assert Counter(index["names"][row[1]] for row in index["rows"]) == {"proved": 2, "refuted": 1, "premise": 1}
     assert "3 relations of 1 paper were decided, 2 read as they are printed, 1 added by us" in text
     assert re.search(r"<b>2</b> proved.*<b>1</b> refuted.*<b>0</b> undecided", text)
     claims = dict(zip((each.id for each in rows), ledger["claims"], strict=True))
     assert 'href="#toy:2"' in claims["toy:1"]
     assert 'href="#toy:1"' in claims["toy:2"]
-    assert "2/7" in claims["toy:3"]
     assert "−2/7" in claims["toy:3"]
+    point = re.search(r'<span data-f="([^"]*)"', claims["toy:3"])
+    assert point
+    assert json.loads(unescape(point[1])) == ["=", "x", ["/", 2, 7]]
     assert "<b>bold</b> & sentence" in "".join(ledger["strings"])
     assert "<b>bold" not in "".join(claims.values())
 
@@ -155,7 +214,7 @@ def test_what_is_printed_cannot_become_markup() -> None:
     evil = '<script>alert("x")</script>'
     fields = {"name": evil, "reason": evil, "words": evil}
     text = page([wrong("1", evil, evil, **fields), record("2", printed=evil, **fields)], TOY)
-    ledger = folded(text, "ledger")
+    ledger = folded(text, "claims-toy")
     assert evil not in text
     assert evil not in "".join(ledger["claims"])
     assert "alert" in "".join(ledger["strings"])
@@ -200,18 +259,18 @@ def test_certificates_are_folded_whole_but_for_the_digest() -> None:
         "verdict": "proved",
         "proof": {"rule": "identity", "cofactors": []},
     }
-    proofs = folded(page([record("1", certificates=(certificate,))], TOY), "toy")
+    proofs = folded(page([record("1", certificates=(certificate,))], TOY), "proofs-toy")
     again = {key: values[0] for key, values in proofs["fields"].items()}
     again["definitions"] = [json.loads(proofs["texts"][n]) for n in again["definitions"]]
     assert again == certificate
-    assert proofs["texts"][proofs["steps"][0][0]].startswith("identity: ")
+    assert proofs["rules"]["identity"] == RULES["identity"]
 
 
 def test_what_must_not_vanish_is_shown_with_a_proof_that_needs_it() -> None:
     proof = {"rule": "identity", "cofactors": []}
     shown = {"id": "toy:1", "claim": ["=", "x", "x"], "definitions": [], "hypotheses": {}, "verdict": "proved"}
     shown |= {"nonzero": [["/", ["+", "c", 1], "k"]], "proof": proof}
-    (claim,) = folded(page([record("1", certificates=(shown,))], TOY), "ledger")["claims"]
+    (claim,) = folded(page([record("1", certificates=(shown,))], TOY), "claims-toy")["claims"]
     assert "(c + 1)/k ≠ 0" in claim
 
 
@@ -246,7 +305,7 @@ def test_a_claim_shows_its_kernels_and_the_cells_that_name_it(tmp_path: Path) ->
     extras = Extras(
         {"toy:1": [Excerpt("moments", "generated/toy.py", "def moments(): ...")]}, {"toy:1": found["toy2004:1"]}
     )
-    ledger = folded(page([record("1a"), record("2")], TOY, extras), "ledger")
+    ledger = folded(page([record("1a"), record("2")], TOY, extras), "claims-toy")
     assert "moments" in ledger["claims"][0]
     assert "tour.ipynb, cell 2" in ledger["claims"][0]
     assert "moments" not in ledger["claims"][1]
@@ -362,7 +421,7 @@ def test_the_report_names_its_file_and_how_many_items_it_has(toy: Path, report: 
     assert result.exit_code == 0, result.output
     assert "2 items" in result.output
     text = (toy / "deep" / "page.html").read_text(encoding="utf-8")
-    assert [row[0] for row in folded(text, "ledger")["rows"]] == ["toy:1.1", "toy:1.3"]
+    assert [row[0] for row in folded(text, "index")["rows"]] == ["toy:1.1", "toy:1.3"]
 
 
 def test_a_file_that_cannot_be_written_is_reported_in_one_line(toy: Path, report: Callable[..., Result]) -> None:

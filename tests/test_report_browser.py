@@ -7,21 +7,34 @@ import os
 import re
 import shutil
 from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import reduce
+from operator import add, mul, truediv
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
 from click.testing import CliRunner
+from msgspec import structs
 from warm_cache import warm_cache
 
 from symcheck.checker.__main__ import main
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, Page, Playwright
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 SELECTION = ("mirer2009", "ignatov2005:2.1V", "ignatov2005:2.1E")
-VIEWS = ("#errata", "#ledger", "#pictures", "#checks", "#mirer2009:2.12", "#mirer2009:2.17", "#ignatov2005:2.1V.2d")
+VIEWS = (
+    "#errata",
+    "#ledger",
+    "#pictures",
+    "#checks",
+    "#review",
+    "#mirer2009:2.12",
+    "#mirer2009:2.17",
+    "#ignatov2005:2.1V.2d",
+)
 WIDE, NARROW = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
 PATIENCE = 10_000  # milliseconds
 CANVAS = "document.querySelector('#canvas').toDataURL()"
@@ -44,14 +57,19 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
+def playwright() -> Iterator[Playwright]:
     from playwright.sync_api import sync_playwright
 
-    arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
-    with sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+    with sync_playwright() as found:
         yield found
-        found.close()
+
+
+@pytest.fixture(scope="module")
+def browser(playwright: Playwright) -> Iterator[Browser]:
+    arguments = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    found = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+    yield found
+    found.close()
 
 
 @pytest.fixture
@@ -61,7 +79,9 @@ def opened(browser: Browser, address: str) -> Iterator[Callable[..., Page]]:
     contexts = []
 
     def open_at(place: str = "", **options: Any) -> Page:
+        before = options.pop("before", "")
         context = browser.new_context(**{"viewport": WIDE, **options})
+        context.add_init_script(before)
         context.set_default_timeout(PATIENCE)
         contexts.append(context)
         page = context.new_page()
@@ -90,6 +110,7 @@ def title(page: Page, start: str) -> None:
 
 def shown(page: Page) -> list[str]:
     page.locator("#ledger-title").wait_for()
+    page.locator("#rows:not([aria-busy])").wait_for(state="attached")
     return page.locator("#rows li:visible > a").all_text_contents()  # of rows that are not drawn yet, too
 
 
@@ -108,6 +129,40 @@ def test_there_is_no_obstacle_for_anybody(opened: Callable[..., Page], place: st
     page = opened(place, color_scheme=scheme, bypass_csp=True)
     found = Axe().run(page).response["violations"]
     assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
+
+
+@pytest.mark.parametrize("place", ["#mirer2009:2.12", pytest.param("#mirer2009:2.13.1c", marks=pytest.mark.slow)])
+def test_nor_is_there_in_what_is_folded_out(opened: Callable[..., Page], place: str) -> None:
+    from axe_playwright_python.sync_playwright import Axe
+
+    page = opened(place, bypass_csp=True)
+    page.evaluate(DROP, ["000_52559675eaf93e59.txt", "a line\n" * 400])
+    page.locator(".context .lines").wait_for()
+    for fold in page.locator("#view-claim > div > section > details, .meanings").all():
+        fold.locator("> summary").click()
+    page.locator(".steps").first.wait_for()
+    found = Axe().run(page).response["violations"]
+    assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
+
+
+@pytest.mark.slow
+def test_firefox_shows_every_view_without_an_error(playwright: Playwright, address: str) -> None:
+    if not Path(playwright.firefox.executable_path).exists():
+        pytest.skip("no Firefox is found; `playwright install firefox` installs it")
+    firefox = playwright.firefox.launch()
+    said: list[str] = []
+    page = firefox.new_page(viewport=WIDE)
+    page.on("pageerror", lambda error: said.append(str(error)))
+    for place in VIEWS:
+        page.goto("about:blank")
+        page.goto(address + place)
+        page.wait_for_selector("html[data-ready]", state="attached")
+        assert page.locator("h1:visible").count() == 1
+        for fold in page.locator("#view-claim details.proof > summary").all():
+            fold.click()
+            page.locator("#view-claim .steps").first.wait_for()
+    firefox.close()
+    assert said == []
 
 
 def test_the_counts_are_those_of_the_ledger(opened: Callable[..., Page]) -> None:
@@ -272,13 +327,273 @@ def test_a_certificate_unfolds_and_the_checker_accepts_what_is_downloaded(
     for place in ("mirer2009:2.12", "mirer2009:2.1a", "mirer2009:2.17"):
         page = opened(f"#{place}")
         page.locator("details.proof summary").first.click()
-        page.wait_for_selector("details.proof pre")
-        assert json.loads(page.locator("details.proof pre").last.inner_text())["id"].startswith("mirer2009:")
+        page.get_by_text("Certificate as JSON").first.click()
+        assert json.loads(page.locator("details.proof pre").first.inner_text())["id"].startswith("mirer2009:")
         with page.expect_download() as waiting:
             page.get_by_role("button", name="Download as JSON").click()
         file = tmp_path / waiting.value.suggested_filename
         waiting.value.save_as(file)
         assert main([str(file)]) == 0
+
+
+def test_a_proof_is_set_as_formulas_with_each_hypothesis_beside_its_multiplier(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.locator("details.proof summary").first.click()
+    rows = page.locator(".multipliers tbody tr:has(td)")
+    assert rows.count() == 8
+    assert [row.locator("td > .formula math").count() for row in rows.all()] == [2] * 8
+    assert page.locator(".multipliers tbody th").all_inner_texts() == [
+        "A is orthogonal: its rows, and its columns, are orthonormal"
+    ]
+    assert "orthogonal [" not in page.locator(".steps").inner_text()
+
+
+def test_every_proof_can_be_set_and_no_multiplier_is_left_as_text(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    found = page.evaluate("""async () => {
+        const told = {proofs: 0, formulas: 0, left: []};
+        for (const paper of new Set(entries.map((entry) => entry.paper))) {
+            const {proofs, words} = await proofsOf(paper);
+            for (const {certificate} of proofs) {
+                const steps = proofSteps(certificate, words), text = steps.textContent;
+                told.proofs++;
+                told.formulas += steps.querySelectorAll("math").length;
+                if (/undefined|NaN|\\[object/.test(text) || steps.querySelector("code,.rule:empty"))
+                    told.left.push([certificate.id, text.slice(0, 300)]);
+            }
+        }
+        return told;
+    }""")
+    assert found["left"] == []
+    assert found["proofs"] > 300
+    assert found["formulas"] > 3 * found["proofs"]
+
+
+def test_multipliers_are_read_as_they_are_written(opened: Callable[..., Page]) -> None:
+    texts = sorted({each for certificate in certificates() for each in multipliers(certificate.get("proof"))})
+    texts = [*texts[:: max(1, len(texts) // 300)], "-(a - b)^2/4 - -a", "2*(a + b)*c^2 - 1/2"]
+    trees = opened("#errata").evaluate("(texts) => texts.map(polynomial)", texts)
+    for text, tree in zip(texts, trees, strict=True):
+        values = {name: Fraction(n + 2, 7) for n, name in enumerate(sorted(set(re.findall(r"[A-Za-z_]\w*", text))))}
+        if text.endswith("- -a"):
+            assert tree is None  # never written so, and left as it is
+            continue
+        # the numbers are made fractions, so that Python divides exactly
+        plain = re.sub(r"(?<![\w^])(\d+)", r"Fraction(\1)", text).replace("^", "**")
+        assert value(tree, values) == eval(plain, {"Fraction": Fraction}, values), text
+    assert opened("#errata").evaluate("polynomial('a ? b')") is None
+
+
+def certificates() -> list[dict[str, Any]]:
+    from symcheck import kernels
+
+    file = Path(str(kernels.folder())) / "certificates" / "mirer2009.json"
+    found: list[dict[str, Any]] = json.loads(file.read_text(encoding="utf-8"))["certificates"]
+    return found
+
+
+def multipliers(proof: Any) -> Iterator[str]:
+    for part in proof.values() if isinstance(proof, dict) else proof if isinstance(proof, list) else ():
+        yield from multipliers(part)
+    if isinstance(proof, dict):
+        yield from (each for _, *factors in proof.get("cofactors", ()) for each in factors if isinstance(each, str))
+
+
+def value(tree: Any, values: dict[str, Fraction]) -> Fraction:
+    """A term without functions at a point."""
+    if isinstance(tree, int):
+        return Fraction(tree)
+    if isinstance(tree, str):
+        return values[tree]
+    head, *parts = tree
+    numbers = [value(part, values) for part in parts]
+    if head == "^":
+        return Fraction(numbers[0] ** numbers[1])
+    if head == "-":
+        return -numbers[0]
+    return reduce({"+": add, "*": mul, "/": truediv}[head], numbers)
+
+
+TERMS = (
+    (["*", ["+", "a", "b"], "c"], "(a+b)c"),
+    (["+", "a", ["*", -2, "b"], ["-", ["+", "c", 1]]], "a−2b−(c+1)"),
+    (["-", ["+", "a", ["-", "b"]]], "−(a−b)"),
+    (["^", ["-", "x"], 2], "(−x)2"),
+    (["^", ["/", 1, 2], 2], "(12)2"),
+    (["*", "x", ["-", "y"]], "x(−y)"),
+    (["*", -1, "x", 2], "−x·2"),
+    (["/", -1, 3], "−13"),
+    (["sin", ["+", "omega_3", ["pi"]]], "sin(ω3+π)"),
+    (["sqrt", ["^", "x", 2]], "x2"),
+    (["^", ["cos", "a"], 2], "cos2(a)"),
+    (["^", ["cos", "a"], -1], "(cos(a))−1"),
+    (["*", ["sin", "a"], "b"], "sin(a)b"),
+    (["^", ["sqrt", "x"], 3], "x3"),
+    (["and", ["<=", ["/", 1087411, 1000000], "r"], ["<=", "r", ["/", -12, 10000000]]], "1.087411≤r≤−0.0000012"),
+    (["^", ["/", 1087411, 1000000], 2], "1.0874112"),
+    (["and", ["<=", "x", "y"], ["<=", "z", "w"]], "x≤y,z≤w"),
+    (["=>", ["or", ["=", "x", 1], ["<", "x", 0]], ["and", ["!=", "y", 0], [">=", "z", "y"]]], "x=1orx<0⟹y≠0,z≥y"),
+    (["and", ["or", ["=", "x", 1], ["=", "y", 1]], ["=", "z", 1]], "(x=1ory=1),z=1"),
+    (["exists", ["x"], ["and", ["=", "x", 1]]], "∃x:(x=1)"),
+    (["diff", ["*", "x", "y"], "x", 1, "x"], "ddx(xy)"),
+    (["mean", ["+", "x", 1], "x"], "⟨x+1⟩x"),
+)
+
+
+@pytest.mark.parametrize(("term", "seen"), TERMS)
+def test_a_term_is_set_with_the_brackets_that_it_needs(opened: Callable[..., Page], term: Any, seen: str) -> None:
+    page = opened("#errata")
+    text = page.evaluate("(term) => formula(term).textContent", term)
+    assert re.sub(r"[\s\u2061\u2062]", "", text) == seen
+
+
+def test_a_claim_explains_the_words_beside_its_verdict(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.get_by_text("What these words mean").click()
+    assert page.locator(".meanings dt").all_inner_texts() == [
+        "proved",
+        "as printed",
+        "identity",
+        "claim",
+        "confirmed by Coq",
+    ]
+    assert "the paper asserts it" in page.locator(".meanings").inner_text()
+
+
+def test_the_point_of_a_refutation_is_set_as_formulas(opened: Callable[..., Page]) -> None:
+    place = opened("#mirer2009:2.9.1").locator(".counterexample")
+    assert place.locator(".values .formula math").count() > 3
+    assert not {"*", "sqrt", "_"} & set(re.findall(r"sqrt|[*_]", place.inner_text()))
+
+
+def test_what_nobody_wrote_or_folded_out_is_not_printed(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.emulate_media(media="print")
+    assert page.locator(".own").is_hidden()
+    assert page.locator(".context").is_hidden()
+    page.emulate_media(media="screen")
+    noted(page, "A note")
+    page.emulate_media(media="print")
+    assert page.locator(".own").is_visible()
+
+
+def test_relations_that_words_name_are_links(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.17")
+    page.locator(".prose").get_by_role("link", name="2.14", exact=True).click()
+    title(page, "mirer2009:2.14")
+
+
+def lines_of(page: Page) -> str:
+    page.locator(".context .lines").wait_for()
+    return page.locator(".context .here").inner_text()
+
+
+def test_the_text_of_a_paper_shows_each_claim_in_its_context(opened: Callable[..., Page], sources: Path) -> None:
+    file = sources / "000_52559675eaf93e59.txt"
+    page = opened("#mirer2009:2.12")
+    page.locator("#file").set_input_files(file)
+    assert lines_of(page) == file.read_text(encoding="utf-8").splitlines()[316 - 1]
+    assert "the very text that was audited" in page.locator(".context").inner_text()
+    page.get_by_role("link", name="next →").click()
+    title(page, "mirer2009:2.12.1")
+    page.locator(".context .lines").wait_for()
+
+
+DROP = """([name, text]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], name));
+    document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
+}"""
+
+
+def test_another_text_is_told_from_the_one_that_was_audited(opened: Callable[..., Page]) -> None:
+    page = opened("#mirer2009:2.12")
+    page.evaluate(DROP, ["000_52559675eaf93e59.txt", "a line\n" * 315 + "the line of <b>2.12</b>\n"])
+    assert lines_of(page) == "the line of <b>2.12</b>"
+    assert "not the text that was audited" in page.locator(".context").inner_text()
+    page = opened("#errata")
+    page.evaluate(DROP, ["recipes.txt", "flour"])
+    page.get_by_text("recipes.txt is the text of none of these papers").wait_for()
+
+
+def noted(page: Page, text: str) -> None:
+    page.locator(".own select").select_option("disagree")
+    page.locator(".own textarea").fill(text)
+
+
+def saved(page: Page, button: str, folder: Path) -> str:
+    with page.expect_download() as waiting:
+        page.get_by_role("button", name=button).click()
+    waiting.value.save_as(folder / waiting.value.suggested_filename)
+    return (folder / waiting.value.suggested_filename).read_text(encoding="utf-8")
+
+
+def test_notes_are_kept_and_saved_and_come_back(opened: Callable[..., Page], tmp_path: Path) -> None:
+    page = opened("#mirer2009:2.12")
+    noted(page, "Is <i>A</i> proper?")
+    page.reload()
+    page.wait_for_selector("html[data-ready]", state="attached")
+    assert page.locator(".own textarea").input_value() == "Is <i>A</i> proper?"
+    assert page.locator(".own select").input_value() == "disagree"
+    page.locator(".top").get_by_role("link", name="Review").click()
+    assert "Is <i>A</i> proper?" in page.locator("#notes").inner_text()
+    kept = saved(page, "Save as JSON", tmp_path)
+    assert json.loads(kept)["review"]["mirer2009:2.12"].items() >= {"opinion": "disagree", "audit": "proved"}.items()
+    letter = saved(page, "Save as a letter", tmp_path)
+    for part in ("## mirer2009:2.12", "As printed: $J_1 J_3 = ", "The audit says: proved. I do not agree.", "proper?"):
+        assert part in letter
+    other = opened("#review")
+    assert "None yet" in other.locator("#notes").inner_text()
+    other.evaluate(DROP, ["symcheck-review.json", kept])
+    other.locator("#notes").get_by_role("link", name="mirer2009:2.12").click()
+    title(other, "mirer2009:2.12")
+    assert other.locator(".own select").input_value() == "disagree"
+    other.locator(".own select").select_option("")
+    other.locator(".own textarea").fill(" ")
+    other.locator(".top").get_by_role("link", name="Review").click()
+    assert "None yet" in other.locator("#notes").inner_text()
+
+
+@pytest.mark.parametrize(
+    "spoil", ["get() { throw new DOMException('denied'); }", "value: null", "value: {getItem: () => '{'}"]
+)
+def test_a_browser_that_keeps_nothing_says_so_in_one_line(opened: Callable[..., Page], spoil: str) -> None:
+    page = opened("#errata", before=f"Object.defineProperty(window, 'localStorage', {{{spoil}}})")
+    page.goto(page.url.partition("#")[0] + "#mirer2009:2.12")
+    title(page, "mirer2009:2.12")
+    noted(page, "A note")
+    assert "save your notes, under Review, before you close it" in page.locator(".own .kept").inner_text()
+    page.locator(".top").get_by_role("link", name="Review").click()
+    assert "A note" in page.locator("#notes").inner_text()
+
+
+def test_what_changed_since_an_older_ledger_is_listed(opened: Callable[..., Page]) -> None:
+    page = opened("#errata")
+    rows = page.evaluate(
+        "entries.filter((each) => each.paper === 'mirer2009').map((each) => [each.id, each.role ? null : each.state])"
+    )
+    older = {id: [verdict, "as printed"] for id, verdict in rows if id != "mirer2009:2.12"}
+    older |= {"mirer2009:2.17": ["undecided", "as printed"], "mirer2009:9.9": ["proved", "as printed"]}
+    page.evaluate(DROP, ["old.json", json.dumps({"schema": 1, "paper": "mirer2009", "items": older})])
+    page.locator("#changes li").first.wait_for()
+    assert page.locator("#changes li").all_inner_texts() == [
+        "mirer2009:2.12: new",
+        "mirer2009:2.17: undecided, now refuted",
+        "mirer2009:9.9: gone",
+    ]
+    assert "ignatov2005" not in page.locator("#changes").inner_text()
+    item = {"id": "mirer2009:2.12", "verdict": "proved", "role": "claim", "kind": "", "printed": "J_1 = 1", "read": ""}
+    page.evaluate(DROP, ["new.json", json.dumps({"items": [item]})])
+    page.get_by_text("Against new.json").wait_for()
+    assert "mirer2009:2.12: printed otherwise; before: J_1 = 1" in page.locator("#changes li").all_inner_texts()
+
+
+def test_only_what_is_seen_is_unfolded(opened: Callable[..., Page]) -> None:
+    page = opened("#errata")
+    assert set(page.evaluate("Object.keys(unfolded)")) <= {"index", "errata", "envelopes"}
+    assert page.locator("#rows li").count() == 0
+    page = opened("#mirer2009:2.12")
+    assert "claims-ignatov2005" not in page.evaluate("Object.keys(unfolded)")
 
 
 def test_a_kernel_unfolds_where_its_claim_stands(opened: Callable[..., Page]) -> None:
@@ -333,6 +648,11 @@ def test_arcs_of_a_claim_stand_out_when_it_has_the_focus(opened: Callable[..., P
     page.locator('.arcs a[href="#mirer2009:2.12"]').focus()
     assert page.locator(".arcs path.on").count() >= 3
     assert page.locator(".arcs path.used").count() == 2
+    hint = page.get_by_role("tooltip")
+    hint.locator("math").wait_for()
+    assert hint.inner_text().startswith("mirer2009:2.12 proved")
+    page.locator("#pictures-title").click()
+    hint.wait_for(state="hidden")
 
 
 def test_colours_follow_the_button(opened: Callable[..., Page]) -> None:
@@ -361,7 +681,7 @@ def test_everything_is_reached_with_the_keyboard_alone(opened: Callable[..., Pag
 def test_errata_are_legible_without_a_program(opened: Callable[..., Page]) -> None:
     page = opened("#errata", java_script_enabled=False)
     assert page.locator(".fault").first.is_visible()
-    assert any(r"\omega_s" in text for text in page.locator(".fault .diff").all_inner_texts())
+    assert any(r"\omega_s" in text for text in page.locator(".fault .diff").all_text_contents())
     assert page.locator("#view-pictures").is_visible()
     assert page.locator("#filters").is_hidden()
 
@@ -372,6 +692,48 @@ def test_printing_leaves_out_what_paper_cannot_do(opened: Callable[..., Page]) -
     assert page.locator("header.top").is_hidden()
     assert page.get_by_role("button", name="Download as JSON").is_hidden()
     assert len(page.pdf()) > 10_000
+
+
+@pytest.mark.slow
+def test_twenty_thousand_claims_are_unfolded_paper_by_paper(browser: Browser, tmp_path: Path) -> None:
+    from test_report import record, wrong
+
+    from symcheck.views.page.page import page
+    from symcheck.views.page.sources import Publication
+
+    papers = [Publication(f"toy{2000 + n}", f"Toy {n}", f"{n}.txt", {"1": "The only section"}) for n in range(10)]
+    rows = []
+    for n in range(20_000):
+        make = (lambda id, printed, **fields: wrong(id, printed, "x = y", **fields)) if n % 12 == 0 else record
+        row = make(
+            f"1.{n}", printed=rf"x_{{{n}}} = \frac{{a^{n % 7}}}{{b_{{{n % 11}}}}} + {n}", words=f"The claim number {n}."
+        )
+        key = papers[n // 2000].key
+        rows.append(structs.replace(row, id=f"{key}:1.{n}", paper=key))
+    file = tmp_path / "page.html"
+    file.write_text(page(rows, papers), encoding="utf-8")
+    shown = browser.new_context(viewport=WIDE).new_page()
+    shown.goto(file.as_uri())
+    shown.wait_for_selector("html[data-ready]", state="attached")
+    took = {"first view": shown.evaluate("performance.now()")}
+    assert {name for name in shown.evaluate("Object.keys(unfolded)") if name.startswith("claims")} == set()
+    assert shown.locator("#rows li").count() == 0
+    measure = """async (hash) => {
+        const start = performance.now();
+        location.hash = hash;
+        await new Promise((done) => addEventListener("view", done, {once: true}));
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+        return performance.now() - start;
+    }"""
+    took["one claim"] = shown.evaluate(measure, "#toy2007:1.15000")
+    assert {name for name in shown.evaluate("Object.keys(unfolded)") if name.startswith("claims")} == {"claims-toy2007"}
+    took["ledger"] = shown.evaluate(measure, "#ledger")
+    shown.get_by_label("Search").fill("number 15000.")
+    shown.locator("#rows:not([aria-busy])").wait_for(state="attached")
+    shown.locator("#count").filter(has_text="1 of").wait_for()
+    assert shown.locator("#rows li:visible > a").all_inner_texts() == ["1.15000"]
+    assert shown.locator("#count").inner_text() == "1 of 20,000 items"
+    print(f"{file.stat().st_size / 1e6:.1f} MB,", ", ".join(f"{name} {ms:.0f} ms" for name, ms in took.items()))
 
 
 @pytest.mark.slow

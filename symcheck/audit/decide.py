@@ -21,12 +21,16 @@ from symcheck.ledger import Correction, Record
 from symcheck.papers.places import places
 from symcheck.reading import read, to_latex
 
-__all__ = ["decide", "expand", "fingerprint", "weigh"]
+__all__ = ["decide", "decide_declared", "expand", "fingerprint", "weigh"]
 
 
 def decide(id: str) -> tuple[Record, ...]:
     """The records of one declaration: one for each relation it prints."""
-    obligation = obligation_of(id)
+    return decide_declared(obligation_of(id))
+
+
+def decide_declared(obligation: Obligation) -> tuple[Record, ...]:
+    """The same for a declaration that need not be that of the paper: one that somebody has changed."""
     paper, item, base = obligation.paper, obligation.item, _base(obligation)
     notation = item.notation or paper.notation
     if item.question:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from datetime import UTC, datetime
 from pathlib import Path
 
 import click
@@ -46,6 +47,7 @@ def report(selection: Sequence[str], output: Path, show: bool, options: AuditOpt
         pictures.stability(),
         selftested.recorded(kernels.folder()),
         sources.meanings(known, records),
+        datetime.now(UTC).date().isoformat(),
     )
     text = page(records, sources.publications(known), extras).encode()
     with writing(output):

@@ -379,6 +379,10 @@ class Paper:
         Whether only some pages are there, so that the printed numbers begin anywhere.
     notes
         What a reader of its ledger has to know of the source, such as that it has changed.
+    published
+        Where and when it was published, as far as the text at hand tells.
+    digest
+        The beginning of the SHA-256 of the file with its text.
     """
 
     key: str
@@ -388,6 +392,8 @@ class Paper:
     sections: tuple[Section, ...]
     excerpt: bool = False
     notes: tuple[str, ...] = ()
+    published: str = ""
+    digest: str = ""
 
     def items(self) -> Iterator[tuple[Section, str, Declaration]]:
         """Every declaration in printed order (by line), with the section and the variable it is bound to."""

@@ -16,6 +16,7 @@ from typing import NamedTuple
 from symcheck.coq.confirmed import summary
 from symcheck.core.certificates import Certificate
 from symcheck.core.ids import Id
+from symcheck.core.terms import JSON
 from symcheck.core.verdicts import Group, Loss, Origin, Reading, Role, Verdict
 from symcheck.core.words import term
 from symcheck.dimensions import CONSISTENT, INCONSISTENT
@@ -47,6 +48,8 @@ class Counterexample:
     values: tuple[tuple[str, str], ...]
     compared: tuple[tuple[str, str], ...]
     sides: str  # the same in words, or what is known instead of two values
+    equations: tuple[JSON, ...] = ()  # the values as formulas,
+    facts: tuple[JSON, ...] = ()  # and what is shown of numbers that have no value in closed form
 
     @property
     def line(self) -> str:
@@ -58,11 +61,19 @@ class Counterexample:
 def counterexample(certificate: Certificate) -> Counterexample:
     """The point of a refutation."""
     found = certificate["point"]
-    at = ((f"{function} {name}".lstrip(), term(value)) for function, name, value in coordinates(found["values"]))
+    where = [*coordinates(found["values"])]
+    at = ((f"{function} {name}".lstrip(), term(value)) for function, name, value in where)
+    equations: list[JSON] = [["=", [function, name] if function else name, value] for function, name, value in where]
     both = [*map(term, compared(found))]
     of_parts = certificate["claim"][0] in ("and", "or")
     names = [f"part {number}" for number in range(1, len(both) + 1)] if of_parts else ["left side", "right side"]
-    return Counterexample(tuple(at), tuple(zip(names, both, strict=False)), sides(found))
+    return Counterexample(
+        tuple(at),
+        tuple(zip(names, both, strict=False)),
+        sides(found),
+        tuple(equations),
+        () if both else tuple(found.get("shown", ())),
+    )
 
 
 @dataclass(frozen=True)

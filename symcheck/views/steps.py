@@ -11,7 +11,7 @@ from symcheck.core.certificates import Certificate, MatrixProof, Point
 from symcheck.core.terms import JSON
 from symcheck.core.words import term
 
-_RULES = {
+RULES = {
     "identity": "the difference of the two sides is a combination of what is given",
     "nonnegative": "the larger side less the smaller is the form, whose sign is plain",
     "implies": "suppose what is on the left (of a ≠ goal: that the sides were equal)",
@@ -28,6 +28,18 @@ _RULES = {
 _BRANCHES = {"premises": "premise", "proof": "proof", "parts": "part", "cases": "case", "then": "then"}
 _FACTS = ("theorem", "have")  # rules that make one more fact known; what follows them stands below
 _IN_FIRST_LINE = ("rule", "of", "with", "formula", *_BRANCHES)
+
+
+def parts_of(certificate: Certificate) -> Iterator[Mapping[str, Any]]:
+    """Every step of a proof, those within others after them; nothing of a refutation."""
+    waiting: list[object] = [certificate.get("proof")]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Mapping):
+            yield from [part] if "rule" in part else []
+            waiting += part.values()
+        elif isinstance(part, list | tuple):
+            waiting += part
 
 
 def reference(ref: object) -> str:
@@ -101,7 +113,7 @@ def _rule(proof: Mapping[str, Any]) -> str:
     if rule == "have":
         return f"first: {term(proof['formula'])}"
     if rule != "theorem":
-        return f"{rule}: {_RULES[rule]}"
+        return f"{rule}: {RULES[rule]}"
     from symcheck.checker.theorems import stated  # takes long, and is seldom needed
 
     given = "; ".join(f"{name} = {meant}" for name, meant in _applied(proof.get("with", {})))

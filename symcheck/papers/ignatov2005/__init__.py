@@ -9,6 +9,8 @@ paper = Paper(
     title="A. I. Ignatov, A. A. Davydov, V. V. Sazonov, The analysis of dynamic capabilities of the control systems of "
     "a small spacecraft built on the basis of reaction wheels (2005)",
     source="004_745ca85746c95545.txt",
+    published="Keldysh Institute of Applied Mathematics, Moscow 2005",
+    digest="3f49f24d7fb68ae6",
     notation=notation,
     sections=(
         Section("S", "Standing conditions, not printed", standing),

@@ -8,6 +8,8 @@ paper = Paper(
     key="mirer2009",
     title="S. A. Mirer, On some extremal relations between inertia tensor elements of a rigid body (2009)",
     source="000_52559675eaf93e59.txt",
+    published="Keldysh Institute of Applied Mathematics, preprint 55, Moscow 2009, 14 pages",
+    digest="403062539737113c",
     notation=notation,
     sections=(
         Section("S", "Standing conditions, not printed", standing),

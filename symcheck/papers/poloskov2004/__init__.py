@@ -8,6 +8,8 @@ paper = Paper(
     key="poloskov2004",
     title="I. E. Poloskov, On the rotation of a rigid body under dissipative and random torques (2004)",
     source="001_dec306ec7e285669.txt",
+    published="2004; the text at hand names no journal and no pages",
+    digest="5e468bfc8295254b",
     notation=notation,
     sections=(
         Section("S", "Standing conditions, not printed", standing),

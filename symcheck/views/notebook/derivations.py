@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -13,9 +15,11 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.reading import Notation
 from symcheck.views.notebook import letters
-from symcheck.views.notebook.output import Heading, Math, Output, Part, Prose
+from symcheck.views.notebook.output import Code, Heading, Math, Output, Part, Prose
 from symcheck.views.notebook.records import item, notation, paper, recorded, records
 from symcheck.views.notebook.relations import evidence, statement, title, verdicts
+
+LONGEST = 24  # lines of a function that are shown
 
 
 def step(derivation: Callable[..., object], *arguments: object, only: Sequence[str] = (), relation: str = "") -> Output:
@@ -31,6 +35,7 @@ def step(derivation: Callable[..., object], *arguments: object, only: Sequence[s
     parts: list[Part] = [
         Heading(f"`derivation.{derivation.__name__}({', '.join(map(repr, arguments))})`"),
         Prose("", " ".join((derivation.__doc__ or "").split("\n\n")[0].split())),
+        Code("", source(derivation)),
         Math("derived", letters.aligned(_rows(derivation(*arguments), only, used))),
         *formulas,
         *(part for part in compared if part not in formulas),
@@ -38,6 +43,18 @@ def step(derivation: Callable[..., object], *arguments: object, only: Sequence[s
     if found:
         parts += [Heading(f"{title(found[0], whole=len(found) > 1)} — {verdicts(found)}"), *evidence(found)]
     return Output(tuple(parts))
+
+
+def source(derivation: Callable[..., object]) -> str:
+    """How a function derives: its lines without decorators and docstring, the first ones of many."""
+    lines = inspect.getsource(inspect.unwrap(derivation)).splitlines()
+    [function] = ast.parse("\n".join(lines)).body
+    assert isinstance(function, ast.FunctionDef)
+    says = function.body[0]
+    head, end = lines[function.lineno - 1 : says.lineno - 1], says.end_lineno or says.lineno
+    shown = [*head, *lines[end:]] if ast.get_docstring(function) else lines[function.lineno - 1 :]
+    more = len(shown) - LONGEST
+    return "\n".join(shown if more <= 0 else [*shown[:LONGEST], f"    # and {more} more lines"])
 
 
 def derived(id: str, only: Sequence[str] = ()) -> Output:

@@ -56,7 +56,7 @@ def _erratum(record: Record) -> Iterator[Part]:
         yield Prose("", record.words)
     yield from statement([record])
     if record.refutation:
-        yield from _evaluated(record, record.refutation)
+        yield from evaluated(record, record.refutation)
     elif erratum and erratum.empty:
         yield Prose("proved, but empty", "as printed both sides are the same, so that it says nothing")
     yield formula("right", Fault((relation,)).correct)
@@ -70,7 +70,8 @@ def _erratum(record: Record) -> Iterator[Part]:
     yield Prose("origin", f"{relation.whose}: {record.reason}")
 
 
-def _evaluated(record: Record, certificate: Certificate) -> Iterator[Part]:
+def evaluated(record: Record, certificate: Certificate, what: str = "the printed relation") -> Iterator[Part]:
+    """A relation at the point of its refutation, computed anew, and what the checker says of it."""
     letters = notation(record.id)
     evaluation = Evaluation(certificate, letters)
     if evaluation.holds():
@@ -80,4 +81,4 @@ def _evaluated(record: Record, certificate: Certificate) -> Iterator[Part]:
     for each in evaluation.compared():
         yield formula("holds there" if each.holds else "fails there", each.statement)
         yield Math("that is", rf"{number(each.left)} \quad {each.sign} \quad {number(each.right)}")
-    yield Prose("checker", f"{checked([certificate])}, so that the printed relation is refuted")
+    yield Prose("checker", f"{checked([certificate])}, so that {what} is refuted")

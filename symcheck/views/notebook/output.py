@@ -35,6 +35,10 @@ class Verbatim(_Labelled):
     """Lines that are shown as they are."""
 
 
+class Code(Verbatim):
+    """Lines of Python."""
+
+
 @dataclass(frozen=True)
 class Table:
     """Rows of short texts below their headings; what stands between dollars is mathematics."""
@@ -51,7 +55,15 @@ class Picture:
     caption: str
 
 
-Part = Heading | Math | Prose | Verbatim | Table | Picture
+@dataclass(frozen=True)
+class Hidden:
+    """Parts that are seen when somebody unfolds them."""
+
+    label: str
+    parts: tuple[Part, ...]
+
+
+Part = Heading | Math | Prose | Verbatim | Table | Picture | Hidden
 
 
 @dataclass(frozen=True)
@@ -83,6 +95,8 @@ def _plain(part: Part) -> str:
             return f"{label}: {text}" if label else text
         case Table(head, rows):
             return "\n".join(" | ".join(row) for row in (head, *rows))
+        case Hidden(label, parts):
+            return "\n".join((f"{label}:", *map(_plain, parts)))
 
 
 def _markdown(parts: Sequence[Part]) -> Iterator[str]:
@@ -94,7 +108,9 @@ def _markdown(parts: Sequence[Part]) -> Iterator[str]:
         if display:
             yield _display(display)
             display = []
-        if part is not None:
+        if isinstance(part, Hidden):
+            yield from (f"<details><summary>{part.label}</summary>", *_markdown(part.parts), "</details>")
+        elif part is not None:
             yield _block(part)
 
 
@@ -110,6 +126,8 @@ def _block(part: Part) -> str:
             return text
         case Prose(label, text):
             return f"*{label}:* {_escaped(text)}" if label else _escaped(text)
+        case Code(label, text):
+            return (f"*{label}:*\n\n" if label else "") + f"```python\n{text}\n```"
         case Verbatim(label, text):
             return (f"*{label}:*\n\n" if label else "") + f"```text\n{text}\n```"
         case Table(head, rows):

@@ -1,8 +1,9 @@
-"""All formulas of the page, each typeset once; where one is to be seen stands its number."""
+"""All formulas of the page, each typeset once; where one is to be seen stands its number in the part it belongs to."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from copy import copy
 
 from markupsafe import Markup, escape
 
@@ -20,6 +21,12 @@ class Formulas:
     def __init__(self, texts: Iterable[str]) -> None:
         self._math = typeset(texts)
         self._numbers: dict[str, int] = {}
+
+    def apart(self) -> Formulas:
+        """The same formulas with numbers of their own, for a part of the page that is unfolded by itself."""
+        other = copy(self)
+        other._numbers = {}
+        return other
 
     @property
     def numbered(self) -> list[str]:

@@ -25,13 +25,16 @@ from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
+from symcheck.views.page.meanings import MEANINGS
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
 from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
+from symcheck.views.steps import RULES, parts_of
 
 ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
 STATES = (*Verdict, *ROLES)
 FONT = "stix-two-math.woff2"
+SCRIPTS = ("page.js", "terms.js", "own.js", "polytope.js")
 
 
 @dataclass(frozen=True)
@@ -39,7 +42,7 @@ class Extras:
     """What the page shows apart from the records.
 
     Kernels, notebook cells and meanings of letters by claim, pictures as `symcheck.views.pictures` has them, the result
-    of the self-test.
+    of the self-test, the day on which the page is written.
     """
 
     kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
@@ -49,6 +52,7 @@ class Extras:
     stability: Mapping[str, Any] | None = None
     selftest: Mapping[str, Any] | None = None
     letters: Mapping[str, Sequence[Meaning]] = field(default_factory=dict)
+    date: str = ""
 
 
 class _Numbered:
@@ -60,6 +64,21 @@ class _Numbered:
     def number(self, text: str | Excerpt) -> int:
         text = text.text if isinstance(text, Excerpt) else text
         return self.numbers.setdefault(text, len(self.numbers))
+
+
+class _Part:
+    """Texts that are unfolded together: those of a paper when one of its claims is opened, or those of the errata."""
+
+    def __init__(self, formulas: Formulas) -> None:
+        self.formulas = formulas.apart()
+        self.strings, self.tables, self.excerpts = _Numbered(), _Numbered(), _Numbered()
+
+    @property
+    def texts(self) -> dict[str, list[str]]:
+        """All by number."""
+        kinds = {"math": self.formulas.numbered}
+        kinds |= {name: list(vars(self)[name].numbers) for name in ("strings", "tables", "excerpts")}
+        return kinds
 
 
 @dataclass(frozen=True)
@@ -77,7 +96,6 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     tested = extras.selftest or {}
     letters = (each.latex for said in extras.letters.values() for each in said)
     formulas = Formulas((*entries.texts(records), *letters))
-    excerpts, strings, tables = _Numbered(), _Numbered(), _Numbered()
     known = {paper.key: paper for paper in papers}
     shown = {
         each.id: Entry(
@@ -97,17 +115,19 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         lstrip_blocks=True,
     )
     environment.filters["place"] = lambda id: Id.parse(id).place
-    environment.globals |= {
-        "formulas": formulas,
-        "excerpts": excerpts,
-        "strings": strings,
-        "tables": tables,
-        "difference": entries.difference,
-        "fits": fits,
-        "entries": shown,
-    }
+    environment.globals |= {"difference": entries.difference, "fits": fits, "entries": shown}
     claim = environment.get_template("claim.html")
-    claims = [claim.render(entry=each) for each in shown.values()]
+    of_paper: dict[str, list[Entry]] = {paper.key: [] for paper in papers}
+    for each in shown.values():
+        of_paper[each.paper.key].append(each)
+    folded: dict[str, object] = {}
+    for key, members in of_paper.items():
+        part = _Part(formulas)
+        claims = [claim.render(entry=each, **vars(part)) for each in members]
+        said = [_said(each, part) for each in members]
+        folded[f"claims-{key}"] = {"claims": claims, "said": said, **part.texts}
+        folded[f"proofs-{key}"] = _proofs(members)
+    first, names = _Part(formulas), _Numbered()
     graphs = [g for p in papers if (g := graph(p.key, [r for r in records if r.paper == p.key])).nodes]
     parts = {
         "publications": [paper for paper in papers if any(each.paper == paper.key for each in records)],
@@ -130,28 +150,27 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "graphs": graphs,
         "font": address("font/woff2", (files(__package__) / "vendor" / FONT).read_bytes()),
         "version": __version__,
+        "date": extras.date,
         "style": _asset("style.css"),
-        "script": _asset("page.js") + _asset("polytope.js"),
+        "script": Markup("").join(map(_asset, SCRIPTS)),
     }
     # The page itself asks for formulas too, so that it is made before they are folded.
-    text = environment.get_template("page.html").render(**parts, folded={"slot": Markup("")})
+    text = environment.get_template("page.html").render(**parts, **vars(first), folded={"slot": Markup("")})
     arcs = environment.get_template("graph.html")
-    ledger = {
-        "rows": [_row(each, formulas, strings) for each in shown.values()],
-        "claims": claims,
-        "math": formulas.numbered,
-        "strings": list(strings.numbers),
-        "tables": list(tables.numbers),
-        "excerpts": list(excerpts.numbers),
-        "roles": [str(role) for role in ROLES],
+    folded |= {
+        "index": {
+            "rows": [_row(each, names) for each in shown.values()],
+            "names": list(names.numbers),
+            "roles": [str(role) for role in ROLES],
+            "papers": [{"key": each.key, "source": each.source, "digest": each.digest} for each in papers],
+            "meanings": MEANINGS,
+        },
+        "errata": first.texts,
+        "envelopes": [{**envelope, "marks": marks(envelope, records)} for envelope in extras.envelopes],
+        "graphs": [arcs.render(g=each) for each in graphs],
     }
-    folded = {
-        "ledger": packed(ledger),
-        "envelopes": packed([{**envelope, "marks": marks(envelope, records)} for envelope in extras.envelopes]),
-        "graphs": packed([arcs.render(g=each) for each in graphs]),
-        **{paper.key: packed(_proofs(each for each in shown.values() if each.paper is paper)) for paper in papers},
-    }
-    return text.replace(_slot("slot", ""), "\n".join(_slot(name, data) for name, data in folded.items()))
+    slots = "\n".join(_slot(name, packed(data)) for name, data in folded.items())
+    return text.replace(_slot("slot", ""), slots)
 
 
 def _slot(name: str, data: str) -> str:
@@ -169,10 +188,16 @@ def _proofs(relations: Iterable[Relation]) -> dict[str, Any]:
         told_once = key == "definitions" and value is not None
         return [texts.number(_json(each)) for each in value] if told_once else value
 
+    from symcheck.checker.theorems import stated  # takes long
+
+    taken = [step for each in written for step in parts_of(each)]
     return {
-        "steps": [[texts.number(line) for line in proof.lines.splitlines()] for proof in found],
+        "lines": [proof.lines if "matrices" in proof.certificate else "" for proof in found],
         "fields": {key: [folded(key, each.get(key)) for each in written] for key in keys},
         "texts": list(texts.numbers),
+        "rules": {rule: RULES[rule] for rule in dict.fromkeys(step["rule"] for step in taken) if rule in RULES},
+        "theorems": {name: stated(name) for name in dict.fromkeys(step["of"] for step in taken if "of" in step)},
+        "hypotheses": {each.name: each.words for relation in relations for each in relation.record.hypotheses},
     }
 
 
@@ -180,27 +205,25 @@ def _json(data: object) -> str:
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
 
 
-def _row(relation: Relation, formulas: Formulas, strings: _Numbered) -> list[object]:
-    """What the ledger shows and searches of a record, in the order of HEAD in page.js."""
+def _row(relation: Relation, names: _Numbered) -> list[object]:
+    """By what the ledger filters a record, in the order of HEAD in page.js."""
+    record = relation.record
+    dimension = record.dimension.verdict if record.dimension else ""
+    filtered = (relation.state, record.kind, record.origin or "", record.section, relation.coq, dimension)
+    return [record.id, *map(names.number, filtered)]
+
+
+def _said(relation: Relation, part: _Part) -> list[object]:
+    """What a row of the ledger shows of a record, and in what it is searched, in the order of SAID in page.js."""
     record = relation.record
     link = record.read if record.link or record.group is Group.DAMAGED else ""
-    shown = [formulas.number(text) for text in (link, record.printed, record.read) if text]
+    shown = [part.formulas.number(text) for text in (link, record.printed, record.read) if text]
     math = next((number for number in shown if number >= 0), -1)
     words = "" if link and math >= 0 else record.words or ("" if math >= 0 else record.printed or record.name)
     searched = (record.words, record.printed, record.read, record.corrected, record.reason, relation.name)
-    return [
-        record.id,
-        relation.state,
-        record.kind,
-        record.origin or "",
-        record.section,
-        record.paper,
-        strings.number(relation.coq),
-        strings.number(record.dimension.verdict if record.dimension else ""),
-        math,
-        strings.number(words),
-        [strings.number(text) for text in dict.fromkeys(searched) if text],
-    ]
+    texts = [part.strings.number(text) for text in dict.fromkeys(searched) if text]
+    printed = part.strings.number(record.printed) if record.printed else -1
+    return [math, part.strings.number(words), printed, texts]
 
 
 def _counts(records: Iterable[Record]) -> dict[str, int]:

@@ -35,12 +35,17 @@ class Excerpt:
 
 @dataclass(frozen=True)
 class Publication:
-    """A paper's title and source, and the titles of its sections by number."""
+    """A paper: its title, the file with its text, the titles of its sections by number, where it was published.
+
+    `digest` is the beginning of the SHA-256 of the file; "" where that is not known.
+    """
 
     key: str
     title: str
     source: str
     sections: Mapping[str, str]
+    published: str = ""
+    digest: str = ""
 
 
 @dataclass(frozen=True)
@@ -93,7 +98,14 @@ def _names(part: object) -> Iterator[tuple[str, int]]:
 def publications(papers: Mapping[str, Paper]) -> tuple[Publication, ...]:
     """The papers as the page names them."""
     return tuple(
-        Publication(key, paper.title, paper.source, {section.number: section.title for section in paper.sections})
+        Publication(
+            key,
+            paper.title,
+            paper.source,
+            {section.number: section.title for section in paper.sections},
+            paper.published,
+            paper.digest,
+        )
         for key, paper in papers.items()
     )
 

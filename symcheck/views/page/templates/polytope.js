@@ -145,6 +145,6 @@
   new ResizeObserver(draw).observe(canvas);
   addEventListener("recolour", draw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
-  document.fonts.ready.then(draw);
+  document.fonts.load('16px "STIX Two Math"').then(draw);
   unfold("envelopes").then((found) => { envelopes = found; choose(); });
 })();

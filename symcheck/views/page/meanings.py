@@ -1,0 +1,36 @@
+"""What the words mean that stand beside a verdict: the verdict itself, roles, readings, methods."""
+
+from __future__ import annotations
+
+from symcheck.core.verdicts import Reading, Role, Verdict
+
+METHODS = {
+    "identity": "the difference of the two sides is a sum of multiples of what is given, so it vanishes",
+    "nonnegative": "the larger side less the smaller is written as a sum of terms none of which can be negative",
+    "cases": "the alternatives are gone through one by one, each with a proof of its own",
+    "existence": "what is said to exist is written down, and shown to do what is said of it",
+    "theorems": "theorems of a fixed table are applied, each with its premises proved; Coq has proofs of the theorems",
+}
+MEANINGS = {
+    Verdict.PROVED: "it follows from the hypotheses listed, wherever its terms have values; a certificate shows it",
+    Verdict.REFUTED: "it fails at an exact point that satisfies the hypotheses; a certificate shows it",
+    Verdict.UNDECIDED: "neither a proof nor a point where it fails was found; it may be either",
+    **METHODS,
+    Role.CLAIM: "the paper asserts it, so it is decided",
+    Role.DEFINITION: "the paper says what a letter means; it can be neither true nor false",
+    Role.PREMISE: "the paper assumes, chooses or cites it; nothing is decided of it",
+    Role.EXCLUSION: "it is printed, but asserts nothing that could be decided",
+    Role.OURS: "the paper does not print it; we state it beside the paper's relations, and it is decided",
+    "confirmed by Coq": "whether Coq, a proof checker of somebody else, accepts the proof, or that of the correction",
+    Reading.AS_PRINTED: "what is decided was read from the printed formula, sign by sign",
+    Reading.WORDS: "the paper says it in words; the formula that is decided was put together from them by us",
+    Reading.ADDED: "nothing of it is printed",
+    Reading.STANDING: "read as printed; the proof uses a condition that the paper never prints because the subject "
+    "implies it, such as a positive mass",
+    Reading.MISPRINT: "read as printed, and wrong so; what is right is given",
+    Reading.NEEDS_HYPOTHESIS: "wrong as printed, and right under a condition that the paper does not print",
+    Reading.DAMAGED: "the characters of the text at hand say nothing, or something else than was meant; it is said "
+    "what is read instead",
+    Reading.STATED: "stated by the auditor of this document, not read from it",
+    Reading.REWRITTEN: "read with what the auditor wrote in place of what is printed",
+}
