@@ -87,16 +87,16 @@ def stratonovich_drift(a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_2
     Argument("g_22", "intensity of the additive noise of axis 2", "rad s^(-3/2)", low="0"),
     Argument("g_13", "intensity of the multiplicative noise of axis 3", "s^(-1/2)", low="0"),
     Argument("g_23", "intensity of the additive noise of axis 3", "rad s^(-3/2)", low="0"),
-    Output("h_11", "intensity of noise 1 in a"),
-    Output("h_12", "intensity of noise 2 in a"),
-    Output("h_14", "intensity of noise 4 in a"),
-    Output("h_15", "intensity of noise 5 in a"),
-    Output("h_21", "intensity of noise 1 in theta"),
-    Output("h_22", "intensity of noise 2 in theta"),
-    Output("h_24", "intensity of noise 4 in theta"),
-    Output("h_25", "intensity of noise 5 in theta"),
-    Output("h_33", "intensity of noise 3 in Omega"),
-    Output("h_36", "intensity of noise 6 in Omega"),
+    Output("h_11", "intensity of noise 1 in a", "rad/s^(3/2)"),
+    Output("h_12", "intensity of noise 2 in a", "rad/s^(3/2)"),
+    Output("h_14", "intensity of noise 4 in a", "rad/s^(3/2)"),
+    Output("h_15", "intensity of noise 5 in a", "rad/s^(3/2)"),
+    Output("h_21", "intensity of noise 1 in theta", "rad/s^(1/2)"),
+    Output("h_22", "intensity of noise 2 in theta", "rad/s^(1/2)"),
+    Output("h_24", "intensity of noise 4 in theta", "rad/s^(1/2)"),
+    Output("h_25", "intensity of noise 5 in theta", "rad/s^(1/2)"),
+    Output("h_33", "intensity of noise 3 in Omega", "rad/s^(3/2)"),
+    Output("h_36", "intensity of noise 6 in Omega", "rad/s^(3/2)"),
     ulp=5,
     condition="In squares the last place of a sine or cosine counts twice.",
     claims={"2.4.5b": "0fb70605bfb3", "2.4.6": "a2427fbe7674"},
@@ -401,7 +401,7 @@ def density_of_amplitude(a, alpha, beta, gamma):
         "k)^2), as the exponent is rounded."
     ),
     degenerate="For g_13 -> 0 it becomes normal. Where it is below 1e-308 it is 0.",
-    claims={"3.4.2": "6a0fedfb75dc", "3.5.1": "9ebdaa94d36f", "4.0.5": "d9e732415424", "B.5": "3a5d29509c0e"},
+    claims={"3.4.2": "6a0fedfb75dc", "3.5.1": "9ebdaa94d36f", "4.0.5": "d9e732415424", "B.5": "e2b65d404ac3"},
 )
 def density_of_frequency(Omega, k, g_13, g_23, d_33):
     """Stationary density of the frequency, normalised; gamma() is Euler's function.
@@ -461,7 +461,7 @@ def logarithm_of_constant_of_amplitude(alpha, beta, gamma):
         "An error is a relative error of the constant: the ulp are those of 2, of the larger addend or of the "
         "exponent, whichever is largest."
     ),
-    claims={"3.4.2": "6a0fedfb75dc", "3.5.1": "9ebdaa94d36f", "4.0.5": "d9e732415424", "B.5": "3a5d29509c0e"},
+    claims={"3.4.2": "6a0fedfb75dc", "3.5.1": "9ebdaa94d36f", "4.0.5": "d9e732415424", "B.5": "e2b65d404ac3"},
 )
 def logarithm_of_constant_of_frequency(k, g_13, g_23, d_33):
     """The logarithm of the constant in the density C_2 Delta_2^kappa_2 of the frequency; gamma() is Euler's function.
@@ -576,7 +576,7 @@ def moment_of_amplitude(m, alpha, beta, gamma):
         "with delta = d_33/g_13^2."
     ),
     degenerate="Beyond the domain the moment is infinite, and the formula means nothing.",
-    claims={"4.0.11": "b4ce7a1bf72c", "B.5": "3a5d29509c0e", "B.7": "17993c9067b8"},
+    claims={"4.0.11": "b4ce7a1bf72c", "B.5": "e2b65d404ac3", "B.7": "084508a0bfaa"},
 )
 def moment_of_frequency(m, k, g_13, g_23, d_33):
     """The mean of |Omega|^m; gamma() is Euler's function.
