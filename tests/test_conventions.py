@@ -370,7 +370,6 @@ EQUATIONS = [
     (r"\partial f/\partial x = 0", []),
     (r"dx/dt = A x + B u", []),
     (r"\frac{d}{dx} c = 0", []),
-    (r"\frac{\text{Viscous forces}}{\text{Surface forces}} = C a", []),
     # to be solved for what stands on both sides
     ("3^{2x} = 2^{x+3}", []),
     (r"\tan\delta = \delta", []),
@@ -448,6 +447,8 @@ UNSAID = [
 # letters before brackets that nobody writes around a factor, and that stand without them too; a sign that may be a sum;
 # primes beside dots
 APPLIED = [
+    (r"\frac{\text{Viscous forces}}{\text{Surface forces}} = C a", []),
+    ("v(t) = v t", []),
     (r"\Sigma \xi = \xi_1 + \xi_2 + \Sigma", []),
     (r"\dot x = x'", []),
     (r"0 = e^2 - \frac{r}{a} \cos\nu e - (1 + \frac{r}{a})", []),
@@ -455,7 +456,6 @@ APPLIED = [
 ]
 BESIDE_CALLS = [
     ("E[XY] = E[X] Y", []),
-    ("v(t) = v t", []),
     (r"E_n = 2^n E_n\left(\frac{1}{2}\right)", []),
     (r"x = \int_0^t f(\tau) h(t - \tau) d\tau + f", []),
 ]

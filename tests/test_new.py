@@ -339,7 +339,7 @@ def test_every_refutation_is_an_erratum_and_nothing_else(tmp_path: Path) -> None
     assert "**4.**" not in letter
     assert run("report", audit, "--output", tmp_path / "page.html", "--jobs", 0).exit_code == 0
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
-    assert page.count('<article class="fault">') == 3
+    assert page.count('<article class="fault"') == 3
     assert "<dt>correct</dt>" not in page
 
 

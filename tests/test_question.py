@@ -398,12 +398,12 @@ def test_what_may_be_summed_is_not_refuted(relation: str) -> None:
     ],
 )
 def test_laws_definitions_and_conditions_with_indices_are_not_refuted(relation: str) -> None:
-    assert decide(relation).verdict in ("undecided", "ambiguous")
+    assert decide(relation).verdict in ("undecided", "ambiguous", "unreadable")
 
 
 @pytest.mark.parametrize("relation", LAWS)
 def test_a_law_of_fields_is_no_identity(relation: str) -> None:
-    assert decide(relation).verdict in ("undecided", "ambiguous")
+    assert decide(relation).verdict in ("undecided", "ambiguous", "unreadable")
 
 
 def test_what_is_said_to_be_constant_is_no_field() -> None:

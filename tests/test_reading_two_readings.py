@@ -123,7 +123,6 @@ REFUSED = {
     r"\frac{\partial}{\partial t}(2 w) = 0": "held constant, or not",
     r"\int_0^1 z \, dt = z": "does z depend on t",
     r"\langle z \rangle_t = z": "does z depend on t",
-    r"\frac{dt}{dr} = 0": "by a letter that depends on no other",
     "N' = 0": "derivative of N, or another letter",
     "x' = 0": "derivative of x, or another letter.*depends",
     r"\dot z = 0": r"unknown letter \\dot\{z\}: declare it, or say on what z depends",

@@ -34,6 +34,7 @@ from symcheck.question.matrices import stated
 from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings, unlowered
 from symcheck.question.prepare import Reading as ReadAs
 from symcheck.reading import Tree, relations, to_latex
+from symcheck.reading.side_by_side import ONE_NAME
 
 METHOD = "decide"
 VALUED = "every printed term has a value"
@@ -257,6 +258,10 @@ class Inquiry:
         known = {shown(letter): phrase for letter, phrase in self._letters if phrase and depends_on(phrase) <= every}
         roles = [role for text in texts for role in surveyed_once(text).roles if role.kind not in UNSAID]
         found = {role.letter: known.get(shown(role.letter), "") for role in roles}
+        named = any(ONE_NAME in surveyed_once(text).reason for text in texts)
+        declared = {shown(letter) for letter, _ in self.letters} if named else set()
+        plain = {r.letter for r in roles if r.kind == "scalar" and shown(r.letter) in declared and not found[r.letter]}
+        found |= dict.fromkeys(plain, "scalar")
         return tuple((x, p) for x, p in found.items() if p and any(r.letter == x and r.phrase != p for r in roles))
 
     @property

@@ -187,7 +187,7 @@ def _inquired(
 
 
 def _said(letters: Sequence[Letter]) -> Said:
-    return tuple((shown(each.letter), each.phrase) for each in letters if is_sayable(each.phrase))
+    return tuple((shown(each.letter), each.phrase if is_sayable(each.phrase) else "") for each in letters)
 
 
 def _verdicts(task: tuple[Inquiry, str]) -> tuple[Status, ...]:

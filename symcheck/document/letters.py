@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 
 from symcheck.document.macros import tokens, written
@@ -13,6 +13,7 @@ from symcheck.document.survey import Role, Said, Seen, is_sayable
 from symcheck.reading.faces import is_styled
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
+from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
@@ -131,8 +132,11 @@ def depends_on(phrase: str) -> set[str]:
     return {each.strip() for each in variables.split(",")} if kind in ("depends", "function") else set()
 
 
-def elsewhere(seen: Seen, known: Mapping[str, Letter]) -> Said:
-    """What the document says of the letters of a formula that is not read, where it is not what is guessed there."""
+def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
+    """What the document says of the letters of a formula that is not read, where it is not what is guessed there.
+
+    Letters of formulas that are read are factors, and no parts of a name.
+    """
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
     told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
@@ -140,6 +144,8 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter]) -> Said:
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
+    if ONE_NAME in seen.reason:
+        found = {r.letter: "scalar" for r in seen.roles if r.letter in read and r.kind == "scalar"} | found
     if LABEL_DOUBT in seen.reason:
         found |= {r.letter: "scalar" for r in seen.roles if _is_labelled(shown(r.letter), known)}
     return tuple(found.items())

@@ -245,8 +245,11 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     seen = [looked_at[each.latex] for each in formulas]
     every = letters(formulas, seen)
     by_letter = {each.letter: each for each in every}
+    read = {role.letter for each in seen if each.read for role in each.roles}
     open_ = {
-        f.latex: (f.latex, elsewhere(each, by_letter)) for f, each in zip(formulas, seen, strict=True) if not each.read
+        f.latex: (f.latex, elsewhere(each, by_letter, read))
+        for f, each in zip(formulas, seen, strict=True)
+        if not each.read
     }
     again = work.all(surveyed_with, [task for task in open_.values() if task[1]], READING, Seen)
     better = {latex: found for (latex, _), found in again.items() if found.is_known}

@@ -22,6 +22,7 @@ LAWS = re.compile(
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
 # a list of components, and what stands between two of them
 COMPONENTS = re.compile(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}(?:\^T)?|[(\[](.*)[)\]](?:\^T)?", re.DOTALL)
+# bars of a length, and spaces
 BARS = re.compile(r"\\(?:left|right)(?![a-zA-Z])|\\[lr][vV]ert(?![a-zA-Z])|\\?\||\s")
 SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")  # no comma of a subscript
 # words before a relation within the text that make it a place or a case

@@ -2,4 +2,15 @@
 
 from symcheck.kernels.loading import GENERATED, find, folder, load, of_paper
 
-__all__ = ["GENERATED", "codegen", "find", "folder", "load", "of_paper", "runtime", "specification"]
+__all__ = [
+    "GENERATED",
+    "codegen",
+    "find",
+    "folder",
+    "load",
+    "of_paper",
+    "ratios",
+    "runtime",
+    "specification",
+    "tracing",
+]

@@ -19,10 +19,12 @@ from symcheck.reading.occurrences import first, occurrences
 # a conjugate: "\bar{z}", or by its tokens "z ^ *"
 _CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\ast|\\star|\\dagger)(?: \})?")
 # parts of complex numbers
-_PARTS = re.compile(r"\\(?:Re|Im|arg|Arg)(?![A-Za-z])|\\(?:operatorname|mathrm|text)\s*\{\s*(?:Re|Im|arg)\s*\}")
+_PARTS = re.compile(
+    r"\\(?:Re|Im|arg|Arg)(?![A-Za-z])|\\(?:operatorname|mathrm|text)\s*\{\s*(?:R\s*e|I\s*m|a\s*r\s*g)\s*\}"
+)
 _LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")  # bars of an absolute value
 # the part of one letter
-_ALONE = re.compile(r"\s*[({]?\s*(\\?[A-Za-z]+(?:_\{?\w+\}?)?)\s*[)}]?\s*(?=$|[-+=<>,.]|\\[lg])")
+_ALONE = re.compile(r"\s*[({]?\s*(\\?[A-Za-z]+(?:\s*_\s*(?:\w+|\{[\w\s]+\}))?)\s*[)}]?\s*(?=$|[-+=<>,.]|\\[lg])")
 _ORDER = re.compile(r"<|>|\\(?:leq?|geq?|leqslant|geqslant|lt|gt)(?![A-Za-z])")  # what compares real numbers only
 OPEN, CLOSE = frozenset("([{"), frozenset(")]}")
 

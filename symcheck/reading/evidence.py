@@ -213,6 +213,7 @@ _SKEW_ADDED = re.compile(r"\]\s*_\s*\{?\s*\\times\s*\}?\s*(?:\^\s*\{?\s*\d\s*\}?
 _OF_PRODUCT = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-eikmr]) \( [a-z](?: [A-Z])+ \)")
 # what a function of one letter is equal to: `\sigma(t) = \sigma + b`
 _OF_ONE = re.compile(r"(?:^|&|\\quad) ?([A-Za-z]|\\[a-z]+) \( ([A-Za-z]|\\[a-z]+) \) = ((?:(?!\\quad|\\\\|=).)*)")
+# words, and letters with what stands at their left
 _TEXT = re.compile(r"\\(?:text|mathrm) \{[^{}]*\}|\\prescript (?:\{(?:[^{}]|\{[^{}]*\})*\} ){3}")
 # rates, in equations in which letters are functions without brackets
 _RATES = re.compile(r"\\d?dot|\\partial|d t|\{ d |\\mathrm \{ d \}")
@@ -306,7 +307,9 @@ _TRANSPOSED = re.compile(
     rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:{_BASE}{_INDEX} )+(?=\2\3 '(?! '))"
 )
 # what shows that primes differentiate, or that something else transposes
-_NO_TRANSPOSES = re.compile(r"' '|\\d?dot |' (?:\\left )?\( [a-z] \)|\^ (?:\{ )?(?:T|\\top|\\mathsf)(?![A-Za-z])")
+_NO_TRANSPOSES = re.compile(
+    r"' '|\\frac \{ d |\\d?dot |' (?:\\left )?\( [a-z] \)|\^ (?:\{ )?(?:T|\\top|\\mathsf)(?![A-Za-z])"
+)
 
 
 # what may be transposed before a factor, where T is a letter, too

@@ -18,6 +18,7 @@ _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
 _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
 _CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: [_^] (?:\w|{_BRACED}))*)"
+# spaces between formulas
 _WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
 _SPELLINGS: Sequence[
     tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]

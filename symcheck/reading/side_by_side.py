@@ -16,7 +16,9 @@ _NAMED = re.compile(
     r"\\(?:text|mathrm|operatorname|begin|end|mathbf|mathsf|bm|boldsymbol|pmb|mathcal|mathbb|mathscr|mathfrak|"
     r"prescript|vec|hat|widehat|bar|tilde|overline|dot|ddot) (?:\{(?:[^{}]|\{[^{}]*\})*\}|\S)(?: \{ [lcr |]+ \})?"
 )
+# a subscript
 _BELOW = re.compile(r" ?_ (?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\S+)")
+# the sign of a differential
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z\\])d (?:\^ (?:\w|\{ \w+ \}) )?(?=[A-Za-z])")
 _OF_EULER = re.compile(r"(?<![A-Za-z\\])e (?=\^ (?!\d|\{ \d+ \}))")  # the base of a power in letters
 _RAISED = re.compile(
@@ -24,12 +26,15 @@ _RAISED = re.compile(
 )  # to a power in letters, as one letter is
 _CHANGE = re.compile(r"\\[Dd]elta [A-Za-z](?= [A-Za-z] _)")  # a change, and a letter with an index behind it
 _FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=-]*?\\cdot")  # whose argument a dot ends
-_DERIVATIVE = re.compile(r"\\int|\{ d ")
+# what shows that a d is one
+_DERIVATIVE = re.compile(r"\\int|\{ d |^d [A-Za-z] =")
+# letters side by side
 _LETTERS = re.compile(r"(?<![A-Za-z\\])[A-Za-z](?: [A-Za-z])*(?![A-Za-z])")
 # what shows that capitals are matrices
 _OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:T|- 1|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x")
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
 _SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
+# what shows that letters are vectors
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
@@ -39,6 +44,7 @@ _UNITS = frozenset(
 )
 _APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
+# a number before a matrix
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
 
 
@@ -59,6 +65,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
         if unit or (
             alone
+            and not _is_coefficient(run, alone, runs)
             and _may_be_name(run, alone, signed=signed, matrices=matrices, named=_is_name_on_sight(run, several, texts))
         ):
             told = f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
@@ -68,7 +75,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
 
 def _apart(text: str) -> str:
     text = _CHANGE.sub("", _RAISED.sub(r", \1 ", _OF_EULER.sub("", _BELOW.sub("_", _NAMED.sub(r"\\", text)))))
-    return _DIFFERENTIAL.sub("", text) if _DERIVATIVE.search(text) else text
+    return _DIFFERENTIAL.sub(", ", text) if _DERIVATIVE.search(text) else text
 
 
 def _runs(text: str) -> Iterator[str]:
@@ -82,6 +89,17 @@ def _stands_elsewhere(letter: str, run: str, runs: Collection[str]) -> bool:
         other == letter or any(x == letter and (small or run[k : k + 1] != letter) for k, x in enumerate(other))
         for other in runs
         if other != run and not (small and len(other) == 2 and other[1] == run[1])
+    )
+
+
+def _is_coefficient(run: str, alone: Collection[str], runs: Collection[str]) -> bool:
+    """Is it a capital before a small letter that stands elsewhere, among capitals that stand alone, as in `Bs + C`?"""
+    return (
+        len(run) == 2
+        and run[0].isupper()
+        and run[1].islower()
+        and {*alone} == {run[0]}
+        and any(len(other) == 1 and other.isupper() for other in runs)
     )
 
 
