@@ -18,6 +18,7 @@ _NAMED = re.compile(
 )
 # a subscript
 _BELOW = re.compile(r" ?_ (?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\S+)")
+_NUMBER_BELOW = re.compile(r" ?_ (?:\d|\{ \d+ \})")  # the subscript of a component
 # the sign of a differential
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z\\])d (?:\^ (?:\w|\{ \w+ \}) )?(?=[A-Za-z])")
 _OF_EULER = re.compile(r"(?<![A-Za-z\\])e (?=\^ (?!\d|\{ \d+ \}))")  # the base of a power in letters
@@ -74,7 +75,9 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
 
 
 def _apart(text: str) -> str:
-    text = _CHANGE.sub("", _RAISED.sub(r", \1 ", _OF_EULER.sub("", _BELOW.sub("_", _NAMED.sub(r"\\", text)))))
+    text = _CHANGE.sub(
+        "", _RAISED.sub(r", \1 ", _OF_EULER.sub("", _BELOW.sub("_", _NUMBER_BELOW.sub(",", _NAMED.sub(r"\\", text)))))
+    )
     return _DIFFERENTIAL.sub(", ", text) if _DERIVATIVE.search(text) else text
 
 
@@ -126,6 +129,8 @@ def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bo
     """May these letters, of which some stand nowhere else, be one name?"""
     if "o" in run or "O" in run or run in _GREEK:  # an o is hardly a letter
         return True
+    if len({*run}) > 2 and not run.isupper() and 2 * len(alone) <= len({*run}):
+        return False
     if _USUAL.fullmatch(run) or (_APPLIED.fullmatch(run) and not signed):
         return False
     if signed:

@@ -36,6 +36,7 @@ source = Document(
         letter("E", "scalar", meaning="moment of inertia that the mode carries", unit=MOMENT),
         letter("E_1", "scalar", meaning="moment of inertia that a mode of a cylinder carries", unit=MOMENT),
         *(letter(f"v_{i}") for i in (1, 2, 3)),
+        *(letter(x) for x in "XYxyz"),
     ),
 )
 
