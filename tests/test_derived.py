@@ -79,7 +79,10 @@ def test_what_follows_from_earlier_relations_is_told_and_nothing_else(tmp_path: 
     assert not found.findings
 
 
-@pytest.mark.parametrize(("right", "wrong", "place"), MISPRINTS)
+@pytest.mark.parametrize(
+    ("right", "wrong", "place"),
+    [MISPRINTS[0], *(pytest.param(*each, marks=pytest.mark.slow) for each in MISPRINTS[1:])],
+)
 def test_the_relation_that_does_not_agree_is_found(right: str, wrong: str, place: str, tmp_path: Path) -> None:
     """In what follows, and in what others follow from."""
     (tmp_path / "orbit.md").write_text(ORBIT.replace(right, wrong), encoding="utf-8")
@@ -88,6 +91,7 @@ def test_the_relation_that_does_not_agree_is_found(right: str, wrong: str, place
     assert found.findings[0].point
 
 
+@pytest.mark.slow
 def test_of_two_relations_of_which_either_may_be_wrong_both_are_told(tmp_path: Path) -> None:
     wrong = ORBIT.replace(r"\frac{2}{r} - \frac{1}{a}", r"\frac{2}{r} + \frac{1}{a}")
     (tmp_path / "orbit.md").write_text(wrong, encoding="utf-8")
@@ -155,7 +159,10 @@ $$\frac{d^2\eta}{d\theta^2} = \frac{d}{d\theta}\left(-\frac{1}{r^2} \frac{dr}{d\
 """
 
 
-@pytest.mark.parametrize(("right", "wrong", "places"), [("", "", []), *OF_THE_CART])
+@pytest.mark.parametrize(
+    ("right", "wrong", "places"),
+    [("", "", []), OF_THE_CART[1], *(pytest.param(*each, marks=pytest.mark.slow) for each in OF_THE_CART[::2])],
+)
 def test_slips_in_fractions_and_matrices_are_found(right: str, wrong: str, places: list[str], tmp_path: Path) -> None:
     (tmp_path / "cart.md").write_text(CART.replace(right, wrong) if right else CART, encoding="utf-8")
     assert [each.place for each in look(tmp_path / "cart.md").findings] == places

@@ -340,6 +340,7 @@ def test_a_proof_is_set_as_formulas_with_each_hypothesis_beside_its_multiplier(o
     page = opened("#mirer2009:2.12")
     page.locator("details.proof summary").first.click()
     rows = page.locator(".multipliers tbody tr:has(td)")
+    rows.nth(7).wait_for()
     assert rows.count() == 8
     assert [row.locator("td > .formula math").count() for row in rows.all()] == [2] * 8
     assert page.locator(".multipliers tbody th").all_inner_texts() == [
