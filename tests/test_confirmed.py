@@ -64,8 +64,8 @@ def shown(symcheck: Run, toy: Path, monkeypatch: pytest.MonkeyPatch) -> Callable
         rows = [line.split(" | ")[-1].removesuffix(" |") for line in exported("markdown").splitlines()]
         yield "markdown", rows[-2], rows[-1]
         assert symcheck("report", "--jobs", "0", "toy:1.1", "toy:1.3", "--output", "page.html").exit_code == 0
-        ledger = unpacked((toy / "page.html").read_text("utf-8").partition('id="folded-ledger">')[2].partition("<")[0])
-        yield "report", *(ledger["strings"][row[6]] for row in ledger["rows"])
+        index = unpacked((toy / "page.html").read_text("utf-8").partition('id="folded-index">')[2].partition("<")[0])
+        yield "report", *(index["names"][row[5]] for row in index["rows"])
 
     return read
 
