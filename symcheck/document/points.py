@@ -5,7 +5,7 @@ Nothing is proved or refuted by these points: they tell which questions are wort
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from contextlib import suppress
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -44,6 +44,13 @@ class Equation(NamedTuple):
     size: Callable[..., Any]
 
 
+class Placed(NamedTuple):
+    """An equation, and where its letters stand among others."""
+
+    equation: Equation
+    places: tuple[int, ...]
+
+
 class Found(NamedTuple):
     """Whether a relation holds for solutions of its sources, and whether these bind its letters to each other."""
 
@@ -51,6 +58,7 @@ class Found(NamedTuple):
     bound: bool
 
 
+@lru_cache(4096)  # of many sets that are compared the smaller ones are the same
 def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bool = False) -> Found | None:
     """How a relation compares with the equations from which it may follow; None where no points are found.
 
@@ -66,7 +74,7 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     points = _with_further(points, own)
     symbols = [*points[0]]
     with np.errstate(all="ignore"):
-        jacobian = _jacobian(given, symbols, np.array([*points[0].values()]))
+        jacobian = _jacobian(_placed(given, symbols), np.array([*points[0].values()]))
         rest = [k for k, symbol in enumerate(symbols) if symbol not in own]
         bound = _rank(jacobian) > _rank(jacobian[:, rest])
         return Found(_hold(asked, points) or (bound and _on_a_branch(asked, given, symbols)), bound)
@@ -83,11 +91,11 @@ def _on_a_branch(asked: Sequence[Equation], given: Sequence[Equation], symbols: 
 
     Of a quadratic equation each solution holds, and neither does at points of the other.
     """
-    numbers, every = np.random.default_rng(2), [*given, *asked]
-    for signs in _signs(len(symbols), every, symbols):
+    numbers, own, every = np.random.default_rng(2), _placed(given, symbols), _placed([*given, *asked], symbols)
+    for signs in _signs(len(symbols), every):
         for _ in range(TRIED if np.all(signs > 0) else 1):
-            point = _solved(every, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
-            if point is not None and _rank(_jacobian(every, symbols, point)) == _rank(_jacobian(given, symbols, point)):
+            point = _solved(every, signs * numbers.uniform(0.3, 1.7, len(symbols)))
+            if point is not None and _rank(_jacobian(every, point)) == _rank(_jacobian(own, point)):
                 return True
     return False
 
@@ -117,12 +125,12 @@ def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float
     """Points at which all equations hold, with letters of the same signs; none if the first is not found."""
     equations = _all(sources, letters)
     symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
-    numbers = np.random.default_rng(1)
+    numbers, placed = np.random.default_rng(1), _placed(equations, symbols)
     found: list[dict[Symbol, float]] = []
     with np.errstate(all="ignore"):
-        for signs in _signs(len(symbols), equations, symbols):
+        for signs in _signs(len(symbols), placed):
             for tried in range(TRIED):
-                point = _solved(equations, symbols, signs * numbers.uniform(0.3, 1.7, len(symbols)))
+                point = _solved(placed, signs * numbers.uniform(0.3, 1.7, len(symbols)))
                 if point is not None:
                     found.append(dict(zip(symbols, map(float, point), strict=True)))
                 if len(found) == POINTS:
@@ -138,8 +146,8 @@ def _hold(equations: Sequence[Equation], points: Sequence[dict[Symbol, float]]) 
     """Whether equations hold at several points."""
     count = 0
     for point in points:
-        symbols, values = [*point], np.array([*point.values()])
-        count += all(_is_zero(equation, symbols, values) for equation in equations)
+        values = np.array([*point.values()])
+        count += all(_is_zero(each, values) for each in _placed(equations, [*point]))
     return count >= min(ENOUGH, len(points))
 
 
@@ -159,12 +167,12 @@ def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
     return tuple(found)
 
 
-def _signs(count: int, equations: Sequence[Equation], symbols: Sequence[Symbol]) -> Iterator[Array]:
+def _signs(count: int, equations: Sequence[Placed]) -> Iterator[Array]:
     """Signs of letters, the likeliest first: all above zero, those of a solution, one of them below zero."""
     yield np.ones(count)
     numbers = np.random.default_rng(3)
     for _ in range(TRIED):
-        point = _solved(equations, symbols, numbers.uniform(0.3, 1.7, count), free=True)
+        point = _solved(equations, numbers.uniform(0.3, 1.7, count), free=True)
         if point is not None and np.any(point < 0):
             yield np.sign(point)
             break
@@ -185,35 +193,42 @@ def _plain(side: Expr) -> Expr:
     return side
 
 
-def _at(function: Callable[..., Any], equation: Equation, symbols: Sequence[Symbol], point: Array) -> float:
-    value = complex(function(*(point[symbols.index(symbol)] for symbol in equation.symbols)))
+def _placed(equations: Iterable[Equation], symbols: Sequence[Symbol]) -> list[Placed]:
+    """To look for a letter takes SymPy longer than to evaluate an equation: it is done once."""
+    places = {symbol: k for k, symbol in enumerate(symbols)}
+    return [Placed(each, tuple(places[symbol] for symbol in each.symbols)) for each in equations]
+
+
+def _at(function: Callable[..., Any], places: Sequence[int], point: Sequence[float]) -> float:
+    value = complex(function(*[point[k] for k in places]))
     return value.real if not value.imag else float("nan")
 
 
-def _values(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array) -> Array:
-    return np.array([_at(equation.value, equation, symbols, point) for equation in equations])
+def _values(equations: Sequence[Placed], point: Array) -> Array:
+    numbers = [*point]
+    return np.array([_at(each.equation.value, each.places, numbers) for each in equations])
 
 
-def _jacobian(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array) -> Array:
+def _jacobian(equations: Sequence[Placed], point: Array) -> Array:
     """Derivatives by the logarithms of the letters, which keep their signs so."""
     columns = []
-    for k in range(len(symbols)):
-        factor = np.ones(len(symbols))
+    for k in range(len(point)):
+        factor = np.ones(len(point))
         factor[k] += DIFFERENCE
-        ahead, back = (_values(equations, symbols, each) for each in (point * factor, point / factor))
+        ahead, back = (_values(equations, each) for each in (point * factor, point / factor))
         columns.append((ahead - back) / (2 * DIFFERENCE))
-    return np.array(columns).T.reshape(len(equations), len(symbols))
+    return np.array(columns).T.reshape(len(equations), len(point))
 
 
-def _solved(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Array, free: bool = False) -> Array | None:
+def _solved(equations: Sequence[Placed], point: Array, free: bool = False) -> Array | None:
     """A point near another one, with letters of the same signs unless they are free, at which all equations hold."""
     for _ in range(STEPS):
-        values = _values(equations, symbols, point)
+        values = _values(equations, point)
         if not np.all(np.isfinite(values)) or np.max(np.abs(np.log(np.abs(point))), initial=0.0) > FAR:
             return None
         if np.max(np.abs(values), initial=0.0) < SMALL:
             return point
-        jacobian = _jacobian(equations, symbols, point)
+        jacobian = _jacobian(equations, point)
         if not np.all(np.isfinite(jacobian)):
             return None
         if free:
@@ -224,8 +239,8 @@ def _solved(equations: Sequence[Equation], symbols: Sequence[Symbol], point: Arr
     return None
 
 
-def _is_zero(equation: Equation, symbols: Sequence[Symbol], point: Array) -> bool:
-    value, size = (_at(each, equation, symbols, point) for each in (equation.value, equation.size))
+def _is_zero(each: Placed, point: Array) -> bool:
+    value, size = (_at(one, each.places, [*point]) for one in (each.equation.value, each.equation.size))
     return abs(value) <= EQUAL * max(size, EQUAL)
 
 
