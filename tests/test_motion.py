@@ -82,3 +82,10 @@ We have
 $$\frac{d}{dt}\left(\frac{r^2 \dot r}{h}\right) = \frac{2 r \dot r^2 + r^2 \ddot r}{h}$$
 """
     assert verdicts(begun(tmp_path, text, "momentum.md")).popitem()[1] == "proved"
+
+
+def test_an_audit_declares_no_letters_of_what_may_be_one_name(tmp_path: Path) -> None:
+    text = "# Energy\n\nWe have\n\n$$E = KE + PE$$\n\nand\n\n$$v = 2 u$$\n"
+    code = (begun(tmp_path, text, "energy.md") / "audit.py").read_text(encoding="utf-8")
+    assert 'letter("u")' in code
+    assert 'letter("K")' not in code

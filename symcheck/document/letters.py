@@ -132,6 +132,13 @@ def depends_on(phrase: str) -> set[str]:
     return {each.strip() for each in variables.split(",")} if kind in ("depends", "function") else set()
 
 
+def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> list[Letter]:
+    """The letters that are no mere parts of what may be one name: to say what they are would make it a product."""
+    read = {role.letter for each in seen if each.read for role in each.roles}
+    named = {role.letter for each in seen if ONE_NAME in each.reason for role in each.roles}
+    return [each for each in every if each.letter in read or each.letter not in named]
+
+
 def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
     """What the document says of the letters of a formula that is not read, where it is not what is guessed there.
 

@@ -18,7 +18,7 @@ from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.checks import Checks
 from symcheck.document.guesses import guessed
-from symcheck.document.letters import Letter, shown
+from symcheck.document.letters import Letter, shown, without_parts_of_names
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
 from symcheck.document.look import known
 from symcheck.document.printed import Printed
@@ -64,6 +64,7 @@ def drafted(file: Path, work: Work) -> Draft:
     printed = source(file)
     formulas = printed.formulas
     seen, every = known(formulas, work)
+    every = without_parts_of_names(every, seen)
     said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
     said += [f"{file}: left out: {note}" for note in printed.notes]
     guesses, unlike = guessed(Checks(formulas, seen, every), every, work)
