@@ -23,7 +23,7 @@ CONDITIONAL = re.compile(
     r"constraint|satisf\w*|choos\w*|choice|set|sets|setting|find|for which|impos\w*|subject to|provided|case|cases|"
     r"equation\w* of|unknown\w*|roots?|initial|boundary|minimi[sz]\w*|maximi[sz]\w*|example|consider\w*|approximat\w*|"
     r"neglect\w*|small|limit\w*|equilibri\w*|wrong|false|incorrect|not true|mistake\w*|naive\w*|instead|replac\w*|"
-    r"substitut\w*|modulo|mod|model\w*|law|hypothes\w*|contradict\w*|iterat\w*|updat\w*|assign\w*)\b",
+    r"substitut\w*|unlike|modulo|mod|model\w*|law|hypothes\w*|contradict\w*|iterat\w*|updat\w*|assign\w*)\b",
     re.IGNORECASE,
 )
 PURPOSE = re.compile(r"\bso that\b", re.IGNORECASE)  # or a consequence

@@ -237,15 +237,24 @@ class Derived:
         """The letters that a formula may define."""
         return self.checks.seen[k].heads.keys()
 
+    def _lefts(self, k: int, equations: Set[str]) -> set[str]:
+        """The left sides of these equations of a formula."""
+        return {link.left for link in self.checks.seen[k].links if link.latex in equations}
+
     def may_differ(self, question: Question) -> bool:
         """May letters mean something else in a source, or does it say of a letter what a source says in another case?
 
         That is so where a source stands in another section, and is not the only one that says what a letter is, or
-        says what the same letter is, alone or behind another heading.
+        says what the same letter is, alone or behind another heading; or what the same side of an equation is, alone.
+        Equations of one display may be a system, which is to be solved.
         """
         k, formulas = question.number, self.checks.formulas
         known = {each.number for each in self.roles.known(k).values()}
         heads = {x for x, link in self.checks.seen[k].heads.items() if link.latex == question.relation}
+        same = self._lefts(k, {question.relation}) & self._lefts(question.sources[0], {*question.where})
+        among = range(min(k, *question.sources), max(k, *question.sources) + 1)
+        if {formulas[m].before for m in among} == {formulas[k].before or None} or (len(question.sources) == 1 and same):
+            return True
         return any(
             (m not in known and not self.roles.is_same_part(m, k))
             or ((formulas[m].part != formulas[k].part or len(question.sources) == 1) and heads & self.heads(m))

@@ -270,7 +270,10 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
             k += 1
             continue
         part = SAME.get(part, part)
-        if part in NOTHING:
+        if part == r"\not" and parts[k + 1 : k + 2] == ["="]:
+            found.append(r"\ne")
+            k += 2
+        elif part in NOTHING:
             k += 1 + _argument_count(parts, k, NOTHING[part])
         elif part in FONTS and not (k + 1 < len(parts) and isinstance(parts[k + 1], Group)) and _is_switch(part):
             return found + _styled(FONTS[part], _made_plain(parts[k + 1 :]))
