@@ -6,18 +6,22 @@ import math
 import re
 import time
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from symcheck.document.checks import REFERRING, SMALLEST, Checks, Definition, Question
-from symcheck.document.points import Found, compared, slips
+from symcheck.document.points import Found, compared
+from symcheck.document.points import slips as slips_of
 from symcheck.document.roles import OF_KNOWN, Roles
 from symcheck.document.work import Work
 from symcheck.question import Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
 
+K = TypeVar("K")
+T = TypeVar("T")
 MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
 FAR = 12  # formulas before and behind one with which it is compared, if nothing before it says whether it holds
@@ -44,6 +48,7 @@ class Outcome:
     proof: Question | None = None
     holding: tuple[Question, ...] = ()
     failing: tuple[Question, ...] = ()
+    unproved: tuple[Question, ...] = ()  # those that may be proved, the smallest sets first
 
 
 NOTHING = Outcome()
@@ -54,36 +59,40 @@ def sought(
 ) -> tuple[dict[int, list[Outcome]], int]:
     """What becomes of each equation of these formulas, and how many were left when the time was over.
 
-    What agrees or disagrees with nothing before it is compared with what stands behind it.
+    What agrees or disagrees with nothing before it is compared with what stands behind it. Proofs come last, as all but
+    a few take longer than to compare.
     """
-    started, found = time.perf_counter(), dict[tuple[Question, ...], Outcome]()
+    started = time.perf_counter()
 
-    def asked(questions: Mapping[int, list[tuple[Question, ...]]]) -> int:
-        tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
-        while tasks and time.perf_counter() - started < seconds:
-            found.update(work.all(outcome, tasks[:AT_ONCE], FOLLOWING, lambda reason: NOTHING))
-            del tasks[:AT_ONCE]
-        return len(tasks)
+    def each_of(function: Callable[[K], T], tasks: Iterable[K], nothing: T) -> tuple[dict[K, T], int]:
+        found, rest = dict[K, T](), [*dict.fromkeys(tasks)]
+        while rest and time.perf_counter() - started < seconds:
+            found.update(work.all(function, rest[:AT_ONCE], FOLLOWING, lambda reason: nothing))
+            del rest[:AT_ONCE]
+        return found, len(rest)
 
-    questions = {k: sets.questions(k) for k in numbers}
-    left = asked(questions)
-    own = {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}
+    def outcomes(questions: Mapping[int, list[tuple[Question, ...]]]) -> tuple[dict[int, list[Outcome]], int]:
+        found, left = each_of(outcome, (each for every in questions.values() for each in every if each), NOTHING)
+        return {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}, left
+
+    own, left = outcomes({k: sets.questions(k) for k in numbers})
     alone = [k for k, every in own.items() if not any(each.holding or each.failing for each in every)]
-    behind = {k: sets.questions(k, later=True) for k in alone if sets.checks.formulas[k].display}
-    left += asked(behind)
+    behind, more = outcomes({k: sets.questions(k, later=True) for k in alone if sets.checks.formulas[k].display})
     for k, every in behind.items():
-        more = [found.get(each, NOTHING) for each in every]
-        own[k] = [replace(x, holding=y.holding, failing=y.failing) for x, y in zip(own[k], more, strict=True)]
-    return own, left
+        own[k] = [replace(x, holding=y.holding, failing=y.failing) for x, y in zip(own[k], every, strict=True)]
+    tasks = [each.unproved for every in own.values() for each in every if each.unproved]
+    proofs, most = each_of(_proved, sorted(tasks, key=len), None)
+    proved = {k: [replace(each, proof=proofs.get(each.unproved)) for each in every] for k, every in own.items()}
+    return proved, left + more + most
 
 
 def outcome(questions: tuple[Question, ...]) -> Outcome:
-    """What becomes of these questions, about one relation and different sources, the smallest sets first."""
+    """How a relation compares with different sources, the smallest sets first."""
     compared_ = [*_compared(questions)]
     holding = tuple(_with_what_it_takes(question) for question, points in compared_ if points and points.holds)
     failing = tuple(question for question, points in compared_ if points and not points.holds)
-    asked = [question for question, points in compared_ if points is None or points.holds][:ASKED]
-    return Outcome(None if questions[0].kind == LATER else _proved(asked), holding, failing)
+    unproved = tuple(question for question, points in compared_ if points is None or points.holds)[:ASKED]
+    return Outcome(None, holding, failing, () if questions[0].kind == LATER else unproved)
 
 
 def _with_what_it_takes(question: Question) -> Question:
@@ -116,7 +125,7 @@ def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found |
             return
 
 
-def _proved(questions: Sequence[Question]) -> Question | None:
+def _proved(questions: tuple[Question, ...]) -> Question | None:
     """The first of these that is proved."""
     with suppress(OutOfTime), limited(FOLLOWING):
         return next((question for question in questions if _verdict(question) is Status.PROVED), None)
@@ -131,14 +140,19 @@ class Slip:
     repaired: int
 
 
-def explained(questions: tuple[Question, ...]) -> Slip | None:
-    """The first of these, about one relation, that holds after a slip of the pen; refuted ones first."""
-    with suppress(OutOfTime), limited(EXPLAINING):
-        refuted = [question for question in questions if _verdict(question) is Status.REFUTED]
-        for question in [*dict.fromkeys((*refuted, *questions))][:EXPLAINED]:
-            if text := _slip(question):
-                return Slip(question, sum(_holds(replace(each, relation=text)) for each in questions))
-    return None
+def _slip(question: Question) -> str:
+    """The relation after the likeliest slip with which it holds; "" if none is found."""
+    with suppress(OutOfTime), limited(SLIPS):
+        return next(slips_of(question.relation, question.where, question.letters), "")
+    return ""
+
+
+def _explaining(task: tuple[tuple[tuple[Question, str], ...], tuple[Question, ...]]) -> Slip:
+    """The first of some slips in one relation, of refuted ones first, and with how many sets it holds then."""
+    found, questions = task
+    refuted = (each for each in found if len(found) > 1 and _verdict(each[0]) is Status.REFUTED)
+    question, text = next(refuted, found[0])
+    return Slip(question, sum(_holds(replace(each, relation=text)) for each in questions))
 
 
 def _holds(question: Question) -> bool:
@@ -154,13 +168,6 @@ def exchanged(question: Question, number: int) -> Question:
     where = (*question.where[:m], *question.where[m + 1 :], question.relation)
     sources = (*question.sources[:m], *question.sources[m + 1 :], question.number)
     return replace(question, number=number, relation=question.where[m], where=where, sources=sources)
-
-
-def _slip(question: Question) -> str:
-    """The relation after the likeliest slip with which it holds; "" if none is found."""
-    with suppress(OutOfTime), limited(SLIPS):
-        return next(slips(question.relation, question.where, question.letters), "")
-    return ""
 
 
 def _verdict(question: Question) -> Status:
@@ -289,14 +296,20 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
 
 
 def blamed(
-    sets: Derived, outcomes: Sequence[Outcome], proved: Iterable[tuple[int, tuple[int, ...]]], work: Work
+    sets: Derived,
+    outcomes: Sequence[Outcome],
+    proved: Iterable[tuple[int, tuple[int, ...]]],
+    work: Work,
+    seconds: float = math.inf,
 ) -> tuple[dict[int, Question], list[tuple[int, ...]]]:
     """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
 
     Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
     of the pen explains it. Relations that say the same are right together, and so is what follows from one alone: the
     line behind a wrong one is no witness for it. `proved` are the numbers of others with those of their sources.
+    After so many seconds nothing more is explained.
     """
+    started = time.perf_counter()
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
     holding = [(question.number, question.sources) for each in outcomes for question in each.holding]
     holding += proved
@@ -309,7 +322,7 @@ def blamed(
     right = {x for x, times in held.items() if times >= failed[x]}
     left = {question: {question.number, *question.sources} for question in failing}
     left = {question: {m for m in places if same[m] not in right} for question, places in left.items()}
-    while left := {question: places for question, places in left.items() if places}:
+    while time.perf_counter() - started < seconds and (left := {q: places for q, places in left.items() if places}):
         votes = Counter(x for places in left.values() for x in {same[m] for m in places})
         highest = max(votes.values())
         most = {x for x, count in votes.items() if count == highest}
@@ -342,8 +355,12 @@ def _explained(
     tasks = {
         m: tuple(exchanged(question, m) for question, places in left.items() if m in places) for m in sorted(numbers)
     }
-    slips = work.all(explained, [*dict.fromkeys(filter(None, tasks.values()))], EXPLAINING, lambda reason: None)
-    found = {m: slip for m, task in tasks.items() if task and (slip := slips[task]) is not None}
+    first = {m: every[:EXPLAINED] for m, every in tasks.items()}
+    texts = work.all(_slip, [*dict.fromkeys(each for every in first.values() for each in every)], SLIPS, lambda _: "")
+    held = {m: tuple((each, texts[each]) for each in every if texts[each]) for m, every in first.items()}
+    chosen = {m: (several, tasks[m]) for m, several in held.items() if several}
+    slips = work.all(_explaining, [*dict.fromkeys(chosen.values())], EXPLAINING, lambda _: None)
+    found = {m: slip for m, task in chosen.items() if (slip := slips[task]) is not None}
     most = {same[m] for m, slip in found.items() if 2 * slip.repaired > len(tasks[m])}
     return {m: slip for m, slip in found.items() if same[m] in most}
 

@@ -31,7 +31,8 @@ VALUELESS = (
     "has no algebraic form", "states no relation", "do not compare", "is no product", "a scalar is expected here",
     "stands without its arguments", "an index of a name is not summed over",
 )  # fmt: skip
-LONGEST = 12.0  # seconds in which it is sought what relations follow from; documents of 400 displays take five
+LONGEST = 8.0  # seconds in which it is sought what relations follow from; documents of 400 displays take as long
+EXPLAINING = 5.0  # seconds in which slips are sought that explain why relations do not agree
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
@@ -226,7 +227,7 @@ def _derived(
     own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in proved], work, LONGEST)
     left = f"{rest} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
     follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
-    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved.items(), work)
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved.items(), work, EXPLAINING)
     answers = work.all(decided, [*wrong.values()], SECONDS, undecided)
     refuted = {m: q for m, q in wrong.items() if m not in told and answers[q].verdict is Status.REFUTED}
     found = [(m, _finding(checks.formulas, question, answers[question])) for m, question in refuted.items()]

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from contextlib import suppress
 from functools import lru_cache
+from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -16,12 +17,14 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.document.letters import depends_on
 from symcheck.document.survey import Said
 from symcheck.question.antiderivatives import FAULTS
-from symcheck.question.prepare import Asked, plainly, readings
-from symcheck.question.repairs import likely
+from symcheck.question.prepare import Asked, alone_of, plainly, readings, worded
+from symcheck.question.repairs import likely, missing
 from symcheck.reading import to_latex, to_sympy
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
+
+    from symcheck.core.problems import Problem
 
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
@@ -37,11 +40,10 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class Equation(NamedTuple):
-    """The difference of both sides, its size, and the letters on which it depends, in their order."""
+    """Both sides, as a function of the letters on which they depend, in their order."""
 
     symbols: tuple[Symbol, ...]
-    value: Callable[..., Any]
-    size: Callable[..., Any]
+    sides: Callable[..., Any]
 
 
 class Placed(NamedTuple):
@@ -65,11 +67,12 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     Nor where it has further letters, unless it is asked whether it holds for all values of these.
     """
     try:
-        asked, given, points = _equations(relation, letters), _all(sources, letters), _points(sources, letters)
+        asked, given = _equations(relation, letters), _all(sources, letters)
+        own, known = ({symbol for equation in every for symbol in equation.symbols} for every in (asked, given))
+        points = _points(sources, letters) if further or own <= known else ()
     except (SymcheckError, *FAULTS):
         return None
-    own = {symbol for equation in asked for symbol in equation.symbols}
-    if not points or not (further or own <= points[0].keys()):
+    if not points:
         return None
     points = _with_further(points, own)
     symbols = [*points[0]]
@@ -93,10 +96,9 @@ def _on_a_branch(asked: Sequence[Equation], given: Sequence[Equation], symbols: 
     """
     numbers, own, every = np.random.default_rng(2), _placed(given, symbols), _placed([*given, *asked], symbols)
     for signs in _signs(len(symbols), every):
-        for _ in range(TRIED if np.all(signs > 0) else 1):
-            point = _solved(every, signs * numbers.uniform(0.3, 1.7, len(symbols)))
-            if point is not None and _rank(_jacobian(every, point)) == _rank(_jacobian(own, point)):
-                return True
+        found = _solved(every, signs * numbers.uniform(0.3, 1.7, signs.shape))
+        if any(_rank(_jacobian(every, point)) == _rank(_jacobian(own, point)) for point in found[_is_found(found)]):
+            return True
     return False
 
 
@@ -107,13 +109,13 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
         reading = readings(plainly(Asked(relation, sources, (), letters)))[0]
     except (SymcheckError, *FAULTS):
         return
-    for slip in likely(reading) if points else ():
+    alone = alone_of(reading)
+    for slip in chain(likely(reading), missing(reading)) if points else ():
         with suppress(SymcheckError, *FAULTS), np.errstate(all="ignore"):
-            text = to_latex(slip.tree)
-            equations = _equations(text, letters)
+            equations = [*_of(worded(alone, slip.tree))]
             own = {symbol for equation in equations for symbol in equation.symbols}
             if own and _hold(equations, _with_further(points, own)):
-                yield text
+                yield to_latex(slip.tree)
 
 
 def _all(sources: tuple[str, ...], letters: Said) -> list[Equation]:
@@ -126,57 +128,59 @@ def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float
     equations = _all(sources, letters)
     symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
     numbers, placed = np.random.default_rng(1), _placed(equations, symbols)
-    found: list[dict[Symbol, float]] = []
     with np.errstate(all="ignore"):
         for signs in _signs(len(symbols), placed):
-            for tried in range(TRIED):
-                point = _solved(placed, signs * numbers.uniform(0.3, 1.7, len(symbols)))
-                if point is not None:
-                    found.append(dict(zip(symbols, map(float, point), strict=True)))
-                if len(found) == POINTS:
-                    return tuple(found)
-                if tried and not found:
-                    break
-            if found:
-                break
-    return tuple(found)
+            found = _solved(placed, signs * numbers.uniform(0.3, 1.7, signs.shape))
+            there = _is_found(found)
+            if np.any(there):
+                same = there & np.all(signs == signs[np.argmax(there)], axis=1)
+                return tuple(dict(zip(symbols, map(float, point), strict=True)) for point in found[same][:POINTS])
+    return ()
 
 
-def _hold(equations: Sequence[Equation], points: Sequence[dict[Symbol, float]]) -> bool:
+def _hold(equations: Iterable[Equation], points: Sequence[dict[Symbol, float]]) -> bool:
     """Whether equations hold at several points."""
     count = 0
     for point in points:
-        values = np.array([*point.values()])
-        count += all(_is_zero(each, values) for each in _placed(equations, [*point]))
+        own, values = _placed(equations, [*point]), np.array([[*point.values()]])
+        differences, sizes = _values(own, values)
+        count += bool(np.all(np.abs(differences) <= EQUAL * np.fmax(sizes, EQUAL)))
     return count >= min(ENOUGH, len(points))
 
 
-@lru_cache(4096)
 def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
+    own = ((x, phrase) for x, phrase in letters if x in text and all(y in text for y in depends_on(phrase)))
+    if not (found := _read(text, tuple(own))):
+        raise SymcheckError("no equation is read here")
+    return found
+
+
+@lru_cache(4096)
+def _read(text: str, letters: Said) -> tuple[Equation, ...]:
+    with suppress(SymcheckError, *FAULTS):
+        return tuple(_of(readings(plainly(Asked(text, letters=letters)))[0].problems))
+    return ()
+
+
+def _of(problems: Iterable[Problem]) -> Iterator[Equation]:
+    """The equations that these problems claim."""
     from sympy import lambdify
 
-    own = tuple((x, phrase) for x, phrase in letters if x in text and all(y in text for y in depends_on(phrase)))
-    found = []
-    for problem in readings(plainly(Asked(text, letters=own)))[0].problems:
-        left, right = (_plain(to_sympy(side)) for side in problem.claim.terms)
+    for problem in problems:
         if problem.definitions:
             raise SymcheckError("a value is defined here, and not compared")
-        symbols = tuple(sorted(left.free_symbols | right.free_symbols, key=str))
-        value, size = (lambdify(symbols, each, "numpy") for each in (left - right, abs(left) + abs(right)))
-        found.append(Equation(symbols, value, size))
-    return tuple(found)
+        sides = tuple(_plain(to_sympy(side)) for side in problem.claim.terms)
+        symbols = tuple(sorted(set().union(*(side.free_symbols for side in sides)), key=str))
+        yield Equation(symbols, lambdify(symbols, sides, "numpy"))
 
 
 def _signs(count: int, equations: Sequence[Placed]) -> Iterator[Array]:
-    """Signs of letters, the likeliest first: all above zero, those of a solution, one of them below zero."""
-    yield np.ones(count)
-    numbers = np.random.default_rng(3)
-    for _ in range(TRIED):
-        point = _solved(equations, numbers.uniform(0.3, 1.7, count), free=True)
-        if point is not None and np.any(point < 0):
-            yield np.sign(point)
-            break
-    yield from 1.0 - 2.0 * np.eye(count)
+    """Signs of letters in rows, the likeliest first: all above zero, those of a solution, one of them below zero."""
+    yield np.ones((TRIED, count))
+    free = _solved(equations, np.random.default_rng(3).uniform(0.3, 1.7, (TRIED, count)), free=True)
+    if np.any(negative := np.any(free < 0, axis=1)):
+        yield np.tile(np.sign(free[np.argmax(negative)]), (TRIED, 1))
+    yield np.repeat(1.0 - 2.0 * np.eye(count), ENOUGH, axis=0)
 
 
 def _plain(side: Expr) -> Expr:
@@ -199,49 +203,54 @@ def _placed(equations: Iterable[Equation], symbols: Sequence[Symbol]) -> list[Pl
     return [Placed(each, tuple(places[symbol] for symbol in each.symbols)) for each in equations]
 
 
-def _at(function: Callable[..., Any], places: Sequence[int], point: Sequence[float]) -> float:
-    value = complex(function(*[point[k] for k in places]))
-    return value.real if not value.imag else float("nan")
+def _values(equations: Sequence[Placed], points: Array) -> tuple[Array, Array]:
+    """Differences of the sides at points, one in each row, and their sizes; NaN where a side is no real number."""
+    sides = np.empty((2, len(points), len(equations)))
+    for k, each in enumerate(equations):
+        for values, side in zip(sides, each.equation.sides(*(points[:, n] for n in each.places)), strict=True):
+            found = np.asarray(side, complex)
+            values[:, k] = np.where(found.imag == 0, found.real, np.nan)
+    return sides[0] - sides[1], np.abs(sides[0]) + np.abs(sides[1])
 
 
-def _values(equations: Sequence[Placed], point: Array) -> Array:
-    numbers = [*point]
-    return np.array([_at(each.equation.value, each.places, numbers) for each in equations])
+def _slopes(equations: Sequence[Placed], points: Array) -> tuple[Array, Array]:
+    """Differences at each point, and their derivatives by the logarithms of the letters, which keep their signs so."""
+    many, count = points.shape
+    factors = 1.0 + DIFFERENCE * np.eye(count)
+    around = np.concatenate(
+        [points[:, None], points[:, None] * factors, points[:, None] / factors], axis=1
+    )  # points, places around each, letters
+    values = _values(equations, around.reshape(-1, count))[0].reshape(many, 2 * count + 1, len(equations))
+    slopes = np.asarray((values[:, 1 : count + 1] - values[:, count + 1 :]) / (2 * DIFFERENCE), float)
+    return values[:, 0], np.transpose(slopes, (0, 2, 1))
 
 
 def _jacobian(equations: Sequence[Placed], point: Array) -> Array:
-    """Derivatives by the logarithms of the letters, which keep their signs so."""
-    columns = []
-    for k in range(len(point)):
-        factor = np.ones(len(point))
-        factor[k] += DIFFERENCE
-        ahead, back = (_values(equations, each) for each in (point * factor, point / factor))
-        columns.append((ahead - back) / (2 * DIFFERENCE))
-    return np.array(columns).T.reshape(len(equations), len(point))
+    _, (jacobian,) = _slopes(equations, point[None])
+    return np.asarray(jacobian, float)
 
 
-def _solved(equations: Sequence[Placed], point: Array, free: bool = False) -> Array | None:
-    """A point near another one, with letters of the same signs unless they are free, at which all equations hold."""
+def _solved(equations: Sequence[Placed], points: Array, free: bool = False) -> Array:
+    """Points near others, with letters of the same signs unless they are free, at which all equations hold; or NaN."""
+    found, rows = np.full(points.shape, np.nan), np.arange(len(points))
     for _ in range(STEPS):
-        values = _values(equations, point)
-        if not np.all(np.isfinite(values)) or np.max(np.abs(np.log(np.abs(point))), initial=0.0) > FAR:
-            return None
-        if np.max(np.abs(values), initial=0.0) < SMALL:
-            return point
-        jacobian = _jacobian(equations, point)
-        if not np.all(np.isfinite(jacobian)):
-            return None
-        if free:
-            point = point + np.linalg.lstsq(jacobian / point, -values, rcond=RANK)[0]
-            continue
-        step = np.linalg.lstsq(jacobian, -values, rcond=RANK)[0]
-        point = point * np.exp(step * min(1.0, LONGEST / max(float(np.max(np.abs(step))), LONGEST)))
-    return None
+        values, jacobian = _slopes(equations, points)
+        left = np.max(np.abs(values), axis=1, initial=0.0)
+        near = np.max(np.abs(np.log(np.abs(points))), axis=1, initial=0.0) <= FAR
+        found[rows[near & (left < SMALL)]] = points[near & (left < SMALL)]
+        going = near & (left >= SMALL) & np.all(np.isfinite(jacobian), axis=(1, 2))
+        if not np.any(going):
+            break
+        rows, points, values, jacobian = rows[going], points[going], values[going], jacobian[going]
+        inverse = np.linalg.pinv(jacobian / points[:, None] if free else jacobian, rcond=RANK)
+        step = -(inverse @ values[:, :, None])[:, :, 0]
+        longest = np.max(np.abs(step), axis=1, initial=LONGEST, keepdims=True)
+        points = points + step if free else points * np.exp(step * LONGEST / longest)
+    return found
 
 
-def _is_zero(each: Placed, point: Array) -> bool:
-    value, size = (_at(one, each.places, [*point]) for one in (each.equation.value, each.equation.size))
-    return abs(value) <= EQUAL * max(size, EQUAL)
+def _is_found(points: Array) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    return np.array(np.isfinite(points).all(axis=1))
 
 
 def _rank(jacobian: Array) -> int:

@@ -42,7 +42,10 @@ def relates(problem: Problem, reading: Reading) -> bool:
     integrated = any(part.tag == "integral" for part in jets.parts(problem.claim))
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)
-    claim = unfold(problem.claim, dict(problem.definitions))
+    try:
+        claim = unfold(problem.claim, dict(problem.definitions))
+    except Unsupported:
+        return True  # a derivative by a letter that is defined: nothing tells which others depend on it
     return _relates(claim, known, notation, _has_constant(tree), integrated)
 
 

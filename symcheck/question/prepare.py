@@ -614,6 +614,12 @@ def worded(reading: Reading, tree: Tree) -> tuple[Problem, ...]:
     return _reading(*reading.source, tree).problems
 
 
+def alone_of(reading: Reading) -> Reading:
+    """The reading with the same letters and without definitions and conditions."""
+    asked, inference, *_ = reading.source
+    return _reading(replace(asked, where=(), given=()), replace(inference, facts=()), {}, (), (), reading.tree)
+
+
 def rooted(tree: T) -> T:
     """The same with powers of halves as powers of roots."""
     if not isinstance(tree, Node):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -69,7 +69,7 @@ def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], .
     found: list[dict[str, str]] = []
     try:
         with limited(SECONDS):
-            for slip in likely(reading):
+            for slip in likely(reading, missing(reading)):
                 if _is_proved(reading, slip.tree, point):
                     shown = {"relation": with_brackets(slip.tree), "kind": slip.kind, "edit": slip.description}
                     found.append(shown)
@@ -89,8 +89,8 @@ class Slip(NamedTuple):
     unlikely: float = 0.0
 
 
-def likely(reading: Reading) -> list[Slip]:
-    """The relations that are one slip of the pen away, the likeliest first; nothing is known of them."""
+def likely(reading: Reading, others: Iterable[Slip] = ()) -> list[Slip]:
+    """The relations that are one slip of the pen away, and others, the likeliest first; nothing is known of them."""
     tree, notation = reading.tree, reading.inference.notation
     counts = Counter(node for _, node in walk(tree) if isinstance(node, Name))
     first = {node for _, node in walk(tree.members[0])} if isinstance(tree, Chain) else set()
@@ -104,7 +104,7 @@ def likely(reading: Reading) -> list[Slip]:
         shorter = 0.01 * (_size(slip.tree) - size)
         return LIKELY.index(slip.kind) + slip.unlikely - 10 * odd + _beside(tree, slip.tree) + shorter
 
-    return sorted((*_slips(tree, notation), *_worked_out(reading)), key=rank)
+    return sorted((*_slips(tree, notation), *others), key=rank)
 
 
 def _is_alone(name: Name, tree: Tree, notation: Notation) -> bool:
@@ -128,7 +128,7 @@ def _elsewhere(reading: Reading) -> tuple[set[str], set[str]]:
     return words, names
 
 
-def _worked_out(reading: Reading) -> Iterator[Slip]:
+def missing(reading: Reading) -> Iterator[Slip]:
     """The factor or the addend that the right side lacks, if it is a product of powers of letters."""
     import sympy
 

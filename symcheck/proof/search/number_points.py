@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain, islice, product
+from itertools import chain, islice
 from typing import Any
 
 from symcheck.checker.enclosures import between
@@ -105,7 +105,7 @@ def _corners(names: Iterable[str]) -> Iterator[dict[str, Term]]:
     if not any(indices for _, indices in families):
         return
     kinds = (TRIED, _UNITS, _TURNS)
-    for ks in islice(sorted(product(range(len(_UNITS)), repeat=len(families)), key=sum), CORNERS):
+    for ks in islice(_places(len(families), len(_UNITS)), CORNERS):
         point = dict[str, Term]()
         for k, ((_, indices), members) in zip(ks, families.items(), strict=True):
             for name in members:
@@ -116,11 +116,24 @@ def _corners(names: Iterable[str]) -> Iterator[dict[str, Term]]:
         yield point
 
 
+def _places(count: int, size: int) -> Iterator[tuple[int, ...]]:
+    """So many numbers from zero up to a size, by their sum and then in order; there are too many to sort them."""
+
+    def of_sum(count: int, total: int) -> Iterator[tuple[int, ...]]:
+        if not count:
+            yield ()
+            return
+        for k in range(max(0, total - (count - 1) * (size - 1)), min(size - 1, total) + 1):
+            yield from ((k, *rest) for rest in of_sum(count - 1, total - k))
+
+    for total in range(count * (size - 1) + 1):
+        yield from of_sum(count, total)
+
+
 def _values(count: int) -> Iterator[tuple[Term, ...]]:
     """Values for so many letters: of few letters the simplest ones first, of more at random, without zero."""
     if count <= FEW:
-        places = sorted(product(range(len(TRIED)), repeat=count), key=sum)[:TRIES]
-        return (tuple(TRIED[k] for k in ks) for ks in places)
+        return (tuple(TRIED[k] for k in ks) for ks in islice(_places(count, len(TRIED)), TRIES))
     rng = random.Random(count)
     return (tuple(rng.choices([value for value in TRIED if value != 0], k=count)) for _ in range(TRIES_OF_MANY))
 
