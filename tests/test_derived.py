@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import islice, product
 from pathlib import Path
 
 import pytest
 from test_new import _apart, begun, verdicts  # noqa: F401
 
-from symcheck import look
+from symcheck import decide, look
+from symcheck.document.checks import MOST_CONDITIONS
+from symcheck.document.paper import Document
 from symcheck.document.points import Found, compared, slips
+from symcheck.document.printed import Printed
+from symcheck.proof.search.number_points import _places
 
 LETTERS = (("e", "scalar"),)
 ENERGY = (r"E = \frac{h^2}{2 p^2} - \frac{\mu}{p}", r"p = a (1 - e)", r"a (1 - e^2) = \frac{h^2}{\mu}")
@@ -202,3 +208,53 @@ CASES = [
 def test_nothing_is_said_against_other_cases(text: str, tmp_path: Path) -> None:
     (tmp_path / "cases.md").write_text(text + "\n", encoding="utf-8")
     assert not look(tmp_path / "cases.md").findings
+
+
+GOES_ON = r"""Then
+\begin{equation} \frac{y}{r} = \cos b \cos c - \sin b \sin c \end{equation}
+\begin{equation} = \cos (b SIGN c) \end{equation}
+"""
+
+
+def test_a_display_that_begins_with_a_sign_goes_on_with_the_one_above_it(tmp_path: Path) -> None:
+    for sign, verdict, found in (("+", "proved", []), ("-", "refuted", ["line 3"])):
+        text = GOES_ON.replace("SIGN", sign)
+        own = tmp_path / verdict
+        assert verdicts(begun(own, text, "notes.md"))["0.2"] == verdict
+        seen = look(next(own.rglob("notes.md")))
+        assert [each.place for each in seen.findings] == found
+        assert seen.formulas[1].goes_on
+        assert not look_at(tmp_path, text.replace("\n\\begin{equation} =", " that is \\begin{equation} ="))[1].goes_on
+
+
+def look_at(folder: Path, text: str) -> tuple[Printed, ...]:
+    (folder / "other.md").write_text(text, encoding="utf-8")
+    return look(folder / "other.md").formulas
+
+
+def test_html_has_headings_behind_which_letters_may_mean_something_else(tmp_path: Path) -> None:
+    text = "<h2>One</h2>\n\n$$L = m \\sqrt{a (1 - c^2)}$$\n\n{}\n\n$$L = m \\sqrt{a}$$\n"
+    apart = text.replace("{}", "<h2>Two</h2>")
+    assert [each.scope[0] for each in look_at(tmp_path, apart)] == [1, 2]
+    assert "refuted" not in verdicts(begun(tmp_path / "apart", apart, "n.md")).values()
+    assert "refuted" in verdicts(begun(tmp_path / "together", text.replace("{}", "again"), "n.md")).values()
+
+
+def test_a_far_relation_of_the_same_letters_may_be_a_condition(tmp_path: Path) -> None:
+    apart = "\n\n".join(f"$$u_{k} = {k} v_{k} + w_{k}$$" for k in range(1, 2 * MOST_CONDITIONS))
+    audit = begun(tmp_path, f"$$P = m a$$\n\n{apart}\n\n$$f a = f P$$\n", "n.md")
+    document = Document(str(audit / "audit.py"), "../n.md")
+    claim = document.claim(f"line {5 + 2 * (2 * MOST_CONDITIONS - 1) - 2}")
+    beside = document._beside(replace(claim, question=replace(claim.question, text="f a m = f P")), set())
+    assert beside.question.near == (("line 1", "P = m a"),)
+
+
+def test_points_are_tried_by_their_sums_and_then_in_order() -> None:
+    for count, size in ((0, 3), (1, 5), (3, 3), (4, 5)):
+        assert [*_places(count, size)] == sorted(product(range(size), repeat=count), key=sum)
+    assert len([*islice(_places(60, 5), 100)]) == 100  # of five to the sixtieth
+
+
+def test_a_derivative_by_a_letter_that_is_defined_refutes_nothing() -> None:
+    answer = decide(r"\dot{r} = \dot{u} \frac{d r}{d u}", [r"u = \frac{1}{r}"])
+    assert answer.verdict in ("undecided", "ambiguous", "unreadable", "proved")

@@ -23,7 +23,7 @@ from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
 from symcheck.document.points import slips
-from symcheck.document.survey import Link, Said, apart, is_open, is_sayable, surveyed
+from symcheck.document.survey import SMALLEST, Link, Said, apart, is_open, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered, proved_for_all_sizes
@@ -73,6 +73,7 @@ class Inquiry:
     told     the same in words, where it is not as printed
     near     relations beside it of which nobody claims that they hold, with their places: conditions, perhaps
     alone    whether the auditor says that there are no other conditions
+    goes_on  whether it begins with a sign in the source, and goes on with the display above it
     """
 
     text: str
@@ -83,6 +84,7 @@ class Inquiry:
     told: str = ""
     near: tuple[tuple[str, str], ...] = ()
     alone: bool = False
+    goes_on: bool = False
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -115,15 +117,16 @@ class Inquiry:
             if item.statement.imposes(letter):
                 yield record_with(row, role=Role.PREMISE, reason="what the letter is, and no claim")
             else:
-                yield self._decided(row, link, item.erratum(letter))
+                chained = self.goes_on or letter not in ("", "a")
+                yield self._decided(row, link, item.erratum(letter), chained)
 
-    def _decided(self, row: Record, link: str, erratum: Erratum | None) -> Record:
+    def _decided(self, row: Record, link: str, erratum: Erratum | None, chained: bool) -> Record:
         whole = self._question(link)
         readable = _readable(whole)
         asked = _independent(readable)
         if general := self._general(row, asked):
             return self._corrected(general, link, erratum, Answer(Status.PROVED)) if erratum else general
-        answer = _proof(_fewer(asked)) or _answer(asked, self.alone)
+        answer = _proof(_fewer(asked)) or _answer(asked, self.alone or (chained and _is_identity(asked)))
         if answer.verdict is Status.REFUTED:
             unread = [each for each in whole.where if each not in readable.where]
             doubt = f"it fails, but nothing is read of {unread[0]}, from which it follows" if unread else ""
@@ -509,6 +512,13 @@ def _answer(asked: Asked, claimed: bool = False, wanted: bool = True) -> Answer:
     with suppress(OutOfTime), limited(REPAIRING):
         answer = answered(*arguments, wanted=wanted, claimed=claimed, all_sizes=False)
     return answer or answered(*arguments, wanted=False, claimed=claimed, all_sizes=False)
+
+
+def _is_identity(asked: Asked) -> bool:
+    """Is the link of a chain meant for all values of its letters? It has the same numbers on both sides."""
+    seen = surveyed_once(asked.relation)
+    same = all(link.names[0] == link.names[1] and min(link.sizes) >= SMALLEST for link in seen.links)
+    return not asked.where and len(seen.links) == 1 and same and all(role.kind in NUMBERS for role in seen.roles)
 
 
 def _proof(asked: Asked) -> Answer | None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
 from symcheck.document.printed import Printed
-from symcheck.document.survey import Link, Seen, is_open, is_sayable
+from symcheck.document.survey import SMALLEST, Link, Seen, is_open, is_sayable
 from symcheck.question import Answer, Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
@@ -49,7 +49,6 @@ NEAR = 3  # formulas behind one that may say for what it holds
 SECONDS = 1.0  # for a formula alone; nearly all that are decided at all are decided in a fifth
 SEARCH = 4.0  # seconds for one that seems to fail
 REPAIRING = 2.5  # of these for slips of the pen; nearly all that are found are found in one
-SMALLEST = 3  # parts of a side that is more than a letter with a sign: of shorter ones nothing can be told
 
 
 @dataclass(frozen=True)
@@ -211,7 +210,7 @@ class Checks:
     def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
         both, seen = (self.formulas[m], self.formulas[k]), (self.seen[m], self.seen[k])
-        if len({(f.display, f.scope) for f in both}) > 1 or not both[0].display:
+        if len({(f.display, f.scope) for f in both}) > 1 or not both[0].display or both[1].goes_on:
             return None
         worded = both[0].before != both[1].before
         if worded and not (_goes_on(both[1].before) and self.is_said(k)):

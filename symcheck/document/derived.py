@@ -11,10 +11,11 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from symcheck.document.checks import REFERRING, SMALLEST, Checks, Definition, Question
+from symcheck.document.checks import REFERRING, Checks, Definition, Question
 from symcheck.document.points import Found, compared
 from symcheck.document.points import slips as slips_of
 from symcheck.document.roles import OF_KNOWN, Roles
+from symcheck.document.survey import SMALLEST
 from symcheck.document.work import Work
 from symcheck.question import Status
 from symcheck.question.ask import answered

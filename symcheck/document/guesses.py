@@ -183,7 +183,7 @@ def _inquired(
     guesses: Sequence[Guess], k: int, follows: Iterable[int], formulas: Sequence[Printed], said: Said
 ) -> tuple[Inquiry, str]:
     relied = tuple(Relied(formulas[m].latex, guesses[m].imposed) for m in follows)
-    return Inquiry(formulas[k].latex, relied, letters=said), guesses[k].imposed
+    return Inquiry(formulas[k].latex, relied, letters=said, goes_on=formulas[k].goes_on), guesses[k].imposed
 
 
 def _said(letters: Sequence[Letter]) -> Said:

@@ -103,6 +103,7 @@ class Scanner:
     part: int = 0  # headings so far
     mentions: list[tuple[str, int]] = field(default_factory=list)
     prose: list[str] = field(default_factory=list)
+    above: Sequence[Tok] = ()  # the formula of the last display, if no other stands behind it
     anew: list[str] = field(default_factory=list)
     local: list[int] = field(default_factory=list)
     places: int = 0  # environments of their own so far
@@ -297,13 +298,15 @@ class Scanner:
         self.prose.append("$")
 
     def _keep(self, toks: Sequence[Tok], label: str, number: str, *, display: bool) -> None:
-        latex, tag = split_tag(written(toks).replace("^{}", ""))
-        if not latex:
-            return
-        first = next((tok for tok in toks if not tok.is_space), None)
-        if first is None:
-            return
         before = " ".join("".join(self.prose).split()[-MAX_PROSE:])
+        first = next((tok for tok in toks if not tok.is_space), None)
+        begun = display and not before and first is not None and first.text in RELATIONS
+        above = _last_side(self.above) if begun else []
+        toks = [*above, *toks]
+        latex, tag = split_tag(written(toks).replace("^{}", ""))
+        if not latex or first is None:
+            return
+        self.above = toks if display else ()
         scope = (self.section, self.local[-1] if self.local else 0)
         self.found.append(
             Printed(
@@ -318,6 +321,7 @@ class Scanner:
                 scope,
                 self.part,
                 tuple(self.anew),
+                bool(above),
             )
         )
 
@@ -411,6 +415,18 @@ def _depths(toks: Sequence[Tok]) -> Iterator[tuple[Tok, int]]:
 
 def _outermost(toks: Sequence[Tok]) -> Iterator[Tok]:
     return (tok for tok, depth in _depths(toks) if depth <= 0)
+
+
+def _last_side(toks: Sequence[Tok]) -> list[Tok]:
+    """The last side of a relation, or of a chain of them; nothing if there is no relation."""
+    found: list[Tok] = []
+    related = False
+    for tok, depth in _depths(toks):
+        if depth <= 0 and tok.text in RELATIONS:
+            found, related = [], True
+        elif depth > 0 or tok.text != "&":
+            found.append(tok)
+    return found if related else []
 
 
 def _rows(body: Sequence[Tok]) -> list[list[Tok]]:

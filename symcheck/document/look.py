@@ -243,7 +243,7 @@ def _derived(
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:
     """What each formula is, and each letter by all of them; what is not read alone is read by what the others say."""
     looked_at = work.all(surveyed, [*dict.fromkeys(each.latex for each in formulas)], READING, Seen)
-    seen = [looked_at[each.latex] for each in formulas]
+    seen = [_in_place(looked_at[f.latex], f) for f in formulas]
     every = letters(formulas, seen)
     by_letter = {each.letter: each for each in every}
     read = {role.letter for each in seen if each.read for role in each.roles}
@@ -254,8 +254,13 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     }
     again = work.all(surveyed_with, [task for task in open_.values() if task[1]], READING, Seen)
     better = {latex: found for (latex, _), found in again.items() if found.is_known}
-    seen = [each.again(better[f.latex]) if f.latex in better else each for f, each in zip(formulas, seen, strict=True)]
+    found = zip(formulas, seen, strict=True)
+    seen = [_in_place(each.again(better[f.latex]), f) if f.latex in better else each for f, each in found]
     return seen, letters(formulas, seen)
+
+
+def _in_place(seen: Seen, formula: Printed) -> Seen:
+    return seen.behind_another if formula.goes_on else seen
 
 
 def _finding(formulas: Sequence[Printed], question: Question, answer: Answer) -> Finding:

@@ -28,7 +28,9 @@ _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMat
 # `\_` before a subscript; in words, which come first, it is the sign itself
 _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
 
+HEADINGS = {"h1": "section", "h2": "section"}  # all others are subsections
 _HIDDEN = re.compile(r"\s*<(?:!|\?|script|style|pre)", re.I)  # HTML of which a reader sees no formula
+_HEADING = re.compile(r"<(h[1-6])\b", re.I)
 _TAG = re.compile(r"</?[A-Za-z][^<>$]*>")  # and no sign of order between formulas
 
 # an environment of displays between double dollars, as MathJax wants it: the dollars say nothing more
@@ -45,7 +47,7 @@ def markdown(text: str, scanner: Scanner) -> None:
     for token in _parser().parse(_ENVIRONMENT.sub(r"\1  \2  ", _DIRECTIVES.sub("", text))):
         at = token.map[0] if token.map else at
         if token.type == "heading_open":
-            scanner.heading({"h1": "section", "h2": "section"}.get(token.tag, "subsection"))
+            scanner.heading(HEADINGS.get(token.tag, "subsection"))
         elif token.type == "inline":
             _inline(token.children or [], lines, at, scanner)
         elif token.type in ("math_block", "math_block_label", "amsmath"):
@@ -60,6 +62,8 @@ def markdown(text: str, scanner: Scanner) -> None:
 
 def _within_html(content: str, at: int, scanner: Scanner) -> None:
     """The formulas between the tags of HTML, where MathJax finds them as it does elsewhere."""
+    for heading in _HEADING.findall(content):
+        scanner.heading(HEADINGS.get(heading.lower(), "subsection"))
     lines = _TAG.sub(" ", content).split("\n")
     markdown("\n" * at + "\n".join(line.strip() for line in lines), scanner)
 

@@ -9,7 +9,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from functools import cached_property
+from functools import cache, cached_property
+from itertools import islice
 from pathlib import Path
 from types import MappingProxyType, ModuleType
 from typing import Any, TypeVar
@@ -41,7 +42,9 @@ from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.papers import key_of
 from symcheck.proof import identity
 from symcheck.reading import Notation
+from symcheck.reading.evidence import spelling
 from symcheck.reading.inference import inferred, notation_of
+from symcheck.reading.occurrences import occurrences
 
 MANY = 5  # places that are named one by one
 
@@ -228,7 +231,9 @@ class Document:
             "number": self.numbers[k],
             "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
-            "question": Inquiry(text, relied, conditions, letters, reading, told, alone=given is not None),
+            "question": Inquiry(
+                text, relied, conditions, letters, reading, told, alone=given is not None, goes_on=formula.goes_on
+            ),
         }
 
     def _file(self, formula: Printed) -> str:
@@ -319,12 +324,19 @@ class Document:
         if not isinstance(item.question, Inquiry) or not isinstance(item, Claim):
             return item
         k, used = self.numbers.index(item.number), set(item.uses)
-        near = [
+        own = _letters(item.question.text, *item.question.assumed)
+        near = (
             (self.formulas[m].place, rewritten(self.formulas[m].latex, self.rules)[0])
             for m in nearest(k, len(self.formulas))
             if self.formulas[m].scope[0] == self.formulas[k].scope[0] and self.numbers[m] not in claimed | used
-        ]
-        return replace(item, question=replace(item.question, near=tuple(near[:MOST_CONDITIONS])))
+        )
+        beside = islice((each for each in near if _letters(each[1]) <= own), MOST_CONDITIONS)
+        return replace(item, question=replace(item.question, near=tuple(beside)))
+
+
+@cache
+def _letters(*texts: str) -> frozenset[str]:
+    return frozenset(spelling(place) for text in texts for place in occurrences(text))
 
 
 def _guessed(said: Said) -> list[Any]:

@@ -32,6 +32,8 @@ class Printed:
     anew
         What the text behind that heading prints of letters that may be anything, as `x, y \\in \\mathbb{R}^3` or
         "for any x": they are others than those before.
+    goes_on
+        Whether it begins with a sign and goes on with the display above it, the last side of which it repeats here.
     """
 
     latex: str
@@ -45,6 +47,7 @@ class Printed:
     scope: tuple[int, int]
     part: int = 0
     anew: tuple[str, ...] = ()
+    goes_on: bool = False
 
     @property
     def position(self) -> str:

@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 
-from symcheck.document.checks import AGAIN, NEAR, SMALLEST, Checks, Definition
+from symcheck.document.checks import AGAIN, NEAR, Checks, Definition
 from symcheck.document.letters import shown
-from symcheck.document.survey import Link
+from symcheck.document.survey import SMALLEST, Link
 from symcheck.reading.evidence import spelling
 from symcheck.reading.faces import face
 from symcheck.reading.occurrences import occurrences

@@ -25,6 +25,7 @@ OPENING, CLOSING = (
     frozenset({"}", ")", "]", r"\}", r"\right", r"\end"}),
 )
 # what stands in a formula that is more than a chain of equations
+SMALLEST = 3  # parts of a side that is more than a letter with a sign: of shorter ones nothing can be told
 PARTING = frozenset({",", ";", "&", "<", ">", ":", "|", r"\\", r"\quad", r"\qquad", r"\text"})
 
 
@@ -74,6 +75,11 @@ class Seen:
     @property
     def read(self) -> bool:
         return not self.reason or self.partly
+
+    @property
+    def behind_another(self) -> Seen:
+        """The same as what goes on with the formula above it: its first link is one of a chain."""
+        return replace(self, links=tuple(replace(link, chained=True, head="") for link in self.links))
 
     def again(self, other: Seen) -> Seen:
         """Another reading of it, in which letters are what they were guessed to be, and for the same reason."""
