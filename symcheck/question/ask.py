@@ -658,12 +658,12 @@ def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> l
 
 
 def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSON]) -> list[str]:
-    """The letters of a relation that stands alone, if it is proved where all are positive, as they often are in print.
+    """The letters of a relation without conditions, if it is proved where all are positive, as they often are in print.
 
     One letter alone is hardly meant to be positive, as in a root of its square.
     """
-    names, asked = sorted(at), reading.source[0]
-    if asked.where or asked.given or len(names) < 2 or not any(map(_is_root, nodes(problem.claim))):
+    names, trees = sorted(at), (problem.claim, *(term for _, term in problem.definitions))
+    if reading.source[0].given or len(names) < 2 or not any(map(_is_root, nodes(*trees))):
         return []
     positive = tuple(node(">", x, 0) for x in names)
     stricter = replace(problem, hypotheses=(*problem.hypotheses, ("positive", positive)))

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from functools import partial
 from math import lcm
 
@@ -621,14 +622,31 @@ def alone_of(reading: Reading) -> Reading:
 
 
 def rooted(tree: T) -> T:
-    """The same with powers of halves as powers of roots."""
+    """The same with powers of halves as powers of roots, negative ones as their reciprocals."""
     if not isinstance(tree, Node):
         return tree
     new = mapped(tree, rooted)
-    match new:
-        case Value(tag="pow", terms=(base, Value(tag="/", terms=(int(n), 2)))):
-            return node("sqrt", base) if n == 1 else node("^", node("sqrt", base), n)  # type: ignore[return-value]
-    return new  # type: ignore[return-value]
+    if not (isinstance(new, Value) and new.tag == "pow") or (exponent := _fraction(new.terms[1])) is None:
+        return new  # type: ignore[return-value]
+    if exponent.denominator != 2:
+        return new  # type: ignore[return-value]
+    root = node("sqrt", new.terms[0])
+    power = root if abs(exponent.numerator) == 1 else node("^", root, abs(exponent.numerator))
+    return power if exponent > 0 else node("/", 1, power)  # type: ignore[return-value]
+
+
+def _fraction(term: Term) -> Fraction | None:
+    """The rational number that a term of whole numbers, signs and strokes is."""
+    match term:
+        case int(number):
+            return Fraction(number)
+        case Value(tag="-", terms=(one,)):
+            value = _fraction(one)
+            return None if value is None else -value
+        case Value(tag="/", terms=(one, other)):
+            above, below = _fraction(one), _fraction(other)
+            return above / below if above is not None and below else None
+    return None
 
 
 def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:

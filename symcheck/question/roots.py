@@ -3,6 +3,7 @@ with fractions for exponents."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -33,7 +34,7 @@ def rooted(problem: Problem) -> Problem:
     claim = problem.claim
     bound = any(part.bound for part in nodes(*trees))
     if isinstance(claim, Relation) and claim.tag == "=" and len(hints) < 2 * len(roots) and not bound:
-        hints += [*shorter, Applied("equal_squares", claim.terms, ())]
+        hints += [*shorter, *(Applied("equal_squares", sides, ()) for sides in _without_common(*claim.terms))]
     powers = dict.fromkeys(part for part in nodes(*trees) if part.tag == "pow" and not bound)
     hints += [hint for part in [*powers][:MOST] for hint in _of_power(part)]
     if not bound:
@@ -44,6 +45,25 @@ def rooted(problem: Problem) -> Problem:
                 case Value(tag="pow", terms=(base, Value(tag="/", terms=(1, int(q))))) if q > 1:
                     hints.append(Applied("power_inverse", (other, q, base), ()))
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
+
+
+def _without_common(left: Term, right: Term) -> Iterator[tuple[Term, Term]]:
+    """Both sides, and both without the factors that they share, of which the signs may be unknown."""
+    yield left, right
+    first, second = Counter(_factors(left)), Counter(_factors(right))
+    if first & second:
+        yield _product(first - second), _product(second - first)
+
+
+def _factors(term: Term) -> tuple[Term, ...]:
+    if isinstance(term, Value) and term.tag == "*":
+        return tuple(factor for each in term.terms for factor in _factors(each))
+    return (term,)
+
+
+def _product(factors: Counter[Term]) -> Term:
+    several = [*factors.elements()]
+    return node("*", *several) if len(several) > 1 else several[0] if several else 1
 
 
 def _of_power(power: Node) -> Iterator[Applied[Term]]:

@@ -4,24 +4,36 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import product
 
 from symcheck.core.terms import Term, Value, node
-from symcheck.proof.algebra.flint import Poly, by_powers, fraction, rational
+from symcheck.proof.algebra.flint import Poly, by_powers, fraction
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
+from symcheck.proof.algebra.polynomial import number_of
 from symcheck.proof.algebra.variables import circle, cosine, sine, table
 
+FEW = 6  # addends of a polynomial of which a bound is multiplied by a letter
 MAX_BOUNDS = 3  # subtracted one after the other: each is tried at every addend, so the work grows as their power
+
+
+HALF = Fraction(1, 2)
 
 
 def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term | None:
     """A manifestly non-negative term equal to a fraction (its numerator may be given in another form), or None."""
     ratio = known.ring.ratio(term)
-    form = form_on_the_circle(ratio.num if top is None else top, known)
-    if form is None or not ratio.den:
-        return form
-    bottom = ratio.bottom()
-    below = form_on_the_circle(bottom, known)
-    return form if bottom == 1 else None if below is None else node("/", form, below)
+    top = ratio.num if top is None else top
+    if not ratio.den:
+        return form_on_the_circle(top, known)
+    for sign in (1, -1):
+        bottom = sign * ratio.bottom()
+        if (form := form_on_the_circle(sign * top, known)) is None:
+            continue
+        if bottom == 1:
+            return form
+        if (below := form_on_the_circle(bottom, known)) is not None:
+            return node("/", form, below)
+    return None
 
 
 def positive_form(poly: Poly, known: Knowledge) -> Term | None:
@@ -49,23 +61,31 @@ def positive_form(poly: Poly, known: Knowledge) -> Term | None:
 
 def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
     """The same, as sin^2 + cos^2 = 1 allows: 1 + 3 cos^2 a for 4 - 3 sin^2 a."""
-    forms = (positive_form(written, known) for written in (poly, *_on_the_circle(poly)))
-    found = next((form for form in forms if form is not None), None)
-    return _within_one(poly, known) if found is None else found
+    every = [poly, *_on_the_circle(poly)]
+    forms = (form(written, known) for form in (positive_form, _within_one) for written in every)
+    return next((form for form in forms if form is not None), None)
 
 
 def _within_one(poly: Poly, known: Knowledge) -> Term | None:
-    """The same of 2 + sin x and the like, as 2 (1 + sin x) = (1 + sin x)^2 + cos^2 x."""
-    rest, parts = poly, list[Term]()
-    for name, generator in zip(poly.context().names(), poly.context().gens(), strict=True):
-        ((exponents, _),) = generator.terms()
-        if (turn := circle(name)) is None or not (a := fraction(poly[exponents])):
+    """The same of 2 + sin x, 1 - e sin x and the like, as 2 (1 + sin x) = (1 + sin x)^2 + cos^2 x."""
+    rest, parts, context = poly, list[Term](), poly.context()
+    for k, (name, generator) in enumerate(zip(context.names(), context.gens(), strict=True)):
+        if (turn := circle(name)) is None:
             continue
-        rest -= generator * rational(a) + rational(abs(a))
+        own = {(*powers[:k], 0, *powers[k + 1 :]): a for powers, a in poly.terms() if powers[k] == 1}
+        alone = {powers: a for powers, a in own.items() if not any(powers)}
+        sizes = ((sign * context.from_dict(each), sign) for each in (own, alone) if each for sign in (1, -1))
+        found = next(((size, sign, form) for size, sign in sizes if (form := positive_form(size, known))), None)
+        if found is None:
+            continue
+        size, sign, form = found
+        rest -= sign * generator * size + size
         other = table().term((cosine if turn[0] == "sin" else sine)(turn[1]))
-        beside = table().term(name) if a > 0 else node("-", table().term(name))
+        beside = table().term(name) if sign > 0 else node("-", table().term(name))
         squares = node("+", node("^", node("+", 1, beside), 2), node("^", other, 2))
-        parts.append(node("*", number_term(abs(a) / 2), squares))
+        whole = number_of(form)
+        half = number_term(HALF if whole is None else whole / 2)
+        parts.append(node("*", half, squares) if whole is not None else node("*", half, form, squares))
     last = positive_form(rest, known) if parts and rest != 0 else 0
     return node("+", *parts, last) if parts and last is not None else None
 
@@ -111,6 +131,23 @@ def _factor_form(poly: Poly, known: Knowledge, depth: int = MAX_BOUNDS) -> Term 
                 return node("*", number, bound.term)
             if (form := _factor_form(rest, known, depth - 1)) is not None:
                 return node("+", node("*", number, bound.term), form)
+    return _with_a_multiple(poly, known) if depth == MAX_BOUNDS and len(poly) <= FEW else None
+
+
+def _with_a_multiple(poly: Poly, known: Knowledge) -> Term | None:
+    """The same with one bound times what has a sign: 1 - x y is x (1 - y) + (1 - x)."""
+    for bound in known.signs:
+        for (own, divisor), (powers, coefficient) in product(bound.poly.terms(), poly.terms()):
+            exponents = tuple(b - a for a, b in zip(own, powers, strict=True))
+            if divisor * coefficient <= 0 or min(exponents) < 0 or not any(exponents):
+                continue
+            factor = poly.context().from_dict({exponents: coefficient / divisor})
+            if known.sign(times := term_of(factor))[0]:
+                rest = poly - bound.poly * factor
+                if rest == 0:
+                    return node("*", times, bound.term)
+                if (form := _factor_form(rest, known, MAX_BOUNDS - 1)) is not None:
+                    return node("+", node("*", times, bound.term), form)
     return None
 
 

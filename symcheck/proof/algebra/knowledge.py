@@ -16,6 +16,7 @@ from symcheck.proof.algebra.facts import NOTHING, Assumed, Fact, Grounds, Hypoth
 from symcheck.proof.algebra.flint import Poly, fraction
 from symcheck.proof.algebra.ideal import Ideal
 from symcheck.proof.algebra.polynomial import Ring, unfold, variables
+from symcheck.proof.algebra.variables import table
 
 ORDERS = ("<", "<=", ">", ">=")
 
@@ -137,10 +138,22 @@ class Knowledge:
         return 0, NOTHING
 
     def nonzero(self, poly: Poly) -> list[Reference] | None:
-        """A reference to a condition that the polynomial is a multiple of, none for a number; None if there is none."""
+        """A reference to a condition that the polynomial is a multiple of, none for a number; None if there is none.
+
+        Or to one that says that a number is positive of which the polynomial is the root.
+        """
         if poly.is_constant():
             return [] if poly != 0 else None
-        return next(([ref] for ref, condition in self.conditions if proportional(poly, condition) is not None), None)
+        found = next(([ref] for ref, condition in self.conditions if proportional(poly, condition) is not None), None)
+        return found or self._of_positive_root(poly)
+
+    def _of_positive_root(self, poly: Poly) -> list[Reference] | None:
+        names = [x for x, generator in self.ring.generator.items() if generator == poly] if len(poly) == 1 else []
+        root = table().term(names[0]) if names else 0
+        if not (isinstance(root, Value) and root.tag == "sqrt") or not variables(root.terms[0]) <= {*self.ring.names}:
+            return None
+        inner = self.ring.ratio(root.terms[0])
+        return next(([s.ref] for s in self.signs if s.level == 2 and not inner.den and s.poly == inner.num), None)
 
 
 def larger_first(relation: Formula) -> Formula:

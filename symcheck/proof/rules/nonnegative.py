@@ -8,7 +8,7 @@ from itertools import chain
 from typing import ClassVar
 
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Term, node
+from symcheck.core.terms import Formula, Node, Term, mapped, node
 from symcheck.proof.algebra.facts import Fact, Signed
 from symcheck.proof.algebra.flint import Poly
 from symcheck.proof.algebra.forms import fraction_form, stronger
@@ -35,7 +35,8 @@ def prove_order(
     small, large = goal.terms if goal.tag[0] == "<" else goal.terms[::-1]
     gap: Term = large if small == 0 else node("+", large, node("-", small))
     wanted = 1 if goal.tag.endswith("=") else 2
-    for form in chain((*forms, gap), _derived(gap, known), _strict(gap, known) if wanted == 2 else ()):
+    stricter = chain(_strict(gap, known), _of_positive_roots(gap, known)) if wanted == 2 else ()
+    for form in chain((*forms, gap), _derived(gap, known), stricter):
         level, grounds = known.sign(form)
         if level < wanted:
             continue
@@ -66,3 +67,18 @@ def _strict(gap: Term, known: Knowledge) -> Iterator[Term]:
     strict = replace(known, signs=tuple(sign for sign in known.signs if sign.level == 2))
     for form in _derived(gap, strict):
         yield stronger(form, strict)
+
+
+def _of_positive_roots(gap: Term, known: Knowledge) -> Iterator[Term]:
+    """Forms in which the roots of what is positive are written as t/sqrt(t), which is positive."""
+
+    def written(tree: Term) -> Term:
+        if not isinstance(tree, Node):
+            return tree
+        if tree.tag == "sqrt" and known.sign(tree.outside[0])[0] == 2:
+            return node("/", tree.outside[0], tree)
+        return mapped(tree, written) if not tree.bound else tree
+
+    for form in (gap, *_derived(gap, known)):
+        if (new := written(form)) != form:
+            yield new
