@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
@@ -116,7 +117,7 @@ class Definition:
     number: int
     link: Link
 
-    @property
+    @cached_property
     def names(self) -> frozenset[str]:
         """All of its letters."""
         return self.link.names[0] | self.link.names[1]

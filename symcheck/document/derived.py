@@ -189,6 +189,7 @@ class Derived:
             for letter in seen.heads:
                 self.anew.setdefault(letter, set()).add(checks.formulas[k].scope[0])
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
+        self.stated = {k for k, every in self.usable.items() if every and self.is_said(k)}
 
     def _usable(self, k: int) -> Iterator[Definition]:
         """The equations of a formula that says something for good: more than the value of a letter in one case."""
@@ -207,7 +208,7 @@ class Derived:
         places = [*range(k - 1, -1, -1)]
         if later:
             places = [m for m in (*range(k + 1, k + 1 + FAR), *places[:FAR]) if m in self.usable]
-        pool = [each for m in places if self.is_said(m) for each in self.usable[m] if self._serves(m, k)]
+        pool = [each for m in places if m in self.stated and self._serves(m, k) for each in self.usable[m]]
         found = []
         for each in self.usable[k]:
             sets = sorted(
@@ -274,6 +275,10 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
     """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated."""
     found: list[tuple[Definition, ...]] = []
     done = set[frozenset[Definition]]()
+    with_name: dict[str, list[Definition]] = {}
+    for each in pool:
+        for name in each.names:
+            with_name.setdefault(name, []).append(each)
 
     def grow(chosen: tuple[Definition, ...]) -> None:
         if len(found) == MOST_SETS or len(done) > MOST_STEPS:
@@ -285,7 +290,7 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
             return
         if len(chosen) == MOST_SOURCES:
             return
-        choices = [[each for each in pool if name in each.names and each not in chosen] for name in alone]
+        choices = [[each for each in with_name.get(name, ()) if each not in chosen] for name in alone]
         for each in min(choices, key=len):
             more = frozenset((*chosen, each))
             if more not in done:

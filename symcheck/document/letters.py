@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
+from functools import cache
 
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
@@ -85,6 +86,7 @@ def _common(phrases: Counter[str], every: Mapping[str, Counter[str]]) -> str:
     return max(whole, key=lambda phrase: phrases[phrase], default="")
 
 
+@cache
 def shown(letter: str) -> str:
     """A letter without idle spaces, as somebody would type it."""
     return written([tok for tok in tokens(letter) if not tok.is_space])
