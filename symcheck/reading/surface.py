@@ -256,8 +256,20 @@ def _scripts_in_order(parts: list[Part]) -> list[Part]:
     return found
 
 
+BEHIND = frozenset("^_=+-/)],.;<>&") | {r"\right", r"\cdot", r"\times", r"\le", r"\ge", r"\leq", r"\geq", r"\\", ""}
+
+
+def _with_bars(parts: list[Part]) -> list[Part]:
+    r"""Pairs of `\parallel` as the bars of lengths, which close where no operand follows."""
+    places = [k for k, part in enumerate(parts) if part == r"\parallel"]
+    if len(places) % 2 or any([*parts, ""][k + 1] not in BEHIND for k in places[1::2]):
+        return parts
+    return [r"\|" if part == r"\parallel" else part for part in parts]
+
+
 def _made_plain_here(parts: list[Part]) -> list[Part]:
     found: list[Part] = []
+    parts = _with_bars(parts)
     k = 0
     while k < len(parts):
         part = parts[k]
@@ -277,6 +289,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
             k += 1 + _argument_count(parts, k, NOTHING[part])
         elif part in FONTS and not (k + 1 < len(parts) and isinstance(parts[k + 1], Group)) and _is_switch(part):
             return found + _styled(FONTS[part], _made_plain(parts[k + 1 :]))
+        elif part in (r"\bf", r"\rm"):  # before a group, as if it took an argument
+            found += _styled(FONTS[part], _inner(parts[k + 1]))
+            k += 2
         elif part in SECOND and k + 2 < len(parts):
             found += _second(part, parts[k + 1], parts[k + 2])
             k += 3
