@@ -364,7 +364,7 @@ def test_what_means_one_thing_is_read(latex: str) -> None:
 TYPED = {  # what is typed otherwise, and reads as the second one
     r"\bf{R}_{a} = \bf{R}_b^T": r"\mathbf{R}_{a} = \mathbf{R}_b^T",
     r"a \not= b": r"a \ne b",
-    r"T = m \parallel\vec{v}\parallel^2 - \frac{k}{\parallel\vec{r}\parallel}": r"T = m \|\vec{v}\|^2 - \frac{k}{\|\vec{r}\|}",
+    r"T = m \parallel\vec{v}\parallel^2 - \frac{k}{\parallel r\parallel}": r"T = m \|\vec{v}\|^2 - \frac{k}{\|r\|}",
     r"azimuth = \arctan x": r"\mathrm{azimuth} = \arctan x",
     r"\mathsf{SNR} = 10 x": r"\mathrm{SNR} = 10 x",
     r"N = [N_1 \, N_2 \, N_3]": r"N = [N_1, N_2, N_3]",
