@@ -5,15 +5,17 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Role, Said, Seen, is_sayable
+from symcheck.reading.evidence import spelling
 from symcheck.reading.faces import is_styled
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
+from symcheck.reading.occurrences import occurrences
 from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
@@ -139,6 +141,39 @@ def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> lis
     read = {role.letter for each in seen if each.read for role in each.roles}
     named = {role.letter for each in seen if ONE_NAME in each.reason for role in each.roles}
     return [each for each in every if each.letter in read or each.letter not in named]
+
+
+_NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
+
+
+def factors(formulas: Sequence[Printed], seen: Sequence[Seen]) -> set[str]:
+    """The letters of formulas that are read; those of what elsewhere may be a name only where they stand without it."""
+    found = set[str]()
+    runs = _runs(seen)
+    for formula, each in zip(formulas, seen, strict=True):
+        if each.read:
+            rest = formula.latex
+            for run in runs.values():
+                rest = run.sub(" ", rest)
+            apart = {spelling(place) for place in occurrences(rest)} if rest != formula.latex else None
+            found |= {role.letter for role in each.roles if apart is None or shown(role.letter) in apart}
+    return found
+
+
+def in_doubt(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Seen]:
+    """The same, but what may be a name in one formula may be one in all of them."""
+    doubts = {run: each.reason for each in seen for run in _NAME.findall(each.reason)}
+    runs, found = _runs(seen), [*seen]
+    for k, (formula, each) in enumerate(zip(formulas, seen, strict=True)):
+        if each.read and (run := next((x for x, printed in runs.items() if printed.search(formula.latex)), "")):
+            found[k] = replace(each, reason=doubts[run], partly=False)
+    return found
+
+
+def _runs(seen: Sequence[Seen]) -> dict[str, re.Pattern[str]]:
+    """What may be one name, and how it is printed, the longest first."""
+    every = sorted({run for each in seen for run in _NAME.findall(each.reason)}, key=len, reverse=True)
+    return {run: re.compile(r"(?<![A-Za-z\\])" + r"\s*".join(run) + "(?![A-Za-z])") for run in every}
 
 
 def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:

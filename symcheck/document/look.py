@@ -14,7 +14,7 @@ from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
 from symcheck.document.derived import LATER, Derived, blamed, sought
-from symcheck.document.letters import Letter, elsewhere, letters
+from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, letters
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Roles
 from symcheck.document.sources import source
@@ -246,7 +246,7 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     seen = [_in_place(looked_at[f.latex], f) for f in formulas]
     every = letters(formulas, seen)
     by_letter = {each.letter: each for each in every}
-    read = {role.letter for each in seen if each.read for role in each.roles}
+    read = factors(formulas, seen)
     open_ = {
         f.latex: (f.latex, elsewhere(each, by_letter, read))
         for f, each in zip(formulas, seen, strict=True)
@@ -256,6 +256,7 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     better = {latex: found for (latex, _), found in again.items() if found.is_known}
     found = zip(formulas, seen, strict=True)
     seen = [_in_place(each.again(better[f.latex]), f) if f.latex in better else each for f, each in found]
+    seen = in_doubt(formulas, seen)
     return seen, letters(formulas, seen)
 
 
