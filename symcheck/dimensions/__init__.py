@@ -9,6 +9,7 @@ from symcheck.dimensions.verdict import (
     Dimensions,
     dimensions,
     inferred,
+    of_printed,
     shown_form,
 )
 
@@ -24,6 +25,7 @@ __all__ = [
     "dimensions",
     "form_of",
     "inferred",
+    "of_printed",
     "shown",
     "shown_form",
 ]
