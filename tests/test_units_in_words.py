@@ -31,6 +31,8 @@ SAID = {
     "$k$: heat conductivity [W/(m K)]": {"k": "W/(m K)"},
     r"$\mu$ [Pa s] is the viscosity; $\sigma$ (N/m²)": {r"\mu": "Pa s", r"\sigma": "N/m^2"},
     "$f(t)$ is a force [N]": {"f": "N"},
+    r"$\rho$ is the density $[\frac{kg}{m^3}]$, $A$ is the area $[m^2]$": {r"\rho": "kg/(m^3)", "A": "m^2"},
+    "$g$ [m/s2], $h$ [W m-2 K-1]": {"g": "m/s^2", "h": "W m^-2 K^-1"},
     # what is no unit, or not certainly one of this letter
     "see the field $E$ [1], and $x$ in a bar": {},
     "$a$ and $b$ are in kg and m respectively": {},
@@ -39,6 +41,8 @@ SAID = {
     "The rate $r$ in percent": {},
     "the angles $a$ (see [m]). It is in kg": {},
     "$d$ is the distance covered in s": {},
+    "the product of the voltage $V$ and the number of cells $N$ [V]": {},
+    "$x$ in $[a, b]$": {},
 }
 
 

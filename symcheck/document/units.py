@@ -25,7 +25,7 @@ _NAMED = (
     r"amp(?:ere)?|coulomb|farad|henry|tesla|weber|ohm|mole|radian|steradian|kelvin)s?|(?:kilo|mega|giga)?hertz|"
     r"minutes?|hours?|days?|years?)"
 )
-_POWER = r"(?:\s?\^\s?(?:\(-?\d+(?:/\d+)?\)|-?\d+))?"
+_POWER = r"(?:\s?\^\s?(?:\(-?\d+(?:/\d+)?\)|-?\d+)|-?\d(?!\d))?"
 _FACTOR = rf"(?:{_NAMED}|{_SYMBOL})(?![A-Za-zµμ]){_POWER}"
 _TIMES = r"(?:\s*[·⋅*/]\s*|\s*\.\s*(?=[A-Za-zµμΩ])|\s+per\s+|\s+)"
 UNIT = rf"(?:1\s*/\s*)?{_FACTOR}(?:{_TIMES}(?:\(\s*{_FACTOR}(?:{_TIMES}{_FACTOR})*\s*\)|{_FACTOR}))*"
@@ -54,6 +54,8 @@ _MEASURED = re.compile(
 )
 # words that turn to something else than the letter: "the number of turns in seconds", "the distance covered in s"
 _OTHER = re.compile(r"\b(?:numbers?|count|amount|respectively|(?!measured|expressed|given)\w+[^e\W]ed|whose)\b")
+# words before a letter to which its unit does not belong: "the product of n and the number of cells $N$ [V]"
+_OF_SEVERAL = re.compile(r"\b(?:product|ratio|sum|difference|quotient|numbers?)\b")
 _ARGUMENT = re.compile(r"^(.*[^\s\\])\s*\([A-Za-z, ]+\)$")
 LISTS = re.compile(r"\W*(?:\w+ (?:of|and) )?(?:nomenclature|notations?|symbols|variables|parameters|units)\b", re.I)
 # of such texts the formulas are not those of the quantities
@@ -92,7 +94,8 @@ def stated(text: str) -> Iterator[tuple[str, str]]:
         for found in pattern.finditer(text):
             words, unit = found["words"], found["unit"]
             letters = re.findall(r"\$([^$]+)\$", found["letters"])
-            if _OTHER.search(words) or not _is_certain(words, unit, found[0]):
+            before = re.split(r"[.;]\s", text[: found.start()])[-1]
+            if _OTHER.search(words) or _OF_SEVERAL.search(before) or not _is_certain(words, unit, found[0]):
                 continue
             several = len(letters) > 1 and re.match(r"\s*(?:are|denote|be)\b", words)
             for letter in letters if several else letters[-1:]:
@@ -121,7 +124,8 @@ def _letter(letter: str, unit: str) -> Iterator[tuple[str, str]]:
 
 
 def _read(unit: str) -> str:
-    """A unit as it is taken: without words."""
+    """A unit as it is taken: without words, and with the signs of powers."""
+    unit = re.sub(r"(?<=[A-Za-zµμΩ])(?=-?\d)", "^", unit)
     return re.sub(r"\s+per\s+", "/", unit).replace("Ω", "ohm").replace("μ", "µ")
 
 
@@ -129,7 +133,7 @@ def _plain(text: str) -> str:
     r"""Words with units in plain letters: `m/s$^2$`, `$\mathrm{kg}\,\mathrm{m}^{-3}$` and `m²` as `kg m^-3`."""
     text = re.sub(r"\$\s*(?:\{\})?\^\s*\{?\s*(-?\d+)\s*\}?\s*\$", r"^\1", text)
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda found: "^" + found[0].translate(_SUPERSCRIPT), text)
-    text = re.sub(r"\$([^$]*\\(?:mathrm|text|rm|textrm|mathsf)\b[^$]*)\$", _unit, text)
+    text = re.sub(r"\$([^$]*(?:\\(?:mathrm|text|rm|textrm|mathsf)\b|\[)[^$]*)\$", _unit, text)
     text = re.sub(r"\b(square|cubic) (\w+)", lambda found: f"{found[2]}^{2 if found[1] == 'square' else 3}", text)
     return re.sub(r"[^\S\n]+", " ", text)
 
@@ -138,8 +142,9 @@ def _unit(found: re.Match[str]) -> str:
     """A formula that is nothing but a unit, as words; else the formula."""
     words = re.sub(r"\\(?:mathrm|text|rm|textrm|mathsf)\b|\\[,;:! ]|~|[{}]", " ", found[1])
     words = re.sub(r"\\cdot|\\times", "·", words).replace(r"\Omega", "Ω").replace(r"\mu", "µ")
+    words = re.sub(r"\\[dt]?frac\s(.*?)\s\s+(.*?)(?=\s*\]|$)", r"\1/(\2)", words)
     words = re.sub(r"\s*\^\s*", "^", " ".join(words.split()))
-    return words if re.fullmatch(UNIT, words) else found[0]
+    return words if re.fullmatch(rf"{UNIT}|\[ ?{UNIT} ?\]", words) else found[0]
 
 
 def of_letters(told: Iterable[Told], scope: tuple[int, int]) -> dict[str, Told]:
