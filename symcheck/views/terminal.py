@@ -20,12 +20,12 @@ from symcheck.audit.dimensions import Unit
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Group, Verdict
-from symcheck.dimensions import INCONSISTENT
+from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
 from symcheck.views import model
 from symcheck.views.diagnostics import near
-from symcheck.views.dimensions import conflict, fits
+from symcheck.views.dimensions import conflict, fits, unlike
 from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
 
@@ -110,12 +110,14 @@ def findings(out: Console, records: Sequence[Record]) -> None:
     if others:
         counted = "; ".join(f"{group}: {count}" for group, count in others.items())
         _wrapped(out, f"{'And' if serious else 'Wrong as printed:'} {counted}")
+    open_ = [record for record in records if record.dimension and record.dimension.verdict == UNDETERMINED]
+    _listed(out, "Dimensions that are not determined", ((each.id, unlike(each.dimension)) for each in open_))
     conflicts = [record for record in records if record.dimension and record.dimension.verdict == INCONSISTENT]
     _listed(out, "Dimensions that do not fit", ((each.id, conflict(each.dimension)) for each in conflicts))
     kinds = Counter(record.kind for record in records if record.verdict is Verdict.REFUTED and record.kind)
     if kinds.total() > 1:
         _wrapped(out, f"Causes: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}")
-    if undecided or faults or conflicts:
+    if undecided or faults or open_ or conflicts:
         out.print()
 
 
