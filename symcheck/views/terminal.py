@@ -23,6 +23,7 @@ from symcheck.core.verdicts import Group, Verdict
 from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
+from symcheck.ledger.changes import Change
 from symcheck.views import model
 from symcheck.views.diagnostics import near
 from symcheck.views.dimensions import conflict, fits, unlike
@@ -119,6 +120,17 @@ def findings(out: Console, records: Sequence[Record]) -> None:
         _wrapped(out, f"Causes: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}")
     if undecided or faults or open_ or conflicts:
         out.print()
+
+
+def changes(out: Console, name: str, found: Sequence[Change]) -> None:
+    """What changed since an older ledger: the verdicts by name, all else counted."""
+    verdicts = [each for each in found if each.verdict]
+    others = Counter(each.what.partition(":")[0].partition(";")[0] for each in found if not each.verdict)
+    counted = Counter(each.what for each in verdicts) + others
+    said = "; ".join(f"{count} {what}" for what, count in counted.most_common())
+    _wrapped(out, f"Since {name}: {said or 'nothing has changed'}")
+    _listed(out, "Other verdicts", ((each.id, each.what) for each in verdicts))
+    out.print()
 
 
 def _listed(out: Console, title: str, rows: Iterable[tuple[str, str]]) -> None:
