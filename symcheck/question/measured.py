@@ -62,7 +62,7 @@ def measured(printed: Asked, units: Mapping[str, str], cautious: bool = False) -
                 of_printed(
                     printed.relation,
                     lower(each.tree, each.inference.notation),
-                    *_known(printed, units, each.inference.notation, cautious),
+                    *known_of(printed, units, each.inference.notation, cautious),
                     cautious=cautious,
                 )
                 for each in several
@@ -83,8 +83,8 @@ def measured(printed: Asked, units: Mapping[str, str], cautious: bool = False) -
     )
 
 
-def _known(
-    printed: Asked, units: Mapping[str, str], notation: Notation, cautious: bool
+def known_of(
+    printed: Asked, units: Mapping[str, str], notation: Notation, cautious: bool = False
 ) -> tuple[Known, tuple[Scale, ...]]:
     """What is said of letters, and what the definitions and conditions tell of others; the quantities that are 1."""
     known: Known = {}

@@ -24,6 +24,7 @@ from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
 from symcheck.ledger.changes import Change
+from symcheck.question.answer import General
 from symcheck.views import model
 from symcheck.views.diagnostics import near
 from symcheck.views.dimensions import conflict, fits, unlike
@@ -167,13 +168,17 @@ def summary(out: Console, records: Sequence[Record]) -> None:
         _wrapped(out, line)
 
 
-def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
-    """Everything that is known of one relation."""
+def show(out: Console, record: Record, whole_certificate: bool = False, general: General | None = None) -> None:
+    """Everything that is known of one relation, and its form for any value of a quantity that is printed as 1."""
     relation = Relation(record)
     out.print(Text(relation.title, style="bold"))
     _print(out, _fields(relation))
     for certificate in record.certificates:
         _certificate(out, certificate, whole_certificate)
+    if general:
+        _print(out, [("in general", f"{general.relation}: proved too")])
+        for certificate in general.certificate:
+            _certificate(out, certificate, whole_certificate)
 
 
 def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str, str | Text]]:
