@@ -24,8 +24,10 @@ __all__ = [
     "dimension",
     "dimensions",
     "form_of",
+    "general",
     "inferred",
     "of_printed",
+    "rules",
     "shown",
     "shown_form",
 ]

@@ -22,7 +22,7 @@ from symcheck.dimensions.units import shown
 
 CONSISTENT, INCONSISTENT, UNDETERMINED = "consistent", "inconsistent", "undetermined"
 NUMBER = "what has to be a number"
-DECIMAL = re.compile(r"\d(?:\.|\{?,\}?)\d")
+DECIMAL = re.compile(r"\d(?:\.|\{?,\}?)\d")  # with a full stop or a comma, perhaps in braces
 NUMBERS = "its numbers may measure something"
 LONGEST = 200  # characters of a term in a message
 ROUNDS = 3  # of putting what is found into powers with a letter in the exponent

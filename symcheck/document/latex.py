@@ -19,8 +19,8 @@ WHOLE = frozenset({"equation", "displaymath", "multline", "dmath", "math", "IEEE
 INNER = frozenset({"split", "aligned", "alignedat", "gathered", "multlined", "aligned*", "equation", "equation*"})
 NUMBERED = (ROWS | WHOLE) - {"displaymath", "math", "xxalignat", "IEEEeqnarraybox"}
 COLUMNS = frozenset({"alignat", "xalignat", "xxalignat", "alignedat", "IEEEeqnarray", "darray"})  # take an argument
-# environments whose letters are their own
 ENDING = frozenset({r"\par", r"\item", r"\\", "&"})  # the paragraph, an item or a cell
+# environments whose letters are their own
 LOCAL = re.compile(
     r"example|exercise|problem|question|solution|proof|theorem|lemma|corollary|remark|case|exer|exm", re.I
 )

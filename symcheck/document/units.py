@@ -45,6 +45,7 @@ _VALUE = re.compile(
     r"\$(?P<letter>[^$=]+?)\s*(?:=|\\approx|\\simeq)\s*-?\d[\d.]*(?:\s*(?:\\times|\\cdot)\s*10\^\{?-?\d+\}?)?"
     rf"(?:\$\s*(?P<behind>{UNIT}){_END}|\s*(?P<within>[^$\d\s][^$]*)\$)"
 )
+# the same, where a bracket follows
 _COPULA = re.compile(_SAYS.replace(r")\s)", r")(?:\s|$))"))
 # words of what may be measured, where a letter stands for the unit: no "polynomial in s"
 _MEASURED = re.compile(
@@ -56,7 +57,9 @@ _MEASURED = re.compile(
 _OTHER = re.compile(r"\b(?:numbers?|count|amount|respectively|(?!measured|expressed|given)\w+[^e\W]ed|whose)\b")
 # words before a letter to which its unit does not belong: "the product of n and the number of cells $N$ [V]"
 _OF_SEVERAL = re.compile(r"\b(?:product|ratio|sum|difference|quotient|numbers?)\b")
+# a letter with its arguments: `v(t)`
 _ARGUMENT = re.compile(r"^(.*[^\s\\])\s*\([A-Za-z, ]+\)$")
+# titles of lists of symbols, which hold everywhere
 LISTS = re.compile(r"\W*(?:\w+ (?:of|and) )?(?:nomenclature|notations?|symbols|variables|parameters|units)\b", re.I)
 # of such texts the formulas are not those of the quantities
 SCALED = re.compile(
