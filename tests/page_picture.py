@@ -11,12 +11,13 @@ from click.testing import CliRunner
 
 PICTURE = Path(__file__).resolve().parent.parent / "notebooks" / "guide" / "page.png"
 RELATION = "mirer2009:2.1.2"
-SIZE = {"width": 1200, "height": 760}
+SIZE = {"width": 1200, "height": 1000}
+ROOM = 100  # pixels below a heading, for what stands there
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
-def take(target: Path) -> None:
-    """Write the picture of one relation, as `symcheck report` shows it."""
+def take(target: Path) -> list[str]:
+    """Write the picture of one relation, as `symcheck report` shows it; the headings that can be seen on it."""
     from playwright.sync_api import sync_playwright
 
     from symcheck.cli import cli
@@ -31,7 +32,10 @@ def take(target: Path) -> None:
         opened.goto(f"{page.as_uri()}#{RELATION}")
         opened.wait_for_selector("html[data-ready]", state="attached")
         opened.screenshot(path=target)
+        headings = opened.locator("#view-claim h2").all()
+        boxes = [(each.inner_text(), each.bounding_box()) for each in headings]
         browser.close()
+    return [text for text, box in boxes if box and box["y"] + box["height"] + ROOM < SIZE["height"]]
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ from symcheck.cli import cli
 from symcheck.core.claims import Assertion
 from symcheck.core.ids import Id
 from symcheck.core.terms import Formula, Reader, Term, node
-from symcheck.core.verdicts import SymcheckError
+from symcheck.core.verdicts import Role, SymcheckError
 from symcheck.dimensions import (
     CONSISTENT,
     INCONSISTENT,
@@ -40,6 +40,7 @@ from symcheck.ledger import Record
 from symcheck.question.ask import decide as decided
 from symcheck.reading import from_sympy, lower, read
 from symcheck.reading.measures import measures
+from symcheck.views import terminal
 
 FEW, MANY = 300, 5_000
 OF_ALL: dict[str, Linear] = {
@@ -416,3 +417,20 @@ def test_what_a_kernel_computes_measures_what_it_says(key: str) -> None:
         for argument in kernel.arguments:
             if "h_max" not in argument.unit and own.get(argument.name) is not None:
                 assert own[argument.name] == units[argument.name], (name, argument)
+
+
+def test_a_ledger_tells_what_does_not_fit_and_what_is_not_determined(capsys: pytest.CaptureFixture[str]) -> None:
+    found = {
+        "1": dimensions([node("=", "E", node("*", "m", "v"))], {"E": {"[J]": 1}, "m": {"[kg]": 1}, "v": {"[m]": 1}}),
+        "2": dimensions([node("=", "x", "y")], {}),
+        "3": dimensions([node("=", "x", "y")], {"x": {"[m]": 1}}),
+    }
+    rows = [
+        Record(id=f"toy:{n}", paper="toy", section="1", line=1, role=Role.PREMISE, dimension=of)
+        for n, of in found.items()
+    ]
+    terminal.findings(terminal.console(), rows)
+    out = " ".join(capsys.readouterr().out.split())
+    assert "Dimensions that are not determined: 1 toy:2 undetermined without" in out
+    assert "Dimensions that do not fit: 1 toy:1 " in out
+    assert "toy:3" not in out

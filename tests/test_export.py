@@ -19,6 +19,8 @@ from stand_in import correction
 from symcheck import papers
 from symcheck.audit import expand
 from symcheck.core.verdicts import Origin, Reading, Role, Verdict
+from symcheck.dimensions import CONSISTENT, INCONSISTENT, UNDETERMINED, Dimensions
+from symcheck.dimensions.verdict import Conflicting
 from symcheck.ledger import Record
 from symcheck.views import exports as export
 from symcheck.views.exports import Format, format_names, format_of
@@ -44,6 +46,12 @@ LEDGER = (
     wrong("3V.1b", "u & v", "v & u", erratum=correction(row=True)),
     record("4", printed="(р = IT}", role=Role.PREMISE, verdict=None),
     record("5", words="-1 + @ = 0"),
+)
+TERMS = (Conflicting(term="m*v", measures="kg m/s"), Conflicting(term="E", measures="kg m^2/s^2"))
+MEASURED = (
+    wrong("6", "E = m v", "E = m v^2", dimension=Dimensions(verdict=INCONSISTENT, conflict=TERMS)),
+    record("7", printed="a = b", dimension=Dimensions(verdict=UNDETERMINED, undetermined=("b",))),
+    record("8", printed="c = d", dimension=Dimensions(verdict=CONSISTENT, sides=("kg",))),
 )
 
 
@@ -115,6 +123,15 @@ def test_tables_of_markdown_keep_their_columns() -> None:
     assert len(lines) > len(LEDGER)
     errata, ledger = 5, 6
     assert {len(re.findall(r"(?<!\\)\|", line)) for line in lines} == {errata, ledger}
+
+
+@pytest.mark.parametrize("name", ["markdown", "tex"])
+def test_texts_say_what_does_not_measure_the_same_and_nothing_where_all_is_well(name: str) -> None:
+    text = written(name, MEASURED).replace("\\", "").replace("textasciicircum{}", "^")
+    assert text.count("do not fit: m*v measures kg m/s, E measures kg m^2/s^2") == 2  # as an erratum, and in the ledger
+    assert text.count("undetermined without b") == 1
+    assert text.count("consistent") == 0
+    assert "dimensions" not in written(name, LEDGER)
 
 
 def test_markdown_tells_the_errata_before_the_ledger() -> None:

@@ -63,6 +63,18 @@ def test_the_page_has_every_class_of_faults_and_every_figure() -> None:
     assert [what for what, figure, _ in recorded.summary if f"| {what} | {figure} |" not in text] == []
 
 
+def test_the_page_says_how_many_faults_dimensions_alone_find() -> None:
+    text, result = "\n".join(figures.page(kernels.folder())), selftested.recorded(kernels.folder())
+    assert result
+    lines = [line.strip("|").split(" | ") for line in text.splitlines() if line.startswith("| ")]
+    table = {cells[0].strip(): cells for cells in takewhile(lambda cells: cells[0] != " what", lines)}
+    column = table["planted in"].index(figures.ALONE)
+    for name, counts in {**result["classes"], "all": result}.items():
+        assert table[name][column] == (f"{counts['by dimension']:,}" if counts["by dimension"] else "-")
+    kinds = result["classes"]["statements"]["kinds"]
+    assert f"exponent {kinds['exponent']['by dimension']} of {kinds['exponent']['planted']}" in text
+
+
 def test_nothing_is_written_where_nothing_was_recorded(tmp_path: Path) -> None:
     assert figures.files(tmp_path) == {}
 

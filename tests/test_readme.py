@@ -98,5 +98,6 @@ def test_the_picture_of_the_page_is_small() -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(not CHROMIUM, reason="no Chromium is found; `make browser` installs it")
 def test_the_picture_of_the_page_can_be_taken_again(tmp_path: Path) -> None:
-    take(tmp_path / "page.png")
+    seen = take(tmp_path / "page.png")
+    assert {"As printed", "As read", "Correction"} <= {*seen}  # as the words below the picture say
     assert size_of(tmp_path / "page.png") == size_of(PICTURE)

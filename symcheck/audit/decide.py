@@ -34,8 +34,7 @@ def decide_declared(obligation: Obligation) -> tuple[Record, ...]:
     paper, item, base = obligation.paper, obligation.item, _base(obligation)
     notation = item.notation or paper.notation
     if item.question:
-        rows = item.question.records(item, base)
-        return tuple(replace(row, dimension=of_text(row.read, notation)) if row.read else row for row in rows)
+        return item.question.records(item, base)
     if isinstance(item, Assertion):
         return tuple(_claimed(Context(paper, item), base))
     if not item.text:

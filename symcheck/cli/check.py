@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from symcheck.cli.errors import BAD_INPUT, DIFFERS, MAX_LINES, say
-from symcheck.cli.options import SELECTION, AuditOptions, audit_options
+from symcheck.cli.options import AGAINST, SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited, print_json
 from symcheck.core.verdicts import Verdict
 
 if TYPE_CHECKING:
     from symcheck.ledger import Record
+    from symcheck.ledger.changes import Change
 
 
 @click.command()
@@ -28,31 +30,52 @@ if TYPE_CHECKING:
     help="For the list of problems of an editor: `file:line: verdict: message`, or SARIF 2.1.0.",
 )
 @click.option("--verdict", type=click.Choice([str(v) for v in Verdict]), help="Show only rows of this verdict.")
+@AGAINST
 @audit_options
-def check(selection: Sequence[str], as_json: bool, form: str, verdict: str | None, options: AuditOptions) -> None:
+def check(
+    selection: Sequence[str],
+    as_json: bool,
+    form: str,
+    verdict: str | None,
+    against: Path | None,
+    options: AuditOptions,
+) -> None:
     """Decide the relations and compare the verdicts with those recorded.
 
     Without a selection: all papers. `mirer2009:2.1` also means its links 2.1a, 2.1b.
     """
     from symcheck.audit import Interrupted
+    from symcheck.ledger.changes import changes, older
 
     if as_json and form != "table":
         raise click.UsageError("--json is another format; leave one of them out")
+    if against and form != "table":
+        raise click.UsageError(f"--against is told in the table and with --json, not as {form}; leave one of them out")
     form = "json" if as_json else form
+    before = older(against) if against else None
     try:
         records = audited(selection, options, weigh=as_json)
     except Interrupted as stop:
         _print_ledger(stop.records, form, verdict, partial=True)
         raise
-    _print_ledger(records, form, verdict)
+    told = None
+    if against and before is not None:
+        told = str(against), changes(records, before, lambda key: not selection or key in selection)
+    _print_ledger(records, form, verdict, told=told)
     _compare(selection, records, form != "table")
 
 
-def _print_ledger(records: Sequence[Record], form: str, verdict: str | None, partial: bool = False) -> None:
-    """The rows of a verdict; a ledger that is partial says so before and after."""
+def _print_ledger(
+    records: Sequence[Record],
+    form: str,
+    verdict: str | None,
+    partial: bool = False,
+    told: tuple[str, Sequence[Change]] | None = None,
+) -> None:
+    """The rows of a verdict; a ledger that is partial says so before and after. What changed since another is last."""
     selected = [record for record in records if verdict is None or record.verdict == verdict]
     if form == "json":
-        print_json(selected, partial)
+        print_json(selected, partial, told)
         return
     if form != "table":
         from symcheck.views import diagnostics
@@ -69,6 +92,8 @@ def _print_ledger(records: Sequence[Record], form: str, verdict: str | None, par
     for key, rows in by_paper(selected).items():
         terminal.ledger(out, key, rows)
     terminal.findings(out, selected)
+    if told:
+        terminal.changes(out, *told)
     terminal.summary(out, records)
     terminal.next_steps(out, selected, papers.load().folders)
     out.print(note, end="\n" * partial)

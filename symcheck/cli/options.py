@@ -56,6 +56,12 @@ POSITIVE = _Positive()
 SELECTION = click.argument(
     "selection", nargs=-1, metavar="[PAPER[:NUMBER]]...", callback=keyed, shell_complete=relations
 )
+AGAINST = click.option(
+    "--against",
+    type=click.Path(dir_okay=False, path_type=Path),
+    metavar="LEDGER",
+    help="Tell what changed since an older ledger, as `check --json` writes it, or generated/expected/PAPER.json.",
+)
 
 
 @dataclass(frozen=True)

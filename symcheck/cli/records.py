@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 import click
@@ -15,6 +16,7 @@ from symcheck.cli.options import AuditOptions
 
 if TYPE_CHECKING:
     from symcheck.ledger import Record
+    from symcheck.ledger.changes import Change
 
 
 def audited(selection: Iterable[str], options: AuditOptions, *, weigh: bool = True) -> list[Record]:
@@ -56,8 +58,13 @@ def progress(what: str) -> Iterator[Callable[[int, int], None]]:
         yield move
 
 
-def print_json(records: Sequence[Record], partial: bool = False) -> None:
-    """One JSON object with all records, a line for each."""
+def print_json(
+    records: Sequence[Record], partial: bool = False, told: tuple[str, Sequence[Change]] | None = None
+) -> None:
+    """One JSON object with all records, a line for each, and what changed since an older ledger."""
     items = ",\n".join(json.dumps(record.to_json(), ensure_ascii=False) for record in records)
     said = '"partial": true, ' if partial else ""
+    if told:
+        against = {"against": told[0], "changes": [asdict(each) for each in told[1]]}
+        said += json.dumps(against, ensure_ascii=False)[1:-1] + ", "
     click.echo(f'{{"schema": 1, {said}"items": [\n{items}\n]}}')

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from symcheck.cli.errors import writing
-from symcheck.cli.options import SELECTION, AuditOptions, audit_options
+from symcheck.cli.options import AGAINST, SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
@@ -25,8 +25,9 @@ from symcheck.core.verdicts import SymcheckError
     help="The file to write.",
 )
 @click.option("--open", "show", is_flag=True, help="Open the file in the browser of this system.")
+@AGAINST
 @audit_options
-def report(selection: Sequence[str], output: Path, show: bool, options: AuditOptions) -> None:
+def report(selection: Sequence[str], output: Path, show: bool, against: Path | None, options: AuditOptions) -> None:
     """Write the audit as one page to look at: errata, ledger, certificates, pictures.
 
     The page needs no network and no server. Notebooks in a folder notebooks/ here are searched for cells that name a
@@ -34,11 +35,14 @@ def report(selection: Sequence[str], output: Path, show: bool, options: AuditOpt
     """
     from symcheck import kernels, papers
     from symcheck.ledger import selftested
+    from symcheck.ledger.changes import changes, older
     from symcheck.views import pictures
     from symcheck.views.page import sources
     from symcheck.views.page.page import Extras, page
 
+    before = older(against) if against else None
     records, known = audited(selection, options), papers.load()
+    changed = () if before is None else changes(records, before, lambda key: not selection or key in selection)
     extras = Extras(
         sources.kernels(known, kernels.folder()),
         sources.cells(Path("notebooks")),
@@ -48,6 +52,8 @@ def report(selection: Sequence[str], output: Path, show: bool, options: AuditOpt
         selftested.recorded(kernels.folder()),
         sources.meanings(known, records),
         datetime.now(UTC).date().isoformat(),
+        against.name if against else "",
+        changed,
     )
     text = page(records, sources.publications(known), extras).encode()
     with writing(output):

@@ -9,6 +9,7 @@ from symcheck.dimensions.verdict import (
     Dimensions,
     dimensions,
     inferred,
+    of_printed,
     shown_form,
 )
 
@@ -23,7 +24,10 @@ __all__ = [
     "dimension",
     "dimensions",
     "form_of",
+    "general",
     "inferred",
+    "of_printed",
+    "rules",
     "shown",
     "shown_form",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
@@ -14,12 +15,15 @@ from symcheck.core.terms import Formula, Term
 from symcheck.core.words import term as words
 from symcheck.dimensions.certificates import unlike, written
 from symcheck.dimensions.general import general, plain
+from symcheck.dimensions.numbers import numbers_may_measure
 from symcheck.dimensions.rules import Atom, Equation, Kind, Linear, Rational, Rules, Scale, is_base, scaled_equations
 from symcheck.dimensions.solve import Combination, System, is_letter, smallest, solved
 from symcheck.dimensions.units import shown
 
 CONSISTENT, INCONSISTENT, UNDETERMINED = "consistent", "inconsistent", "undetermined"
 NUMBER = "what has to be a number"
+DECIMAL = re.compile(r"\d(?:\.|\{?,\}?)\d")  # with a full stop or a comma, perhaps in braces
+NUMBERS = "its numbers may measure something"
 LONGEST = 200  # characters of a term in a message
 ROUNDS = 3  # of putting what is found into powers with a letter in the exponent
 
@@ -68,7 +72,10 @@ class Dimensions(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 def dimensions(
-    formulas: Sequence[Formula], known: Mapping[str, Linear | None], scales: Sequence[Scale] = ()
+    formulas: Sequence[Formula],
+    known: Mapping[str, Linear | None],
+    scales: Sequence[Scale] = (),
+    cautious: bool = False,
 ) -> Dimensions:
     """The verdict on a relation.
 
@@ -80,6 +87,8 @@ def dimensions(
         The forms of its letters, and of the values of its functions, as far as they are known.
     scales
         Quantities that may be set to 1; they are if the relation is consistent in no other way.
+    cautious
+        Whether a conflict that may come from numbers which measure something, as in x = 3 t^2, is none.
 
     Returns
     -------
@@ -96,7 +105,23 @@ def dimensions(
         scaled = _of_equations(found.rules, some)
         if scaled.conflict is None and (told := _told(formulas, scaled)).verdict == CONSISTENT:
             return told
+    if cautious and numbers_may_measure(formulas, [found.equations[number] for number in found.smallest]):
+        return Dimensions(verdict=UNDETERMINED, reason=NUMBERS)
     return _inconsistent(found)
+
+
+def of_printed(
+    text: str,
+    formulas: Sequence[Formula],
+    known: Mapping[str, Linear | None],
+    scales: Sequence[Scale] = (),
+    cautious: bool = False,
+) -> Dimensions:
+    """The verdict on a relation as it is printed: decimals, which are fractions in formulas, may measure something."""
+    found = dimensions(formulas, known, scales, cautious)
+    if cautious and found.verdict == INCONSISTENT and DECIMAL.search(text):
+        return Dimensions(verdict=UNDETERMINED, reason=NUMBERS)
+    return found
 
 
 def inferred(formulas: Sequence[Formula], known: Mapping[str, Linear | None]) -> dict[str, Linear]:
@@ -118,6 +143,12 @@ class Solved(NamedTuple):
     def binding(self) -> list[int]:
         """The numbers of the equations that must hold."""
         return [number for number, each in enumerate(self.equations) if each.kind is Kind.RULE]
+
+    @property
+    def smallest(self) -> Combination:
+        """The conflict in as few equations as can be found."""
+        assert self.conflict is not None
+        return smallest(self.equations, self.conflict, self.binding)
 
     def letters(self) -> dict[str, Linear]:
         """The letters of which the equations tell what they measure."""
@@ -234,9 +265,7 @@ def _cut(text: str) -> str:
 
 def _inconsistent(found: Solved) -> Dimensions:
     """The conflict in as few equations as can be found, with the terms that do not fit."""
-    assert found.conflict is not None
-    equations = found.equations
-    conflict = smallest(equations, found.conflict, found.binding)
+    equations, conflict = found.equations, found.smallest
     *others, last = sorted(conflict)
     below = lcm(*(Fraction(n).denominator for n in conflict.values()))
     combination = [[number, int(conflict[number] * below)] for number in (*others, last)]

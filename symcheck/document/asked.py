@@ -20,8 +20,10 @@ from symcheck.core.ids import Id
 from symcheck.core.problems import Problem
 from symcheck.core.terms import JSON, Formula, Term
 from symcheck.core.verdicts import Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.dimensions import Dimensions
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import depends_on, shown
+from symcheck.document.measuring import Measuring, measured_by
 from symcheck.document.points import slips
 from symcheck.document.survey import SMALLEST, Link, Said, apart, is_open, is_sayable, surveyed
 from symcheck.ledger import Correction, HypothesisRow, Need, Record, Repair, line
@@ -31,6 +33,7 @@ from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.jets import LEADING
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import stated
+from symcheck.question.measured import spelled
 from symcheck.question.prepare import DEFINED, Asked, Understood, plainly, readings, unlowered
 from symcheck.question.prepare import Reading as ReadAs
 from symcheck.reading import Tree, relations, to_latex
@@ -74,6 +77,7 @@ class Inquiry:
     near     relations beside it of which nobody claims that they hold, with their places: conditions, perhaps
     alone    whether the auditor says that there are no other conditions
     goes_on  whether it begins with a sign in the source, and goes on with the display above it
+    units    of letters, as the auditor or the words of the source say them
     """
 
     text: str
@@ -85,6 +89,7 @@ class Inquiry:
     near: tuple[tuple[str, str], ...] = ()
     alone: bool = False
     goes_on: bool = False
+    units: Said = ()
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -98,6 +103,17 @@ class Inquiry:
 
     def records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         """One for each relation that it prints, or the one that says why it is not read."""
+        rows = self._records(item, base)
+        return tuple(record_with(row, dimension=self._dimension(row.read)) if row.read else row for row in rows)
+
+    def _dimension(self, text: str) -> Dimensions | None:
+        """Whether the terms of a relation fit by the units of its letters; None if not one of these is known."""
+        names = {spelled(name) for each in (text, *self.assumed) for name in surveyed_once(each).names}
+        units = tuple((letter, unit) for letter, unit in self.units if spelled(letter) in names)
+        where = tuple(each.text for each in self.follows)
+        return measured_by(Measuring(text, units, where, self.said(text, *where))) if units else None
+
+    def _records(self, item: Declaration, base: Record) -> tuple[Record, ...]:
         base = record_with(base, reading=self.reading, reason=self._said_of(base.reason))
         if item.role is Role.EXCLUSION:
             return (base,)

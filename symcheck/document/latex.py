@@ -9,6 +9,7 @@ from itertools import chain
 
 from symcheck.document.macros import MISSING, Expander, Tok, argument, optional, tokens, written
 from symcheck.document.printed import Fault, Printed, place
+from symcheck.document.units import LISTS, Told, stated
 from symcheck.reading import split_tag
 
 ROWS = frozenset(
@@ -18,6 +19,7 @@ WHOLE = frozenset({"equation", "displaymath", "multline", "dmath", "math", "IEEE
 INNER = frozenset({"split", "aligned", "alignedat", "gathered", "multlined", "aligned*", "equation", "equation*"})
 NUMBERED = (ROWS | WHOLE) - {"displaymath", "math", "xxalignat", "IEEEeqnarraybox"}
 COLUMNS = frozenset({"alignat", "xalignat", "xxalignat", "alignedat", "IEEEeqnarray", "darray"})  # take an argument
+ENDING = frozenset({r"\par", r"\item", r"\\", "&"})  # the paragraph, an item or a cell
 # environments whose letters are their own
 LOCAL = re.compile(
     r"example|exercise|problem|question|solution|proof|theorem|lemma|corollary|remark|case|exer|exm", re.I
@@ -107,6 +109,11 @@ class Scanner:
     anew: list[str] = field(default_factory=list)
     local: list[int] = field(default_factory=list)
     places: int = 0  # environments of their own so far
+    told: list[Told] = field(default_factory=list)
+    paragraph: list[str] = field(default_factory=list)  # its words, inline formulas between dollars
+    lines: list[tuple[str, int]] = field(default_factory=list)  # these formulas
+    titled: bool = False  # does it begin with a heading?
+    listed: bool = False  # does it stand in a list of symbols?
 
     def run(self, toks: list[Tok]) -> None:
         """A whole document, or a part of one."""
@@ -120,6 +127,24 @@ class Scanner:
                 k = self._delimited(toks, k)
             else:
                 k = self._text(toks, k)
+        self.end()
+
+    def words(self, text: str) -> None:
+        """Words between formulas."""
+        self.prose.append(text)
+        self.paragraph.append(" " if text in ("$", "~", "{", "}") else text.replace("$", " "))
+
+    def end(self) -> None:
+        """A paragraph ends, or a display parts it: what is said in it of letters."""
+        text = "".join(self.paragraph)
+        if self.titled and text.strip():
+            self.titled, self.listed = False, LISTS.match(text) is not None
+        scope = None if self.listed else (self.section, self.local[-1] if self.local else 0)
+        for letter, unit in stated(text) if self.lines else ():
+            line = next((line for latex, line in self.lines if latex.startswith(letter)), 0)
+            self.told.append(Told(letter, unit, place("", line, self.cell), scope))
+        self.paragraph.clear()
+        self.lines.clear()
 
     def _environment(self, toks: list[Tok], k: int, which: str, name: str) -> int:
         bare = name.rstrip("*")
@@ -185,14 +210,20 @@ class Scanner:
                 self.counters.values[name] = old + int(value)
             elif name == "equation":
                 self.counters.known = False
-        elif text[:1] != "\\":
-            self.prose.append(" " if toks[k].is_space else text)
+        elif toks[k].is_space:
+            self.words(" ")
+            if text.count("\n") > 1:
+                self.end()
         else:
-            self.prose.append(" ")
+            self.words(text if text[:1] != "\\" else " ")
+            if text in ENDING:
+                self.end()
         return k + 1 + before - len(stack)
 
     def heading(self, level: str, *, numbered: bool = True) -> None:
         """A part of the document begins: definitions may be others in it."""
+        self.end()
+        self.titled = True
         if numbered:
             self.counters.heading(level)
         self.part += 1
@@ -206,6 +237,7 @@ class Scanner:
 
     def display(self, body: Sequence[Tok], name: str, label: str = "") -> None:
         """A display: its formulas, each with all of its rows."""
+        self.end()
         body = _without_arguments(body, name)
         self._brackets(body)
         counts = name in NUMBERED
@@ -288,13 +320,15 @@ class Scanner:
 
     def inline(self, body: Sequence[Tok], label: str = "") -> None:
         """A formula within a line, if it is a relation."""
+        latex = written(body)
+        self.paragraph.append(f"${latex}$")
+        self.lines.append((latex, next((tok.line for tok in body if not tok.is_space), 0)))
         if any(tok.text in RELATIONS for tok in _outermost(body)):
             self._keep([*body], label, "", display=False)
         else:
-            text = written(body)
-            self.mentions.append((text, len(self.found)))
+            self.mentions.append((latex, len(self.found)))
             if any(tok.text == r"\in" for tok in body) or ANEW.search("".join(self.prose[-MAX_PROSE:])):
-                self.anew.append(text)
+                self.anew.append(latex)
         self.prose.append("$")
 
     def _keep(self, toks: Sequence[Tok], label: str, number: str, *, display: bool) -> None:

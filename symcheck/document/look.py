@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import groupby
 from os import PathLike
@@ -12,16 +12,20 @@ from pathlib import Path
 
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
+from symcheck.dimensions import INCONSISTENT
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
 from symcheck.document.derived import LATER, Derived, blamed, sought
 from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, letters
+from symcheck.document.measuring import UNKNOWN, measured_by, measurings
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Roles
 from symcheck.document.sources import source
 from symcheck.document.structure import Mark, marks
 from symcheck.document.survey import READING, Seen, surveyed, surveyed_with
+from symcheck.document.units import Told
 from symcheck.document.work import Progress, Work, proved_of, undecided
 from symcheck.question import Answer, Status
+from symcheck.question.measured import LIMIT
 
 # what distinguishes two refusals of one kind: the place, and what is printed there
 _PLACE = re.compile(r",? at character \d+: .*$", re.DOTALL)
@@ -37,6 +41,7 @@ NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
 UNLIKE = "does not agree with other relations: an error in one of them, or a condition printed elsewhere?"
+UNITS = "its terms do not measure the same: an error, or a condition printed elsewhere?"
 STEP = "does not follow from what it is said to: an error in one of them, or a condition printed elsewhere?"
 TOLD = {"chain": CHAIN, "step": STEP, "derived": UNLIKE, LATER: UNLIKE}  # by the kind of a question
 
@@ -61,6 +66,10 @@ class Finding:
         The places of the definitions that were put in.
     nearest
         Relations that are one slip of the pen away and hold.
+    dimensions
+        The smallest set of terms found that do not measure the same, each with what it measures.
+    units
+        What the text says that letters measure, with the places.
     """
 
     place: str
@@ -70,6 +79,8 @@ class Finding:
     values: tuple[str, ...] = ()
     definitions: tuple[str, ...] = ()
     nearest: tuple[str, ...] = ()
+    dimensions: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -192,6 +203,7 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
     found += [(q.number, _finding(formulas, q, sure[q])) for q in failing if sure[q].verdict is Status.REFUTED]
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
+    found += _misfits(checks, printed.told, work)
     holds = [formulas[k].place for k in sorted(holding)]
     following: dict[int, tuple[int, ...]] = {
         q.number: q.sources
@@ -215,6 +227,31 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
         (*printed.notes, *left),
         time.perf_counter() - started,
     )
+
+
+def _misfits(checks: Checks, told: Sequence[Told], work: Work) -> Iterator[tuple[int, Finding]]:
+    """Formulas whose terms cannot measure the same, by the units that the text says of their letters."""
+    asked = [*measurings(checks, told)]
+    found = work.all(measured_by, [*dict.fromkeys(question for _, question in asked)], LIMIT, lambda reason: UNKNOWN)
+    for place, question in asked:
+        if (of := found[question]).verdict == INCONSISTENT:
+            own, places = checks.formulas[place.number], dict.fromkeys(each.place for each in place.told)
+            yield (
+                place.number,
+                Finding(
+                    own.place,
+                    own.latex,
+                    UNITS,
+                    definitions=tuple(
+                        f"{checks.formulas[m].place}: {checks.formulas[m].latex}" for m in place.definitions
+                    ),
+                    dimensions=tuple(f"{each.term} measures {each.measures}" for each in of.conflict),
+                    units=tuple(
+                        f"{where}: {', '.join(f'{x.letter} in {x.unit}' for x in place.told if x.place == where)}"
+                        for where in places
+                    ),
+                ),
+            )
 
 
 def _derived(

@@ -78,9 +78,9 @@ def _parser() -> MarkdownIt:
 def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scanner) -> None:
     for k, part in enumerate(parts):
         if part.type == "text":
-            scanner.prose.append(part.content)
+            scanner.words(part.content)
         elif part.type == "softbreak":
-            scanner.prose.append(" ")
+            scanner.words(" ")
         elif part.type == "math_inline_double":
             behind = parts[k + 1].content if k + 1 < len(parts) else ""
             found = _LABEL.match(behind)
@@ -88,6 +88,7 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
             scanner.put(_unescaped(part.content), _line(lines, at, part.content), label)
         elif part.type == "math_inline" or (part.type == "myst_role" and part.meta.get("name") == "math"):
             scanner.put(_unescaped(part.content), _line(lines, at, part.content), display=False)
+    scanner.end()
 
 
 def _unescaped(content: str) -> str:

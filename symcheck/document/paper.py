@@ -38,6 +38,7 @@ from symcheck.document.lock import LOCK, UPDATE, digest, keys, load, located
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
 from symcheck.document.sources import source
+from symcheck.document.units import of_letters
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.papers import key_of
 from symcheck.proof import identity
@@ -104,7 +105,8 @@ class Document:
         self.folder, self.file, self.said = Path(audit).resolve().parent, file, tuple(letters)
         self.rules = [*map(Rule.of, rules)]
         self.path = Path(os.path.normpath(self.folder / file))
-        self.formulas = source(self.path).formulas
+        printed = source(self.path)
+        self.formulas, self.told = printed.formulas, printed.told
         self.keys = keys(self.formulas)
         self.numbers = [*_numbers(self.formulas)]
         self.accepted = load(self.folder / LOCK)
@@ -226,13 +228,24 @@ class Document:
         text, applied = rewritten(stated or formula.latex, [] if stated else [*self.rules, *map(Rule.of, rules)])
         reading = Reading.STATED if stated else Reading.REWRITTEN if applied else Reading.AS_PRINTED
         told = "; ".join(f"rewritten by {rule.text}" for rule in applied)
+        units = tuple((x, each.unit) for x, each in of_letters(self.told, formula.scope).items()) + tuple(
+            (each.letter, each.unit) for each in self.said if each.unit
+        )
         relied = tuple(dict.fromkeys(each for item in follows for each in _relied(item)))
         return {
             "number": self.numbers[k],
             "source": Source(formula.line, (formula.latex,), file=self._file(formula)),
             "uses": tuple(item.number for item in follows),
             "question": Inquiry(
-                text, relied, conditions, letters, reading, told, alone=given is not None, goes_on=formula.goes_on
+                text,
+                relied,
+                conditions,
+                letters,
+                reading,
+                told,
+                alone=given is not None,
+                goes_on=formula.goes_on,
+                units=units,
             ),
         }
 

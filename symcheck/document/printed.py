@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from symcheck.document.units import Told
+
 
 @dataclass(frozen=True)
 class Printed:
@@ -82,3 +84,4 @@ class Source:
     faults: tuple[Fault, ...] = ()
     notes: tuple[str, ...] = ()
     mentions: tuple[tuple[str, int], ...] = ()  # letters that stand alone in the text, with the next formula's number
+    told: tuple[Told, ...] = ()  # what letters measure, by the words

@@ -89,6 +89,8 @@ def restructured(text: str, scanner: Scanner) -> None:
     lines, at = text.split("\n"), 1
     for node in tree.findall():
         at = getattr(node, "line", None) or at
+        if isinstance(node, nodes.TextElement) and not isinstance(node, nodes.Inline):
+            scanner.end()
         if isinstance(node, nodes.title):
             scanner.heading("section")
         elif isinstance(node, nodes.math_block):
@@ -101,4 +103,5 @@ def restructured(text: str, scanner: Scanner) -> None:
             line = next((k + 1 for k in range(at - 1, len(lines)) if first in lines[k]), at)
             scanner.put(node.astext(), line, display=False)
         elif isinstance(node, nodes.Text) and not isinstance(node.parent, nodes.math | nodes.math_block):
-            scanner.prose.append(node.astext())
+            scanner.words(node.astext())
+    scanner.end()

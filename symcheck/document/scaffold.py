@@ -25,6 +25,7 @@ from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess
 from symcheck.document.sources import source
 from symcheck.document.survey import is_sayable
+from symcheck.document.units import Told, of_document
 from symcheck.document.work import Work
 from symcheck.papers import FILES, key_of
 from symcheck.question.doubts import functions_in_letters
@@ -44,6 +45,7 @@ class Draft:
     letters: Sequence[Letter]
     guesses: Sequence[Guess]
     said: Sequence[str] = ()  # what is wrong with the source itself, and what is left out of it
+    units: Mapping[str, Told] = field(default_factory=dict)  # by letter, where the source says one for all of it
     keys: Sequence[str] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -58,6 +60,15 @@ class Draft:
         more += f", imposed={_quoted(guess.imposed)}" if guess.imposed else ""
         return f"{names[k]} = source.{guess.role}({key}{more})"
 
+    def letter(self, each: Letter) -> str:
+        """A letter as it is taken, with the evidence, and its unit if the source says one."""
+        phrase = f", {_quoted(each.phrase)}" if is_sayable(each.phrase) else ""
+        told = f"not the same everywhere: {', '.join(each.others)}" if each.others else f"{each.taken}: {each.why}"
+        if unit := self.units.get(each.letter):
+            phrase += f", unit={_quoted(unit.unit)}"
+            told = f"its unit is said at {unit.place}; {told}"
+        return _commented(f"letter({_quoted(shown(each.letter))}{phrase}),", told)
+
 
 def drafted(file: Path, work: Work) -> Draft:
     """A source, read, with what each relation is taken for."""
@@ -69,7 +80,12 @@ def drafted(file: Path, work: Work) -> Draft:
     said += [f"{file}: left out: {note}" for note in printed.notes]
     guesses, unlike = guessed(Checks(formulas, seen, every), every, work)
     said += [f"{file}: {' and '.join(formulas[k].place for k in both)} do not agree" for both in unlike]
-    return Draft(file, formulas, every, guesses, said)
+    scopes: dict[str, list[tuple[int, int]]] = {}
+    for formula, each in zip(formulas, seen, strict=True):
+        for x in each.names:
+            scopes.setdefault(x, []).append(formula.scope)
+    units = {x: told for x, own in scopes.items() if (told := of_document(x, printed.told, own))}
+    return Draft(file, formulas, every, guesses, said, units)
 
 
 def new(file: Path, folder: Path, work: Work) -> list[str]:
@@ -103,7 +119,7 @@ def text(draft: Draft, folder: Path) -> str:
     names = named(draft.formulas, draft.keys)
     path = Path(os.path.relpath(draft.file.resolve(), folder.resolve())).as_posix()
     title = f"{draft.file.name}: what is printed is read from the source; this file says what each relation is"
-    letters_ = "\n".join(f"        {_letter(each)}" for each in draft.letters)
+    letters_ = "\n".join(f"        {draft.letter(each)}" for each in draft.letters)
     return "\n".join(
         [
             f'"""Audit of {_plain(title)}."""',
@@ -148,13 +164,6 @@ def _body(draft: Draft, names: Mapping[int, str]) -> Iterator[str]:
             yield ""
         section = formula.scope[0]
         yield from line(k)
-
-
-def _letter(each: Letter) -> str:
-    """A letter as it is taken, with the evidence."""
-    phrase = f", {_quoted(each.phrase)}" if is_sayable(each.phrase) else ""
-    told = f"not the same everywhere: {', '.join(each.others)}" if each.others else f"{each.taken}: {each.why}"
-    return _commented(f"letter({_quoted(shown(each.letter))}{phrase}),", told)
 
 
 def named(formulas: Sequence[Printed], keys: Sequence[str], taken: Iterable[str] = ()) -> dict[int, str]:
@@ -306,7 +315,9 @@ def update(folder: Path, work: Work) -> list[str]:
     new = [k for k in range(len(draft.formulas)) if k not in where.values()]
     audit.added(draft, new, keys)
     said += [f"{draft.file}:{draft.formulas[k].line}: new, and added: {draft.formulas[k].latex}" for k in new]
-    said += [f"{audit.file}: new, and to be added to its letters: {_letter(each)}" for each in _new(draft, audit, old)]
+    said += [
+        f"{audit.file}: new, and to be added to its letters: {draft.letter(each)}" for each in _new(draft, audit, old)
+    ]
     ast.parse(audit.text())
     _both(lock, written(accepted(draft.formulas)), audit.file, audit.text().encode())
     return [*said, f"{lock}: {'written' if said[len(draft.said) :] else 'nothing has changed'}"]

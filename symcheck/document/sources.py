@@ -10,6 +10,7 @@ from symcheck.document.files import text_of
 from symcheck.document.latex import Scanner
 from symcheck.document.macros import Expander, tokens
 from symcheck.document.printed import Source
+from symcheck.document.units import SCALED
 
 MARKUPS = {
     **dict.fromkeys((".tex", ".ltx", ".latex", ".sty"), "latex"),
@@ -37,7 +38,8 @@ def source(file: Path) -> Source:
     if not scanner.found and not scanner.faults:
         more = f" ({'; '.join(expander.notes[:3])})" if expander.notes else ""
         raise SymcheckError(f"{file} has no formula{more}; displays, and relations between $ and $, are looked for")
-    return Source(tuple(scanner.found), tuple(scanner.faults), tuple(expander.notes), tuple(scanner.mentions))
+    told = () if SCALED.search(text) else tuple(scanner.told)
+    return Source(tuple(scanner.found), tuple(scanner.faults), tuple(expander.notes), tuple(scanner.mentions), told)
 
 
 def _markup(file: Path, text: str) -> str:

@@ -9,6 +9,7 @@ __all__ = [
     "folder",
     "load",
     "of_paper",
+    "quantities",
     "ratios",
     "runtime",
     "specification",

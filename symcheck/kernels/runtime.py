@@ -33,6 +33,7 @@ from numpy import array, ndarray
 from numpy.typing import NDArray
 
 from symcheck.kernels.documentation import numpy_docstring
+from symcheck.kernels.quantities import in_units, is_quantity, with_units
 from symcheck.kernels.specification import Argument, KernelFunction, Output, Specification
 from symcheck.kernels.tracing import Pattern, Plan, Trace, plan, trace
 
@@ -144,21 +145,23 @@ def for_arrays(function: KernelFunction) -> Callable[[Formula], Formula]:
 class _Mix:
     """What is known of arguments by their types.
 
-    known     whether all are doubles, whole numbers or arrays
-    plain     whether the numbers are Python's
-    first     which is the first array, None if all are numbers or not all are known
-    rest      which others are arrays
-    weak      whether they leave single precision single
-    patterns  of arrays of one shape
-    plans     those of arrays of one shape, once there are any, by their type and whether points are many
+    known       whether all are doubles, whole numbers or arrays
+    quantities  whether some are quantities of pint
+    plain       whether the numbers are Python's
+    first       which is the first array, None if all are numbers or not all are known
+    rest        which others are arrays
+    weak        whether they leave single precision single
+    patterns    of arrays of one shape
+    plans       those of arrays of one shape, once there are any, by their type and whether points are many
     """
 
-    __slots__ = ("first", "known", "patterns", "plain", "plans", "rest", "weak")
+    __slots__ = ("first", "known", "patterns", "plain", "plans", "quantities", "rest", "weak")
 
     def __init__(self, kinds: tuple[type, ...]) -> None:
         numbers = {*kinds} - {ndarray}
         arrays = [k for k, kind in enumerate(kinds) if kind is ndarray]
         self.known = numbers <= NUMBERS
+        self.quantities = not self.known and any(map(is_quantity, numbers))
         self.weak = numbers <= PLAIN
         self.plain = numbers <= {float} if arrays else self.weak
         self.first = arrays[0] if arrays and self.known else None
@@ -251,6 +254,8 @@ class Ways:
                     return self._of_numbers(inputs, plain=mix.plain)
                 except UNDEFINED:
                     pass
+            if mix.quantities:
+                return self._of_quantities(inputs, out, many)
             return self._of_any_types(inputs, out, many)
         first = inputs[mix.first]
         shape, dtype, alike = first.shape, first.dtype, True
@@ -293,6 +298,13 @@ class Ways:
         """The results at one point of numbers of several types; OverflowError where NumPy is to warn."""
         found: Any = self.formula(*map(float, inputs))
         return found if plain else _doubles(found)
+
+    def _of_quantities(self, inputs: Sequence[Any], out: Out, many: bool) -> Any:
+        """The results with their units, of quantities in any units of the same dimensions."""
+        values, registry = in_units(self.said, inputs)
+        if out is not None:
+            raise ValueError(f"{self.said.name}: out= is for plain arrays, which keep no unit; leave it out")
+        return with_units(self.said, self.of_anything(values, many=many), registry)
 
     def _of_any_types(self, inputs: Sequence[Any], out: Out, many: bool) -> Results:
         self._refuse_what_would_be_lost(inputs)

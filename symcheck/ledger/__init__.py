@@ -13,6 +13,7 @@ __all__ = [
     "Record",
     "Repair",
     "by_paper",
+    "changes",
     "digest",
     "digest_of",
     "lemmas_of",

@@ -20,6 +20,7 @@ from symcheck.ledger.record import Record
 from symcheck.ledger.store import SCHEMA, SELFTEST, require, stored
 
 STATUSES = ("planted", "rejected", "accepted", "equivalent", "weaker", "stronger", "open")  # as a result names them
+MISFITS = "by dimension"  # the name of the count of faults that dimensions alone expose
 
 
 @dataclass(frozen=True)

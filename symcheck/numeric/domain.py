@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.core.extras import installing
+from symcheck.kernels.quantities import is_quantity
 
 Array = NDArray[np.float64]
 Result = TypeVar("Result", Array, NDArray[np.complex128])
@@ -73,7 +74,17 @@ def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
 
 
 def in_radians(name: object, value: object) -> None:
-    """ValueError if the value, an xarray.DataArray, says that its unit is a degree, or one made of degrees."""
+    """ValueError if the value, an xarray.DataArray, says that its unit is a degree, or one made of degrees.
+
+    Also for a quantity of pint, whose unit an array would lose.
+    """
+    if type(value) is np.ndarray:
+        return
+    if is_quantity(type(value)):
+        raise ValueError(
+            f"{name} is a quantity in {getattr(value, 'units', '')}; this function takes plain numbers, in the unit "
+            "that it says: pass the quantity's m_as(unit). Generated kernels take quantities as they are"
+        )
     units = str(getattr(value, "attrs", {}).get("units", ""))
     if IN_DEGREES.match(units):
         raise ValueError(f"{name} has units {units!r}; angles are in radians, rates in rad/s")

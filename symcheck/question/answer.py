@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from typing import Any
@@ -13,6 +13,7 @@ from msgspec import to_builtins
 from symcheck.core.certificates import Certificate, MatrixProof
 from symcheck.dimensions import Dimensions
 
+SEEKING = ("slips", "measuring", "generalizing")  # the fields that look for what is asked for later
 Slips = tuple[dict[str, str], ...]
 
 
@@ -28,7 +29,15 @@ class Status(StrEnum):
 
 
 def _nothing() -> None:
-    """What a formula measures that is not read."""
+    """What a formula measures that is not read, and the general form of one that is general."""
+
+
+@dataclass(frozen=True)
+class General:
+    """The form of a relation for any value of a quantity that is printed as 1, and its certificates."""
+
+    relation: str
+    certificate: tuple[Certificate, ...]
 
 
 @dataclass(frozen=True)
@@ -59,6 +68,8 @@ class Answer:
         What looks for repairs.
     measuring
         What finds the dimensions of its terms.
+    generalizing
+        What looks for the general form.
     """
 
     verdict: Status
@@ -72,6 +83,7 @@ class Answer:
     seconds: float = 0.0
     slips: Callable[[], Slips] = field(default=tuple, repr=False, compare=False)
     measuring: Callable[[], Dimensions | None] = field(default=_nothing, repr=False, compare=False)
+    generalizing: Callable[[], General | None] = field(default=_nothing, repr=False, compare=False)
 
     @cached_property
     def repairs(self) -> Slips:
@@ -83,12 +95,18 @@ class Answer:
         """Whether its terms measure the same, beside whether it is true; None for what is not read."""
         return self.measuring()
 
+    @cached_property
+    def general(self) -> General | None:
+        """What is proved for any value of a quantity that is printed as 1; None if there is none, or no proof."""
+        return self.generalizing()
+
     def __getstate__(self) -> dict[str, Any]:
-        """What another process is sent: repairs and dimensions in the place of what looks for them."""
-        found = {"repairs": self.repairs, "slips": tuple, "dimension": self.dimension, "measuring": _nothing}
-        return {**self.__dict__, **found}
+        """What another process is sent: repairs, dimensions and the general form in the place of what finds them."""
+        found = {"repairs": self.repairs, "dimension": self.dimension, "general": self.general}
+        return {**self.__dict__, **found, "slips": tuple, "measuring": _nothing, "generalizing": _nothing}
 
     def as_json(self) -> dict[str, Any]:
-        """The answer as JSON data, with repairs and dimensions."""
-        told = (*(key for key in self.__dataclass_fields__ if key not in ("slips", "measuring")), "repairs")
-        return {key: getattr(self, key) for key in told} | {"dimension": to_builtins(self.dimension)}
+        """The answer as JSON data, with repairs, dimensions and the general form."""
+        told = (*(key for key in self.__dataclass_fields__ if key not in SEEKING), "repairs")
+        more = {"dimension": to_builtins(self.dimension), "general": self.general and asdict(self.general)}
+        return {key: getattr(self, key) for key in told} | more

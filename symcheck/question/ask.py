@@ -40,11 +40,12 @@ from symcheck.question.doubts import (
 )
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
+from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import OfAnySize, covers, false_gradients, of_any_size
+from symcheck.question.measured import ONE, measured
 from symcheck.question.measured import checked as checked_units
-from symcheck.question.measured import measured
 from symcheck.question.parts_of_turns import with_parts_of_turns
 from symcheck.question.prepare import (
     DEFINED,
@@ -148,7 +149,10 @@ def decide(
     if answer.verdict is Status.UNREADABLE:
         return answer
     asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
-    return replace(answer, measuring=partial(measured, asked, units))
+    answer = replace(answer, measuring=partial(measured, asked, units))
+    if answer.verdict is not Status.PROVED or not any(unit.endswith(ONE) for unit in units.values()):
+        return answer
+    return replace(answer, generalizing=partial(in_general, asked, units, decided_one))
 
 
 def answered(
@@ -180,7 +184,7 @@ def answered(
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
         with limited(TOTAL):
-            of_fields = in_fields(asked, _decided_one)
+            of_fields = in_fields(asked, decided_one)
         if of_fields is not None:
             return replace(of_fields, seconds=time.perf_counter() - started)
         if all_sizes and (general := _of_any_size(asked)):
@@ -256,7 +260,7 @@ def _false_gradient(asked: Asked) -> Answer | None:
         latex, letters_ = _shown(reading.tree, reading.inference)
         found, whole = None, True
         for problems in false_gradients(reading):
-            answers = (_decided_one(problem) for problem in problems)
+            answers = (decided_one(problem) for problem in problems)
             found = next((made for verdict, made, _ in answers if made and verdict is Verdict.REFUTED), None)
             if found is None:
                 return None if whole else Answer(Status.AMBIGUOUS, latex, letters_, reason=LAYOUT)
@@ -345,11 +349,11 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     for problem in reading.problems:
-        verdict, made, found = _decided_one(problem)
+        verdict, made, found = decided_one(problem)
         whole = _not_whole(reading, problem, made) if made is not None and verdict is Verdict.REFUTED else []
         if made is None or whole:
             turned = with_half_turns(problem, _whole_letters(reading))
-            again = _decided_one(turned) if turned is not None else (verdict, None, ())
+            again = decided_one(turned) if turned is not None else (verdict, None, ())
             if again[0] is Verdict.PROVED and again[1] is not None:
                 verdict, made, found = again
             elif whole:
@@ -445,7 +449,7 @@ def _by_indices(asked: Asked) -> Answer | None:
         base = Answer(Status.UNDECIDED, with_brackets(reading.tree), indices.shown(found))
         verdicts, made = list[Verdict](), list[Certificate]()
         for dimension in found.dimensions:
-            answers = [_decided_one(problem) for problem in found.problems(dimension)]
+            answers = [decided_one(problem) for problem in found.problems(dimension)]
             verdicts.append(next((v for v, _, _ in answers if v is not Verdict.PROVED), Verdict.PROVED))
             made += (c for v, c, _ in answers if c is not None and v is verdicts[-1])
         if {*verdicts} == {Verdict.PROVED}:
@@ -464,7 +468,7 @@ def _proved_of_family(base: Answer, reading: Reading, found: special.Members) ->
     written = special.written_out(problem, found) if not found.base and not found.integrals else None
     for stated in (written, *(special.related(problem, found, more) for more in (0, 1))):
         if stated is not None:
-            verdict, made, _ = _decided_one(stated)
+            verdict, made, _ = decided_one(stated)
             if made is not None and verdict is Verdict.PROVED:
                 return _proved_in_cases(base, reading, (stated,), (made,))
     sequences = special.as_sequences(problem, found)
@@ -480,7 +484,7 @@ def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, d
         if (problem := special.written_out(reading.problems[0], found, number)) is None:
             continue
         by_digits = _refuted_by_digits(jets.without(problem))
-        verdict, made, used = by_digits or ((Verdict.UNDECIDED, None, ()) if found.integrals else _decided_one(problem))
+        verdict, made, used = by_digits or ((Verdict.UNDECIDED, None, ()) if found.integrals else decided_one(problem))
         if made is None or verdict is not Verdict.REFUTED:
             continue
         if not declared:
@@ -516,7 +520,7 @@ def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
             for step in several() or (None,):
                 if step is None:
                     return None
-                verdict, certificate_, _ = _decided_one(step)
+                verdict, certificate_, _ = decided_one(step)
                 if certificate_ is None or verdict is not Verdict.PROVED:
                     return None
                 cases.append(step)
@@ -531,7 +535,7 @@ def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> A
         return None
     made = list[Certificate]()
     for side in (side for each in found if each is not None for side in each.sides):
-        verdict, certificate_, _ = _decided_one(side)
+        verdict, certificate_, _ = decided_one(side)
         if certificate_ is None or verdict is not Verdict.PROVED:
             return None
         made.append(certificate_)
@@ -545,7 +549,7 @@ def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> A
 def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
     """Refuted at one of the first whole numbers; proved if the claim holds at the first ones, and then at the next."""
     used = tuple(text for text in reading.stated.values())
-    direct = [_decided_one(problem) for problem in cases.direct]
+    direct = [decided_one(problem) for problem in cases.direct]
     made = [made for verdict, made, _ in direct if made is not None and verdict is Verdict.PROVED]
     if len(made) == len(direct):
         return _proved_in_cases(base, reading, cases.direct, made)
@@ -554,7 +558,7 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
         for printed, problem in zip(reading.problems, cases.at(number), strict=True):
             definitions = tuple((x, _with_factorials(t)) for x, t in problem.definitions)
             at = replace(problem, claim=_with_factorials(problem.claim), definitions=definitions)
-            verdict, certificate_, _ = _decided_one(at)
+            verdict, certificate_, _ = decided_one(at)
             if certificate_ is not None and verdict is Verdict.REFUTED:
                 if reason := doubt(reading):
                     return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
@@ -571,7 +575,7 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
                     return replace(base, reason=f"it is not decided at {cases.letter} = {number}")
                 made.append(certificate_)
     for problem in cases.step:
-        verdict, certificate_, _ = _decided_one(problem)
+        verdict, certificate_, _ = decided_one(problem)
         if certificate_ is None or verdict is not Verdict.PROVED:
             return replace(base, reason="it holds for the first whole numbers; no induction for the others was found")
         made.append(certificate_)
@@ -607,7 +611,7 @@ def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:
     if tree == reading.tree:
         return False
     with suppress(SymcheckError):
-        return all(_decided_one(problem)[0] is not Verdict.REFUTED for problem in worded(reading, tree))
+        return all(decided_one(problem)[0] is not Verdict.REFUTED for problem in worded(reading, tree))
     return False
 
 
@@ -627,7 +631,7 @@ def _perhaps_for_all(problem: Problem) -> str:
         for letter in sorted(letters(equation) - rest):
             more = tuple(substituted(equation, {letter: n}) for n in ENOUGH)
             stricter = replace(problem, hypotheses=(*problem.hypotheses, ("for all", more)))
-            verdict = _decided_one(stricter)[0]
+            verdict = decided_one(stricter)[0]
             if verdict is Verdict.PROVED or (verdict is Verdict.UNDECIDED and letter in VARIABLES):
                 return letter
     return ""
@@ -667,7 +671,7 @@ def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSO
         return []
     positive = tuple(node(">", x, 0) for x in names)
     stricter = replace(problem, hypotheses=(*problem.hypotheses, ("positive", positive)))
-    return names if _decided_one(stricter)[0] is Verdict.PROVED else []
+    return names if decided_one(stricter)[0] is Verdict.PROVED else []
 
 
 def _is_root(part: Node) -> bool:
@@ -683,7 +687,7 @@ def _whole_power(reading: Reading, problem: Problem) -> Term | None:
     trees = [problem.claim, *(f for _, fs in said for f in fs), *(t for _, t in problem.definitions)]
     bases = (part.outside for part in nodes(*trees) if part.tag == "pow")
     for base in dict.fromkeys(base for base, exponent in bases if letters(base) and letters(exponent) <= whole):
-        if _decided_one(replace(problem, claim=node(">", base, 0), hypotheses=said))[0] is not Verdict.PROVED:
+        if decided_one(replace(problem, claim=node(">", base, 0), hypotheses=said))[0] is not Verdict.PROVED:
             return base
     return None
 
@@ -698,7 +702,7 @@ def _refuted_at_whole_numbers(
         hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
         definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
         at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
-        verdict, made, used = _decided_one(at)
+        verdict, made, used = decided_one(at)
         if made is not None and verdict is Verdict.REFUTED:
             made["point"]["values"] |= {x: n for x, n in by.items() if x not in made["point"]["values"]}
             if check(made) is None:
@@ -735,13 +739,13 @@ def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certific
     """The certificate at a point through which there are curves in all directions that one equation allows."""
     if len(reading.regular) == 1:
         more = replace(problem, hypotheses=(*problem.hypotheses, ("regular", reading.regular)))
-        verdict, made, used = _decided_one(more)
+        verdict, made, used = decided_one(more)
         if verdict is Verdict.REFUTED:
             return made, used
     return None, ("no point was found at which it fails, with curves in all directions that the equations allow",)
 
 
-def _decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
+def decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate; if there is none, that with what differential equations say of functions."""
     found = _decided_as_stated(problem)
     if found[1] is None and any(map(functions, (problem.claim, *(f for _, fs in problem.hypotheses for f in fs)))):

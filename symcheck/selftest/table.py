@@ -7,8 +7,7 @@ from typing import Any
 
 from rich.table import Table
 
-from symcheck.ledger.selftested import STATUSES, Row, rows
-from symcheck.selftest.trial import MISFITS
+from symcheck.ledger.selftested import MISFITS, STATUSES, Row, rows
 
 COLUMNS = (*STATUSES, "rejected of those that are faults", MISFITS, "right", "rejected")
 MAX_LISTED = 20  # faults that were judged wrongly, named one by one: about a screen

@@ -11,6 +11,7 @@ from random import Random
 from typing import TypeVar
 
 from symcheck.ledger import Record
+from symcheck.ledger.selftested import MISFITS
 
 T = TypeVar("T")
 
@@ -28,7 +29,6 @@ class Status(StrEnum):
     FALSELY_REJECTED = "falsely rejected"
 
 
-MISFITS = "by dimension"  # the name of that count in a result
 PLANTED = (Status.REJECTED, Status.ACCEPTED, Status.EQUIVALENT, Status.WEAKER, Status.STRONGER, Status.OPEN)
 
 

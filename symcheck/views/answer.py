@@ -36,6 +36,8 @@ def text(answer: Answer, measured: bool = False) -> str:
     of = answer.dimension
     if of is not None and (measured or of.verdict == INCONSISTENT):
         lines += [f"  {'dimension' if n == 0 else '':15} {line}" for n, line in enumerate(fits(of))]
+    if measured and (form := answer.general) is not None:
+        lines.append(f"  in general      proved too, with {len(form.certificate)} certificate(s)")
     lines.append(f"  {answer.seconds:.2f} s")
     return "\n".join(lines)
 

@@ -13,16 +13,22 @@ from symcheck import __version__, papers
 from symcheck.core.claims import Declaration, Paper
 from symcheck.core.verdicts import Verdict
 from symcheck.ledger import Record, by_paper
+from symcheck.views.dimensions import conflict
 from symcheck.views.model import Relation
 
+MISFIT = "dimensions"  # what is said of a relation beside its verdict
 LONGEST = 300  # characters of a formula that is shown in one line
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
-SAID = {
+RULES: dict[str, str] = {
     Verdict.REFUTED: "The relation fails at a point that satisfies all that it follows from.",
     Verdict.UNDECIDED: "The relation is neither proved nor refuted.",
     Verdict.PROVED: "The relation is proved, and the proof is checked.",
+    MISFIT: "The terms of the relation do not measure the same.",
 }
-LEVELS = {Verdict.REFUTED: "error", Verdict.UNDECIDED: "warning", Verdict.PROVED: "none"}  # as SARIF calls them
+LEVELS: dict[str, str] = {
+    Verdict.REFUTED: "error",
+    Verdict.PROVED: "none",
+}  # as SARIF calls them; all others are warnings
 
 
 @dataclass(frozen=True)
@@ -32,7 +38,7 @@ class Diagnostic:
     id: str
     file: str
     line: int
-    verdict: Verdict
+    verdict: str
     message: str
 
     @property
@@ -47,8 +53,8 @@ class Diagnostic:
         place = {"artifactLocation": {"uri": uri + mark + cell}, "region": {"startLine": max(self.line, 1)}}
         return {
             "ruleId": str(self.verdict),
-            "kind": "pass" if self.verdict is Verdict.PROVED else "fail",
-            "level": LEVELS[self.verdict],
+            "kind": "pass" if self.verdict == Verdict.PROVED else "fail",
+            "level": LEVELS.get(self.verdict, "warning"),
             "message": {"text": self.message},
             "locations": [{"physicalLocation": place, "logicalLocations": [{"fullyQualifiedName": self.id}]}],
         }
@@ -60,9 +66,11 @@ def diagnostics(records: Iterable[Record]) -> Iterator[Diagnostic]:
         paper = papers.load()[key]
         items = {item.number: item for _, _, item in paper.items()}
         for record in rows:
+            file = file_of(paper, items[record.declaration.removeprefix(f"{key}:")])
             if record.verdict:
-                item = items[record.declaration.removeprefix(f"{key}:")]
-                yield Diagnostic(record.id, file_of(paper, item), record.line, record.verdict, _message(record))
+                yield Diagnostic(record.id, file, record.line, record.verdict, _message(record))
+            if misfit := conflict(record.dimension):
+                yield Diagnostic(record.id, file, record.line, MISFIT, f"{record.number}: {misfit}")
 
 
 def file_of(paper: Paper, item: Declaration) -> str:
@@ -100,7 +108,7 @@ def plain(records: Sequence[Record]) -> str:
 
 def sarif(records: Sequence[Record]) -> str:
     """A log of SARIF 2.1.0 with one run."""
-    rules = [{"id": str(verdict), "shortDescription": {"text": text}} for verdict, text in SAID.items()]
+    rules = [{"id": str(verdict), "shortDescription": {"text": text}} for verdict, text in RULES.items()]
     driver = {"name": "symcheck", "version": __version__, "rules": rules}
     run = {"tool": {"driver": driver}, "results": [each.sarif() for each in diagnostics(records)]}
     return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1)

@@ -31,5 +31,14 @@ def conflict(of: Dimensions | None) -> str:
     return ", ".join(f"{_cut(each.term)} measures {each.measures}" for each in terms)
 
 
+def unlike(of: Dimensions | None) -> str:
+    """What is said of dimensions in one line, where it is something else than that they fit."""
+    if of is None or of.verdict == CONSISTENT:
+        return ""
+    if of.verdict == INCONSISTENT:
+        return f"do not fit: {conflict(of)}"
+    return f"undetermined: {of.reason}" if of.reason else f"undetermined without {', '.join(of.undetermined)}"
+
+
 def _cut(text: str) -> str:
     return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"

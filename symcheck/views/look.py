@@ -60,6 +60,8 @@ def _finding(finding: Finding) -> Iterator[str]:
         ("", [finding.formula] if finding.formula else []),
         ("at", [", ".join(f"{x} = {value}" for x, value in finding.point.items())] if finding.point else []),
         ("there", finding.values),
+        ("but", finding.dimensions),
+        ("as", finding.units),
         ("with", finding.definitions),
         ("holds", finding.nearest),
     ):

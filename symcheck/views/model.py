@@ -21,6 +21,7 @@ from symcheck.core.verdicts import Group, Loss, Origin, Reading, Role, Verdict
 from symcheck.core.words import term
 from symcheck.dimensions import CONSISTENT, INCONSISTENT
 from symcheck.ledger import HypothesisRow, Record
+from symcheck.views.dimensions import unlike
 from symcheck.views.latex import is_formula, only_formula
 from symcheck.views.steps import compared, coordinates, point, proof_lines, sides
 
@@ -317,6 +318,7 @@ class Fault:
         yield Fact("to print", self.instead, is_ours=True)
         yield Fact("given", "; ".join(self.first.added))
         yield Fact("fails at", "" if record.is_row else self.first.fails_at)
+        yield Fact("dimensions", unlike(record.dimension))
         yield Fact("why", record.reason, is_ours=True)
 
 

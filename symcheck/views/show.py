@@ -7,10 +7,11 @@ from difflib import get_close_matches
 
 from symcheck.audit import check, kernels
 from symcheck.core.ids import Id
-from symcheck.core.verdicts import SymcheckError
+from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record
 from symcheck.papers import load
+from symcheck.question.answer import General
 from symcheck.views import terminal
 
 
@@ -41,7 +42,7 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
     named = {known: (key, kernel) for key in keys for known, kernel in _named(key)}
     if ":" in name and name not in named:
         for record in records([name]):
-            terminal.show(out, record, certificate)
+            terminal.show(out, record, certificate, _in_general(record))
         return
     if name not in named:
         near = get_close_matches(name, named, n=1)
@@ -50,6 +51,16 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
     key, kernel = named[name]
     claims = records([str(Id.of(key, place)) for place in kernel.claims])
     terminal.kernel(out, key, name.rpartition(":")[2], kernel, claims)
+
+
+def _in_general(record: Record) -> General | None:
+    """The form for any value of a quantity that is printed as 1, if both are proved."""
+    if record.verdict is not Verdict.PROVED or not record.dimension or not record.dimension.general:
+        return None
+    from symcheck.question.ask import decided_one
+    from symcheck.question.general import of_relation
+
+    return of_relation(record.id, decided_one)
 
 
 def _named(key: str) -> Iterator[tuple[str, Kernel]]:

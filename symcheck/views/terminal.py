@@ -20,12 +20,14 @@ from symcheck.audit.dimensions import Unit
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
 from symcheck.core.verdicts import Group, Verdict
-from symcheck.dimensions import INCONSISTENT
+from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
+from symcheck.ledger.changes import Change
+from symcheck.question.answer import General
 from symcheck.views import model
 from symcheck.views.diagnostics import near
-from symcheck.views.dimensions import conflict, fits
+from symcheck.views.dimensions import conflict, fits, unlike
 from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
 
@@ -110,13 +112,26 @@ def findings(out: Console, records: Sequence[Record]) -> None:
     if others:
         counted = "; ".join(f"{group}: {count}" for group, count in others.items())
         _wrapped(out, f"{'And' if serious else 'Wrong as printed:'} {counted}")
+    open_ = [record for record in records if record.dimension and record.dimension.verdict == UNDETERMINED]
+    _listed(out, "Dimensions that are not determined", ((each.id, unlike(each.dimension)) for each in open_))
     conflicts = [record for record in records if record.dimension and record.dimension.verdict == INCONSISTENT]
     _listed(out, "Dimensions that do not fit", ((each.id, conflict(each.dimension)) for each in conflicts))
     kinds = Counter(record.kind for record in records if record.verdict is Verdict.REFUTED and record.kind)
     if kinds.total() > 1:
         _wrapped(out, f"Causes: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}")
-    if undecided or faults or conflicts:
+    if undecided or faults or open_ or conflicts:
         out.print()
+
+
+def changes(out: Console, name: str, found: Sequence[Change]) -> None:
+    """What changed since an older ledger: the verdicts by name, all else counted."""
+    verdicts = [each for each in found if each.verdict]
+    others = Counter(each.what.partition(":")[0].partition(";")[0] for each in found if not each.verdict)
+    counted = Counter(each.what for each in verdicts) + others
+    said = "; ".join(f"{count} {what}" for what, count in counted.most_common())
+    _wrapped(out, f"Since {name}: {said or 'nothing has changed'}")
+    _listed(out, "Other verdicts", ((each.id, each.what) for each in verdicts))
+    out.print()
 
 
 def _listed(out: Console, title: str, rows: Iterable[tuple[str, str]]) -> None:
@@ -153,13 +168,17 @@ def summary(out: Console, records: Sequence[Record]) -> None:
         _wrapped(out, line)
 
 
-def show(out: Console, record: Record, whole_certificate: bool = False) -> None:
-    """Everything that is known of one relation."""
+def show(out: Console, record: Record, whole_certificate: bool = False, general: General | None = None) -> None:
+    """Everything that is known of one relation, and its form for any value of a quantity that is printed as 1."""
     relation = Relation(record)
     out.print(Text(relation.title, style="bold"))
     _print(out, _fields(relation))
     for certificate in record.certificates:
         _certificate(out, certificate, whole_certificate)
+    if general:
+        _print(out, [("in general", f"{general.relation}: proved too")])
+        for certificate in general.certificate:
+            _certificate(out, certificate, whole_certificate)
 
 
 def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str, str | Text]]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from symcheck.core.verdicts import Group
 from symcheck.ledger import Record, by_paper
+from symcheck.views.dimensions import unlike
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, sentence, standing_alone
 from symcheck.views.model import Fact, Fault, FaultList, Relation, errata, headline
@@ -27,10 +28,14 @@ def _lines(records: Sequence[Record]) -> Iterator[str]:
         for each in lists:
             yield from (map(_fault, each.faults) if group is Group.STATEMENT else _table(each))
     for paper, rows in by_paper(records).items():
-        yield f"\n## {paper}\n\n| number | statement | verdict | reading | confirmed by Coq |\n|---|---|---|---|---|"
+        names = ["number", "statement", "verdict", "reading", "confirmed by Coq"]
+        told = any(unlike(record.dimension) for record in rows)
+        names += ["dimensions"] if told else []
+        yield f"\n## {paper}\n\n| {' | '.join(names)} |\n|{'---|' * len(names)}"
         for relation in map(Relation, rows):
             record = relation.record
-            cells = (_formula(relation.statement), relation.state, record.reading, _plain(relation.coq))
+            cells = [_formula(relation.statement), relation.state, record.reading, _plain(relation.coq)]
+            cells += [_plain(unlike(record.dimension))] if told else []
             yield f"| {record.number} | {' | '.join(cells)} |"
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from symcheck.ledger import Record, by_paper
+from symcheck.views.dimensions import unlike
 from symcheck.views.exports import Format
 from symcheck.views.latex import is_formula, sentence, standing_alone
 from symcheck.views.model import Fact, Fault, Relation, errata, headline
@@ -47,8 +48,10 @@ def _lines(records: Sequence[Record]) -> Iterator[str]:
         yield rf"\section*{{{paper}}}"
         for relation in map(Relation, rows):
             said = _formula(relation.statement, relation.record.line)
-            number = _plain(relation.record.number)
+            number, told = _plain(relation.record.number), unlike(relation.record.dimension)
             yield rf"\said{{\textbf{{{number}}}}}{{\textit{{{relation.state}}}\quad {said}}}"
+            if told:
+                yield rf"\said{{}}{{\textit{{dimensions}}\quad {_plain(told)}}}"
 
 
 def _fault(fault: Fault) -> str:

@@ -17,6 +17,7 @@ from symcheck.coq.confirmed import CONFIRMED, confirmed
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger import Record
+from symcheck.ledger.changes import Change
 from symcheck.ledger.selftested import evidence, rows
 from symcheck.views.dimensions import fits
 from symcheck.views.model import Relation, blame, errata, erring, origins
@@ -42,7 +43,7 @@ class Extras:
     """What the page shows apart from the records.
 
     Kernels, notebook cells and meanings of letters by claim, pictures as `symcheck.views.pictures` has them, the result
-    of the self-test, the day on which the page is written.
+    of the self-test, the day on which the page is written, the name of an older ledger and what changed since it.
     """
 
     kernels: Mapping[str, Sequence[Excerpt]] = field(default_factory=dict)
@@ -53,6 +54,8 @@ class Extras:
     selftest: Mapping[str, Any] | None = None
     letters: Mapping[str, Sequence[Meaning]] = field(default_factory=dict)
     date: str = ""
+    older: str = ""
+    changes: Sequence[Change] = ()
 
 
 class _Numbered:
@@ -151,6 +154,8 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         "font": address("font/woff2", (files(__package__) / "vendor" / FONT).read_bytes()),
         "version": __version__,
         "date": extras.date,
+        "older": extras.older,
+        "changes": extras.changes,
         "style": _asset("style.css"),
         "script": Markup("").join(map(_asset, SCRIPTS)),
     }
