@@ -342,11 +342,12 @@ class Forger:
             given["f"] = {"letter": "x", "term": [step, ["*", step, ["+", ["*", 2, begun], -1]]][power - 1]}
         if name == "telescoping_product":
             given["s"], given["t"] = self.rng.choice(((1, 3), (0, 2), (2, 2), (3, 2), (1, -1)))
-            factor, begun = self.number(), ["+", ["+", "x", ["-", given["s"]]], 2]
-            power = ["pow", 2, ["+", ["+", "x", ["-", given["s"]]], 1]]
-            whole, each = self.rng.choice(
-                ((begun, ["/", begun, ["+", begun, -1]]), (["gamma", begun], ["+", begun, -1]), (power, 2))
-            )
+            factor, count = self.number(), ["+", ["+", "x", ["-", given["s"]]], 1]
+            begun, odd = ["+", count, 1], ["+", ["*", 2, count], -1]
+            whole, each = self.rng.choice((
+                (begun, ["/", begun, count]), (["gamma", begun], count), (["pow", 2, count], 2),
+                (["exp", count], ["exp", 1]), (["exp", ["^", count, 2]], ["exp", odd]),
+            ))  # fmt: skip
             given["g"] = {"letter": "x", "term": whole}
             given["f"] = {"letter": "x", "term": each if self.chance(0.8) else ["*", factor, each]}
         if name in ("decaying", "gaussian", "gaussian_wave", "half_gaussian") and isinstance(given.get("g"), dict):

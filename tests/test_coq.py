@@ -161,6 +161,11 @@ def test_every_theorem_of_the_checker_is_proved_as_it_stands_there_or_has_a_reas
         ("mean", "forall (f : R -> R) (c : R) (g : R -> R), polynomial_in_circle g -> "
          "(forall x : R, f x = c + Derive (fun x => g x) x) -> RInt (fun x => f x) 0 (2 * PI) / (2 * PI) = c"),
         ("arccosine < back", "forall (a t : R), t ^ 2 <= 1 -> 0 <= a -> a <= PI -> t < cos a -> a < acos t"),
+        ("telescoping_product", "forall (f g : R -> R) (s t : R), whole s -> whole t -> s - 1 <= t -> g (s - 1) = 1 -> "
+         "(forall x : R, x >= s - 1 -> g (x + 1) = g x * f (x + 1)) -> product_between (fun x => f x) s t = g t"),
+        ("shifted", "forall (f g : R -> R) (a : R), (forall x : R, f x = g (x + a)) -> "
+         "integral_over_line (fun x => f x) = integral_over_line (fun x => g x) /\\ "
+         "diverges_over_line (fun x => f x) = diverges_over_line (fun x => g x)"),
         ("congruence of two", "forall (f : R -> R -> R) (s t u v : R), s = t -> u = v -> f s u = f t v"),
     ],
 )  # fmt: skip
@@ -319,6 +324,40 @@ def test_outcomes_are_recorded_or_compared(
     told = capsys.readouterr().out
     assert ("toy:1 is recorded as confirmed by Coq, and is not: slow" in told) == bool(code)
     assert ("1 outcomes are not as recorded" in told) == (after == "--check")
+
+
+@pytest.fixture(scope="module")
+def library(exported: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What all theorems rest on, compiled."""
+    root = tmp_path_factory.mktemp("library")
+    (root / "Symcheck.v").write_text(exported["Symcheck.v"], encoding="utf-8")
+    assert compiler.coqc(root, "Symcheck.v")[0] == 0
+    return root
+
+
+@pytest.mark.slow
+@COQ
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("telescoping_product", "  whole t ->\n", ""),
+        ("telescoping_product", "g (s - 1) = 1", "g s = 1"),
+        ("telescope", "  s - 1 <= t ->\n", ""),
+        ("sum_of_sums", "x >= s ->", "x > s ->"),
+        ("full_turn", "2 * PI * u / r", "PI * u / r"),
+        ("full_turn", "  r >= 0 ->\n", ""),
+        ("shifted", "f x = g (x + a)", "f x = g (a * x)"),
+    ],
+)
+def test_a_theorem_with_another_statement_does_not_compile(
+    name: str, old: str, new: str, exported: dict[str, str], library: Path
+) -> None:
+    before, start, rest = exported["Theorems.v"].partition(f"Theorem {identifier(name)} :")
+    said, proof, _ = re.split(r"(?=Proof\.)|(?<=Qed\.)", rest, maxsplit=2)
+    assert old in said
+    for own, code in ((said, 0), (said.replace(old, new), 1)):
+        (library / "Changed.v").write_text(before + start + own + proof, encoding="utf-8")
+        assert compiler.coqc(library, "Changed.v")[0] == code
 
 
 def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

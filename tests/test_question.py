@@ -224,6 +224,22 @@ REFUTED |= {
     r"\int_{-\infty}^\infty \frac{dx}{(x + 1)^2 + 4} = \frac{\pi}{4}": "",
     r"\int_0^\infty \frac{dx}{9 x^2 + 4} = \frac{\pi}{6}": "",
 }
+PROVED |= {  # squares that are completed, in integrands too, and Fourier integrals between two ends
+    "x^2 + 2 x + 5 > 0": "",
+    r"a^2 + b^2 + c^2 \ge a b + b c + c a": "",
+    "x^4 - x^2 + 1 > 0": "",
+    "x^2 + 2 a x + 2 a^2 > 0": r"a \ne 0",
+    r"\int_{-\infty}^\infty \frac{dx}{x^2 + 2 x + 5} = \frac{\pi}{2}": "",
+    r"\int_{-\infty}^\infty \frac{dx}{x^2 + 2 a x + 2 a^2} = \frac{\pi}{a}": "a > 0",
+    r"\int_{-T/2}^{T/2} e^{-i \omega t}\,dt = \frac{2 \sin(\omega T/2)}{\omega}": ("T > 0", r"\omega > 0"),
+}
+REFUTED |= {
+    "a^2 + b^2 + c^2 > a b + b c + c a": "",
+    "x^2 + 4 x y + 4 y^2 + 1 > 1": "",
+    r"\int_{-\infty}^\infty \frac{dx}{x^2 + 2 x + 5} = \frac{\pi}{4}": "",
+    r"\int_{-T/2}^{T/2} e^{-i \omega t}\,dt = \frac{\sin(\omega T/2)}{\omega}": ("T > 0", r"\omega > 0"),
+    r"\int \tan x\,dx = \ln|\cos x| + C": "",  # its sides at a point are told by digits alone
+}
 PROVED |= {  # parts of half a turn
     r"\cos\frac{\pi}{8} = \frac{\sqrt{2 + \sqrt{2}}}{2}": "",
     r"\sin 15^\circ = \frac{\sqrt{6} - \sqrt{2}}{4}": "",
@@ -272,6 +288,11 @@ PROVED |= {
     r"\int_0^{L} \sin\frac{m \pi x}{L} \sin\frac{n \pi x}{L} dx = 0": (*POSITIVE, "L > 0"),
 }
 NOT_PROVED: dict[str, tuple[str, str]] = {  # false, without a value, or about nothing: earlier equations, conditions
+    "x^2 + 2 x + 1 > 0": ("", ""),
+    r"x^2 - 3 x y + y^2 \ge 0": ("", ""),
+    "x^2 + 2 a x + a^2 > 0": ("", "a > 0"),
+    r"\int_{-\infty}^\infty \frac{dx}{x^2 + 2 x} = 0": ("", ""),
+    r"\int_{-\infty}^\infty \frac{dx}{x^2 + 2 x + 1} = 0": ("", ""),
     r"\int_{-1}^{1} \frac{1}{x^2} dx = -2": ("", ""),
     r"\int_{-1}^{1} \frac{1}{x} dx = 0": ("", ""),
     r"\int_0^{2\pi} \tan x dx = 0": ("", ""),

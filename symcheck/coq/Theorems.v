@@ -3,7 +3,7 @@
    A test compares the statements with that table, name by name. Those about angles, which lemmas of Symcheck.v give
    alike, and at the end all of them together, are added when the file is exported. *)
 
-Require Import Reals Lra.
+Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 Require Import Symcheck.Symcheck.
 Open Scope R_scope.
@@ -85,6 +85,112 @@ Ltac is_polynomial :=
   | |- polynomial _ (fun x => @?f x ^ ?n) => apply (polynomial_power _ f n)
   end;
   apply polynomial_atom; first [reflexivity | left; reflexivity | right; reflexivity].
+
+(* Sums and products from one whole number to another: those from s to t have t - s + 1 members, or none *)
+
+Definition whole (x : R) : Prop := exists n : Z, x = IZR n.
+
+Fixpoint folded (join : R -> R -> R) (first : R) (f : nat -> R) (n : nat) : R :=
+  match n with O => first | S k => join (folded join first f k) (f k) end.
+
+Definition many (s t : R) : nat := Z.to_nat (Int_part (t - s) + 1).
+Definition sum_between (f : R -> R) (s t : R) : R := folded Rplus 0 (fun k => f (s + INR k)) (many s t).
+Definition product_between (f : R -> R) (s t : R) : R := folded Rmult 1 (fun k => f (s + INR k)) (many s t).
+
+Lemma many_whole (s t : R) : whole s -> whole t -> s - 1 <= t -> INR (many s t) = t - s + 1.
+Proof.
+  intros [m M] [n N] L. unfold many. rewrite M, N, <- minus_IZR.
+  assert (I : Int_part (IZR (n - m)) = (n - m)%Z).
+  { destruct (base_Int_part (IZR (n - m))) as [A B]. apply le_IZR in A.
+    assert (n - m < Int_part (IZR (n - m)) + 1)%Z by (apply lt_IZR; rewrite plus_IZR; lra). lia. }
+  rewrite I, INR_IZR_INZ, Z2Nat.id.
+  - rewrite plus_IZR, minus_IZR. ring.
+  - apply le_IZR. rewrite plus_IZR, minus_IZR. rewrite M, N in L. lra.
+Qed.
+
+Lemma telescoped (join : R -> R -> R) (first : R) (f g : R -> R) (s t : R) :
+  whole s ->
+  whole t ->
+  s - 1 <= t ->
+  g (s - 1) = first ->
+  (forall x : R, x >= s - 1 -> g (x + 1) = join (g x) (f (x + 1))) ->
+  folded join first (fun k => f (s + INR k)) (many s t) = g t.
+Proof.
+  intros A Z L B T.
+  assert (P : forall n, folded join first (fun k => f (s + INR k)) n = g (s - 1 + INR n)).
+  { induction n as [| n I].
+    - simpl. rewrite Rplus_0_r. symmetry. exact B.
+    - change (join (folded join first (fun k => f (s + INR k)) n) (f (s + INR n)) = g (s - 1 + INR (S n))).
+      rewrite I, S_INR. replace (s - 1 + (INR n + 1)) with (s - 1 + INR n + 1) by ring.
+      rewrite T by (pose proof (pos_INR n); lra). do 2 f_equal. ring. }
+  rewrite P, (many_whole s t A Z L). f_equal. ring.
+Qed.
+
+Lemma combined (f g h : R -> R) (a b s : R) (n : nat) :
+  (forall x : R, x >= s -> f x = a * g x + b * h x) ->
+  folded Rplus 0 (fun k => f (s + INR k)) n =
+  a * folded Rplus 0 (fun k => g (s + INR k)) n + b * folded Rplus 0 (fun k => h (s + INR k)) n.
+Proof.
+  intros E. induction n as [| n I]; simpl; [ring |]. rewrite I, E by (pose proof (pos_INR n); lra). ring.
+Qed.
+
+(* Integrals over the whole line of what has an integral between any two numbers; one that diverges counts as 0 *)
+
+Definition over_line (f : R -> R) (value : R) : Prop :=
+  is_RInt_gen f (Rbar_locally m_infty) (Rbar_locally p_infty) value.
+Definition converges_over_line (f : R -> R) : Prop := exists value, over_line f value.
+Definition integral_over_line (f : R -> R) : R :=
+  if ClassicalDedekindReals.sig_not_dec (converges_over_line f)
+  then RInt_gen f (Rbar_locally m_infty) (Rbar_locally p_infty) else 0.
+Definition diverges_over_line (f : R -> R) : R :=
+  if ClassicalDedekindReals.sig_not_dec (converges_over_line f) then 0 else 1.
+
+Lemma shifted_over_line (f g : R -> R) (a value : R) :
+  (forall x : R, f x = g (x + a)) -> over_line g value -> over_line f value.
+Proof.
+  intros E H P N. destruct (H P N) as [Q R [M HM] [K HK] I].
+  apply (Filter_prod _ _ _ (fun x => Q (x + a)) (fun x => R (x + a))).
+  - exists (M - a). intros x L. apply HM. simpl in *. lra.
+  - exists (K - a). intros x L. apply HK. simpl in *. lra.
+  - intros x y Qx Ry. destruct (I _ _ Qx Ry) as [z [J Z]]. exists z. split; [| exact Z].
+    apply (is_RInt_ext (fun x => scal 1 (g (1 * x + a)))).
+    + intros u _. rewrite E. unfold scal. simpl. unfold mult. simpl. rewrite !Rmult_1_l. reflexivity.
+    + apply (is_RInt_comp_lin g 1 a x y z). rewrite !Rmult_1_l. exact J.
+Qed.
+
+Lemma same_over_line (f g : R -> R) :
+  (forall value, over_line f value <-> over_line g value) ->
+  integral_over_line f = integral_over_line g /\ diverges_over_line f = diverges_over_line g.
+Proof.
+  intros S. unfold integral_over_line, diverges_over_line.
+  destruct (ClassicalDedekindReals.sig_not_dec (converges_over_line f)) as [F | F];
+    destruct (ClassicalDedekindReals.sig_not_dec (converges_over_line g)) as [G | G]; split; try reflexivity.
+  - destruct (Classical_Prop.NNPP _ F) as [v V]. pose proof (proj1 (S v) V) as W.
+    rewrite (is_RInt_gen_unique f v V), (is_RInt_gen_unique g v W). reflexivity.
+  - exfalso. apply F. intros [v V]. apply G. exists v. apply S, V.
+  - exfalso. apply F. intros [v V]. apply G. exists v. apply S, V.
+  - exfalso. apply G. intros [v V]. apply F. exists v. apply S, V.
+  - exfalso. apply G. intros [v V]. apply F. exists v. apply S, V.
+Qed.
+
+(* The integral over a full turn: its antiderivative u/r (x - 2 arctan ...) is smooth everywhere *)
+
+Lemma turned (a r n v : R) :
+  0 < a ->
+  0 < r ->
+  0 < v ->
+  n ^ 2 = a ^ 2 - r ^ 2 - (v - a) ^ 2 ->
+  ((v - a) * / (r + v) + n * (n * / ((r + v) * (r + v)))) * / (1 + n * / (r + v) * (n * / (r + v) * 1))
+  = (v - r) / (2 * v).
+Proof.
+  intros A R V N.
+  replace ((v - a) * / (r + v) + n * (n * / ((r + v) * (r + v)))) with (((v - a) * (r + v) + n ^ 2) / (r + v) ^ 2)
+    by (field; lra).
+  replace (1 + n * / (r + v) * (n * / (r + v) * 1)) with (((r + v) ^ 2 + n ^ 2) / (r + v) ^ 2) by (field; lra).
+  replace ((v - a) * (r + v) + n ^ 2) with ((a + r) * (v - r)) by (rewrite N; ring).
+  replace ((r + v) ^ 2 + n ^ 2) with (2 * (a + r) * v) by (rewrite N; ring).
+  field. repeat split; lra.
+Qed.
 
 (* The theorems *)
 
@@ -250,6 +356,45 @@ Proof.
     + apply C, O.
 Qed.
 
+Theorem theorem_full_turn :
+  forall (f : R -> R) (a b c u r s : R),
+  a > 0 ->
+  a ^ 2 > b ^ 2 + c ^ 2 ->
+  r >= 0 ->
+  r ^ 2 = a ^ 2 - (b ^ 2 + c ^ 2) ->
+  (forall x : R, a + b * cos x + c * sin x > 0 -> f x = u / (a + b * cos x + c * sin x)) ->
+  RInt (fun x => f x) s (s + 2 * PI) = 2 * PI * u / r.
+Proof.
+  intros f a b c u r s A B R0 R2 E.
+  assert (Rp : 0 < r) by (destruct R0 as [P | P]; [exact P | exfalso; rewrite P in R2; lra]).
+  pose (w := fun x => a + b * cos x + c * sin x).
+  assert (C : forall x, sin x ^ 2 + cos x ^ 2 = 1) by (intros x; pose proof (sin2_cos2 x) as T; unfold Rsqr in T; lra).
+  assert (W : forall x, 0 < w x).
+  { intros x. unfold w. pose (p := b * cos x + c * sin x).
+    replace (a + b * cos x + c * sin x) with (a + p) by (unfold p; ring). assert (p ^ 2 <= b ^ 2 + c ^ 2).
+    { unfold p. assert (0 <= (b * sin x - c * cos x) ^ 2) by apply pow2_ge_0.
+      replace (b ^ 2 + c ^ 2) with ((b ^ 2 + c ^ 2) * (sin x ^ 2 + cos x ^ 2)) by (rewrite C; ring). lra. }
+    assert (p ^ 2 < a ^ 2) by lra. destruct (Rlt_or_le (- a) p) as [G | G]; [lra |]. exfalso.
+    assert (0 <= (- p - a) * (- p + a)) by (apply Rmult_le_pos; lra). lra. }
+  pose (h := fun x => u / r * (x - 2 * atan ((b * sin x - c * cos x) / (r + w x)))).
+  assert (D : forall x, is_derive h x (u / w x)).
+  { intros x. pose proof (W x) as Wx. unfold h, w in *. auto_derive.
+    - lra.
+    - set (S := sin x) in *. set (K := cos x) in *. assert (Q : S ^ 2 + K ^ 2 = 1) by apply C.
+      replace (b * (1 * K) + - (c * (1 * - S))) with (a + b * K + c * S - a) by ring.
+      replace (- (b * (1 * - S) + c * (1 * K))) with (b * S + - (c * K)) by ring.
+      rewrite (turned a r) by (try lra; replace (a ^ 2 - r ^ 2) with ((b ^ 2 + c ^ 2) * (S ^ 2 + K ^ 2))
+        by (rewrite Q, R2; ring); ring).
+      field. split; lra. }
+  apply is_RInt_unique, (is_RInt_ext (fun x => u / w x)).
+  - intros x _. symmetry. apply E, W.
+  - replace (2 * PI * u / r) with (minus (h (s + 2 * PI)) (h s)).
+    + apply (is_RInt_derive h (fun x => u / w x)); intros x _; [apply D |].
+      apply (ex_derive_continuous (V := R_NormedModule)). pose proof (W x) as P. unfold w in *. auto_derive. lra.
+    + unfold h, w, minus, plus, opp. simpl.
+      rewrite sin_plus, cos_plus, sin_2PI, cos_2PI, !Rmult_0_r, !Rmult_1_r, Rminus_0_r, Rplus_0_r. field. lra.
+Qed.
+
 Theorem theorem_exp_of_log :
   forall (t : R),
   t > 0 ->
@@ -313,11 +458,49 @@ Proof.
   rewrite sin_acos by assumption. f_equal. unfold Rsqr. ring.
 Qed.
 
+Theorem theorem_telescope :
+  forall (f g : R -> R) (s t : R),
+  whole s ->
+  whole t ->
+  s - 1 <= t ->
+  g (s - 1) = 0 ->
+  (forall x : R, x >= s - 1 -> g (x + 1) = g x + f (x + 1)) ->
+  sum_between (fun x => f x) s t = g t.
+Proof. exact (telescoped Rplus 0). Qed.
+
+Theorem theorem_telescoping_product :
+  forall (f g : R -> R) (s t : R),
+  whole s ->
+  whole t ->
+  s - 1 <= t ->
+  g (s - 1) = 1 ->
+  (forall x : R, x >= s - 1 -> g (x + 1) = g x * f (x + 1)) ->
+  product_between (fun x => f x) s t = g t.
+Proof. exact (telescoped Rmult 1). Qed.
+
 Theorem theorem_power_as_exp :
   forall (b u : R),
   b > 0 ->
   Rpower b u = exp (u * ln b).
 Proof. intros. reflexivity. Qed.
+
+Theorem theorem_shifted :
+  forall (f g : R -> R) (a : R),
+  (forall x : R, f x = g (x + a)) ->
+  integral_over_line (fun x => f x) = integral_over_line (fun x => g x) /\ diverges_over_line (fun x => f x) = diverges_over_line (fun x => g x).
+Proof.
+  intros f g a E. apply same_over_line. intros v. split.
+  - apply (shifted_over_line g f (- a)). intros x. rewrite E. f_equal. ring.
+  - apply (shifted_over_line f g a), E.
+Qed.
+
+Theorem theorem_sum_of_sums :
+  forall (f g h : R -> R) (a b s t : R),
+  whole s ->
+  whole t ->
+  (forall x : R, x >= s -> f x = a * g x + b * h x) ->
+  sum_between (fun x => f x) s t = a * sum_between (fun x => g x) s t + b * sum_between (fun x => h x) s t.
+Proof. intros f g h a b s t _ _ E. apply combined, E. Qed.
 
 Theorem theorem_congruence :
   forall (f : R -> R) (s t : R),

@@ -47,10 +47,14 @@ def spelled(tree: Term, level: int = BINDS) -> str:
 
 @dataclass(frozen=True)
 class Printer:
-    """Prints terms and formulas; some letters may stand for whole numbers."""
+    """Prints terms and formulas; some letters may stand for whole numbers.
+
+    of_theorems  whether sums, products and integrals over the whole line have a form: Theorems.v alone defines them
+    """
 
     subtracts: bool = True
     whole: tuple[str, ...] = ()
+    of_theorems: bool = False
 
     def text(self, tree: Term, level: int = BINDS) -> str:
         """A term or formula, in brackets if it binds more loosely than the level."""
@@ -107,6 +111,10 @@ class Printer:
                 return self._applied(f"Derive_n {function}", order, place), APPLIED
             case ("mean",):
                 return f"RInt {function} 0 (2 * PI) / (2 * PI)", TIMES
+            case "sum" | "product" as kind, low, high if self.of_theorems:
+                return self._applied(f"{kind}_between {function}", low, high), APPLIED
+            case "integral" | "diverges" as kind, End(tag="-infinity"), End() if self.of_theorems:
+                return f"{kind}_over_line {function}", APPLIED
             case "integral", low, high:
                 return self._applied(f"RInt {function}", low, high), APPLIED
         raise NotExported(reason(term))

@@ -15,14 +15,14 @@ from symcheck.coq.assumptions import State
 from symcheck.coq.digits import Enclosure
 from symcheck.coq.printing import ATOM, IMPLIES, Printer, name, spelled
 from symcheck.coq.terms import Certificate
+from symcheck.core.calculus import nodes
 from symcheck.core.terms import JSON, Term, node
 
-KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R"}  # of parameters
+KINDS = {"n": "Z", "f": "R -> R", "g": "R -> R", "h": "R -> R"}  # of parameters
 CONGRUENCE = {"congruence": "st", "congruence of two": "stuv"}  # of functions of one argument, and of two
 RELATION_NAMES = {"=": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "ge"}
 UNSTATED = {  # theorems without a proof in Theorems.v
     "enclosure": "it is computed anew for each number, by the lemmas of Digits.v",
-    "full_turn": "this integral, by the tangent of half an angle, is not in Coq's libraries",
     "beta": "Euler's beta integral is not in Coq's libraries",
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",
@@ -44,15 +44,12 @@ UNSTATED = {  # theorems without a proof in Theorems.v
             "scaled",
             "pieces",
             "reflected",
-            "shifted",
             "halves",
             "even",
             "odd",
         ),
         "an improper integral is not stated in Coq",
     ),
-    "telescoping_product": "a product up to a real number is not stated in Coq",
-    **dict.fromkeys(("telescope", "sum_of_sums"), "a sum up to a real number is not stated in Coq"),
     "gamma": "Euler's gamma function is not in Coq's libraries",
     "gamma_values": "Euler's gamma function is not in Coq's libraries",
 }
@@ -62,7 +59,11 @@ LIKE = {
     "arcsine": ("sine", "R1 L H"),
     "arccosine": ("cosine", "R1 L H"),
 }  # of an order
-MISSING = {name: reason for name, reason in UNSTATED.items() if name != "enclosure"}  # those that no proof may apply
+OF_THEOREMS = ("telescope", "telescoping_product", "sum_of_sums", "shifted")  # of what has a form in theorems alone
+MISSING = {  # those that no proof may apply
+    **{name: reason for name, reason in UNSTATED.items() if name != "enclosure"},
+    **dict.fromkeys(OF_THEOREMS, "a sum, a product or an integral without an end has no form in a claim"),
+}
 
 
 class Application:
@@ -109,7 +110,9 @@ def statement(name: str) -> str:
     bound = " ".join(f"({' '.join(own)} : {kind})" for kind, own in groups)
     smooth, *of = table.SMOOTH.get(name, ("",))
     premises = [f"polynomial_in_{'circle' if of else 'letter'} {smooth}"] if smooth else []
-    text = Printer(whole=("n", "k")).text
+    counted = [part for part in nodes(stated.conclusion) if part.tag in ("sum", "product")]
+    premises += [f"whole {end}" for end in dict.fromkeys(end for part in counted for end in part.outside)]
+    text = Printer(whole=("n", "k"), of_theorems=name in OF_THEOREMS).text
     premises += [text(premise, IMPLIES - 1) for premise in stated.premises]
     lines = [f"forall {bound},"] if bound else []
     lines += [*(f"{premise} ->" for premise in premises), text(stated.conclusion)]

@@ -203,8 +203,9 @@ def _compiled_loop(ways: Ways, uniform: tuple[bool, ...]) -> Any:
     from symcheck.kernels.codegen import c_target, traced
 
     said, trace = ways.said, ways.traced()
-    outputs = dict(zip(trace.outputs, (each.name for each in said.outputs), strict=True))
-    whole = traced.program(trace, [each.name for each in said.arguments], outputs.values())
+    outputs = dict(zip(trace.outputs, (each.name for each in said.outputs), strict=True))  # equal ones have one array
+    distinct = trace._replace(outputs=tuple(outputs))
+    whole = traced.program(distinct, [each.name for each in said.arguments], outputs.values())
     numbers = [each.name for each, number in zip(said.arguments, uniform, strict=True) if number]
     text = c_target.alone(said.paper, said.name, whole, numbers)
     loop = getattr(_library(text), f"{said.paper}_{said.name}")

@@ -197,7 +197,7 @@ def _closed(binder: Binder, body: Term) -> Term | None:
                 found = sympy.integrate(to_sympy(body), x)
             else:
                 found = sympy.summation(to_sympy(body), (x, to_sympy(binder.outside[0]), x))
-            if isinstance(found, sympy.Piecewise):
+            if found.has(sympy.Piecewise) and isinstance(found := sympy.piecewise_fold(found), sympy.Piecewise):
                 found = _generic(found)  # the proof shows whether it is so
             if found.has(sympy.Integral, sympy.Sum, sympy.Piecewise):
                 return None

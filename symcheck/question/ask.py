@@ -21,7 +21,7 @@ from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
-from symcheck.proof.search.number_points import refute_at_corners, refute_at_some
+from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import indices, jets, series, special
 from symcheck.question.answer import Answer, Slips, Status
@@ -801,7 +801,13 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                     reasons.append(outcome.reason)
                     continue
                 made = certificate(about, outcome)
-                if (fault := check(made)) is None:
+                fault = check(made)
+                if fault is not None and outcome.point is not None and outcome.point.sides:
+                    # digits may tell that it fails there where they do not tell what its sides are exactly
+                    point = refute_at(checked(about), outcome.point.values)
+                    made = made if point is None else certificate(about, replace(outcome, point=point))
+                    fault = check(made)
+                if fault is None:
                     return outcome.verdict, made, outcome.used
                 reasons.append(f"{REFUSED} ({fault})")
         except OutOfTime:

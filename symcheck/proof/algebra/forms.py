@@ -36,8 +36,11 @@ def fraction_form(term: Term, known: Knowledge, top: Poly | None = None) -> Term
     return None
 
 
-def positive_form(poly: Poly, known: Knowledge) -> Term | None:
-    """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds."""
+def positive_form(poly: Poly, known: Knowledge, squares: bool = False) -> Term | None:
+    """A manifestly non-negative term equal to the polynomial, or None: factors, expanded sums, known bounds.
+
+    squares  whether squares are completed, of which a proof tells more than of what the hypotheses say
+    """
     for bound in known.signs:
         if (multiple := proportional(poly, bound.poly)) is not None and multiple > 0:
             return bound.term if multiple == 1 else node("*", number_term(multiple), bound.term)
@@ -48,8 +51,9 @@ def positive_form(poly: Poly, known: Knowledge) -> Term | None:
         if exponent % 2 == 0:
             parts.append(node("^", term_of(factor), int(exponent)))
             continue
-        form = _factor_form(factor, known)
-        if form is None and (form := _factor_form(-factor, known)) is not None:
+        form = _factor_form(factor, known) or (_squares(factor, known) if squares else None)
+        if form is None:
+            form = _factor_form(-factor, known) or (_squares(-factor, known) if squares else None)
             sign = -sign
         if form is None:
             return None
@@ -63,7 +67,8 @@ def form_on_the_circle(poly: Poly, known: Knowledge) -> Term | None:
     """The same, as sin^2 + cos^2 = 1 allows: 1 + 3 cos^2 a for 4 - 3 sin^2 a."""
     every = [poly, *_on_the_circle(poly)]
     forms = (form(written, known) for form in (positive_form, _within_one) for written in every)
-    return next((form for form in forms if form is not None), None)
+    found = next((form for form in forms if form is not None), None)
+    return positive_form(poly, known, squares=True) if found is None else found
 
 
 def _within_one(poly: Poly, known: Knowledge) -> Term | None:
@@ -148,6 +153,33 @@ def _with_a_multiple(poly: Poly, known: Knowledge) -> Term | None:
                     return node("*", times, bound.term)
                 if (form := _factor_form(rest, known, MAX_BOUNDS - 1)) is not None:
                     return node("+", node("*", times, bound.term), form)
+    return None
+
+
+def _squares(poly: Poly, known: Knowledge) -> Term | None:
+    """The polynomial as a positive multiple of a square, and a form of what that leaves: (x + 1)^2 + 4.
+
+    Squares of what is known not to be zero are left to the last: they tell a positive form from one that may be zero.
+    """
+    letters = zip(poly.context().names(), poly.context().gens(), strict=True)
+    for name, x in sorted(letters, key=lambda letter: known.sign(node("^", table().term(letter[0]), 2))[0]):
+        powers = by_powers(poly, name)
+        half, odd = divmod(max(powers), 2)
+        first = powers[max(powers)]
+        if odd or not half or not first.is_constant():
+            continue
+        if (a := first.leading_coefficient()) < 0:
+            return None
+        root = x**half
+        for k in range(1, half + 1):  # the square of the root has the same coefficients of half the powers
+            left = by_powers(poly / a - root**2, name).get(2 * half - k)
+            root += 0 if left is None else left / 2 * x ** (half - k)
+        rest = poly - a * root**2
+        form = _factor_form(rest, known) or _squares(rest, known) if rest != 0 else 0
+        if form is None:
+            return None
+        square = node("*", number_term(fraction(a)), node("^", term_of(root), 2))
+        return square if form == 0 else node("+", square, form)
     return None
 
 

@@ -161,7 +161,7 @@ class _Search:
             if instance.name in SIGNS:
                 premises = prove_all(theorem.premises, _linear(known), prove_order)
             else:
-                premises = self._premises(theorem.premises, known)
+                premises = self._premises(theorem.premises, known, instance.letter)
             if premises is not None:
                 then = self.prove(goal, known.assume(theorem.conclusion), [*pending[:k], *pending[k + 1 :]], cases)
                 return None if then is None else instance.step(premises, then)
@@ -172,12 +172,18 @@ class _Search:
         """What all theorems say whose premises hold."""
         for instance in pending:
             theorem = _said(instance, known)
-            if self._premises(theorem.premises, known) is not None:
+            if self._premises(theorem.premises, known, instance.letter) is not None:
                 known = known.assume(theorem.conclusion)
         return known
 
-    def _premises(self, formulas: Sequence[Formula], known: Knowledge) -> tuple[Step, ...] | None:
-        return prove_all(formulas, known, self._premise)
+    def _premises(self, formulas: Sequence[Formula], known: Knowledge, letter: str) -> tuple[Step, ...] | None:
+        """The proofs of premises, some of which are so of all numbers that a letter stands for."""
+
+        def prove(formula: Formula, known: Knowledge) -> Step | None:
+            of_all = formula.tag == "=" and letter in letters(formula)
+            return self._conclusion(formula, known, letter) if of_all else self._premise(formula, known)
+
+        return prove_all(formulas, known, prove)
 
     def _premise(self, formula: Formula, known: Knowledge) -> Step | None:
         match formula.tag:
@@ -194,14 +200,18 @@ class _Search:
                 return self.prove_here(formula, _not_divided_by(formula, known))
         return prove_order(formula, known) or order_of_numbers(formula, known.ring.definitions)
 
-    def _conclusion(self, formula: Formula, known: Knowledge) -> Step | None:
-        """What a premise says under an assumption about a bound variable, where theorems may speak of that."""
+    def _conclusion(self, formula: Formula, known: Knowledge, letter: str = "") -> Step | None:
+        """What a premise says of a bound variable, under an assumption perhaps, where theorems may speak of that.
+
+        With a letter, only what it divides by that contains this letter is shown not to be zero.
+        """
         for divisor in dict.fromkeys(map(divided_by, nodes(formula))):
             positive = node(">", divisor, 0)
-            if (why := _shown_here(divisor, known)) is not None:
-                then = self._conclusion(formula, known.assume(positive))
+            if letter in {"", *letters(divisor)} and (why := _shown_here(divisor, known)) is not None:
+                then = self._conclusion(formula, known.assume(positive), letter)
                 return None if then is None else Have(positive, why, then)
-        return self._premise(formula, known) or self._with_inner(formula, known)
+        again = formula.tag != "="  # of an equation this has been tried
+        return self._premise(formula, known) or (self._with_inner(formula, known) if again else None)
 
     def _with_inner(self, formula: Formula, known: Knowledge) -> Step | None:
         below = _Search(self.prove_here, ())
@@ -231,7 +241,7 @@ class _Search:
 
 
 def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
-    """Why a divisor is positive, if only what is assumed of a bound variable says so."""
+    """Why a divisor is positive, if its form does not say so."""
     known_here = letters(divisor) and variables(divisor) <= {*known.ring.names}
     if not known_here or Knowledge(known.ring).sign(divisor)[0]:
         return None
