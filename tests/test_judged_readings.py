@@ -507,3 +507,54 @@ SUMS_OVER_NAMES = (r"\sum_{i=1}^2 I_{s_i} = 2 I_{s_i}", r"\sum_{n=1}^2 t_{n-1} =
 @pytest.mark.parametrize("latex", SUMS_OVER_NAMES)
 def test_a_name_with_the_index_of_a_sum_is_no_constant(latex: str) -> None:
     assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)
+
+
+EVIDENCE = {  # what leaves open how it is meant, beside what shows it
+    r"y = \delta(r - r_0)": r"y = k_p (r - r_0)",
+    r"y = \sigma(W x + b)": r"y = \sigma(1 + b)",
+    r"P = U(x_1 - x_2) + U(x_2 - x_3)": r"P = a(1 - e) + a(1 + e)",
+    r"b = m + \Phi^{-1}(1 - \alpha)": r"b = n^{-1}(1 - \alpha) + n",
+    r"U = R_{(2)}(\pi / 2) V": r"U = R (\pi a / 2) V + R",
+    r"q = h(T_1 - T_2)": r"q = h A (T_1 - T_2)",
+    r"\dot{x} = 1 / \tau (c - x)": r"\dot{x} = \frac{1}{\tau} (c - x)",
+    r"y = \beta' x + c": r"y = \beta x + c",
+    r"S = a z^M + b z^{(M - 1)}": r"S = a z^M + b z^{M - 1} + M",
+    r"E = \mu^c + m": r"E = \mu^n + n",
+    r"\mu^T T = \mu^T": r"\mu^T A = \mu^T",
+    r"y = L f(x) L g(x)": r"y = L^2 f(x) g(x)",
+    r"T f(x) = a + x": r"a \dot{f}(x) = a + x",
+    r"y = \prod_{j \in S} 1 - p_j": r"y = \prod_{j \in S} (1 - p_j)",
+    r"y = f(x)_i": r"y = z_i",
+    r"F = \left. \frac{E}{a} \right|_b^c": r"F = \left. \frac{x}{a} \right|_{x = 1}",
+    r"\dot{q} = \{q, H\}": r"q \in \{a, H\}",
+    r"y = \rho[\mathbf{m}_1, \mathbf{m}_2]": r"y = \rho[m, n]",
+    r"y = \Theta[\frac{a}{n}, b]": r"V[n, k] = x^2",
+    r"CC_4 = \frac{4 a}{b}": r"y = C C_4 + C",
+    r"\eta = \frac{IE - EA}{2}": r"\eta = AB - BA",
+    r"ts[t] = ts[t - 1] + a": r"x[n] = a x[n - 1]",
+    r"\mu\text{FA} = \sqrt{C}": r"\mu \cdot \text{FA} = \sqrt{C}",
+    r"y = [\mathbf{G} a]_{ii}(E)": r"y = a (E + 1) a_1 + a",
+    r"A = \mathbf{J}(q)^{-T} b": r"A = \mathbf{J}(q)^{-1} b",
+    r"y = A \exp(-t) [+ B \exp(-s)]": r"y = A \exp(-t) [a + B \exp(-s)]",
+    r"y = \exp(-i2\pi x)": r"y = \exp(-2 i \pi x)",
+    r"F_net = \int f \, dx": r"F = x_iy_i + m_av",
+    r"c = \mathrm{IFFT\{x\}}": r"c = \mathrm{IFFT}(x)",
+    r"\alpha, \beta \sim \frac{1}{\alpha + \beta}": r"\alpha, \beta \sim N(0, 1)",
+    r"f: a, b \mapsto c": r"f: a \mapsto c",
+    r"y = \sum_k w^2[n - k h]": r"y = \sum_k w^2 (n - k h)",
+    r"y = E_{\text{loo}}[x - z]": r"y = E[x - z]",
+    r"\text{prox}_f \|x\| = x": r"\text{prox}_f(x) = x",
+    r"y = \pi(A^{-1} b)": r"y = \pi(a + b)",
+}
+
+
+@pytest.mark.parametrize("latex", EVIDENCE)
+def test_what_nothing_shows_is_in_doubt(latex: str) -> None:
+    with pytest.raises(SymcheckError):
+        lower(*first_reading(latex))
+    assert lower(*first_reading(EVIDENCE[latex]))
+
+
+@pytest.mark.parametrize("word", ["log_sigmoid", "mean_t"])
+def test_a_word_that_begins_like_a_function_has_a_variable_of_its_own(word: str) -> None:
+    assert lower(*first_reading(rf"y = \mathrm{{{word}}}(x)"))

@@ -63,7 +63,7 @@ def is_idle(text: str) -> bool:
     depth, bars = 0, False
     for tok in text.split():
         depth += (tok in OPEN or tok == "{") - (tok in CLOSE or tok == "}")
-        bars ^= tok in ("|", r"\|")
+        bars ^= depth == 0 and tok in ("|", r"\|")  # and not below a letter, as in v_{||}
         if depth == 0 and not bars and tok in _SIGNS:
             return False
     return bool(text)

@@ -11,10 +11,11 @@ from functools import cached_property
 
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
+from symcheck.reading.commands import ACCENTS
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
 from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, names_of_several_tokens
-from symcheck.reading.occurrences import Occurrence, occurrences, words
+from symcheck.reading.occurrences import BOLD, FUNCTIONS_SPELLED, Occurrence, occurrences, words
 from symcheck.reading.side_by_side import doubted
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
@@ -312,21 +313,35 @@ _NO_TRANSPOSES = re.compile(
 )
 
 
+# a letter with one prime, and what stands behind it
+_PRIMED = re.compile(
+    rf"(?<![A-Za-z\\])((?:\\[a-z]+ \{{ (?:\w|\\[a-z]+) \}}|\\?[A-Za-z]+)){_INDEX} '(?! ['(]| \\left \()"
+    rf"{_INDEX}(?: \\[,;:! ])* (\S+)?"
+)
 # what may be transposed before a factor, where T is a letter, too
 _POWER_OF_T = re.compile(
-    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}}) (?={_BASE})"
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
+    rf" (?={_BASE})"
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed
 _ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
 
 
+def _begins_factor(token: str) -> bool:
+    return (tex.is_letter(token) and token not in FUNCTIONS_SPELLED) or token in ACCENTS or token in BOLD
+
+
 def _forms(formulas: Sequence[str]) -> dict[str, str]:
     """The letters of products such as `x' Q x` and `X' X`, where a prime may transpose."""
-    primed = [formula for formula in formulas if "'" in formula]
+    primed = [formula.replace(r"^ { \prime }", "'") for formula in formulas if "'" in formula or r"\prime" in formula]
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
     found = {match[1] or match[2] for formula in primed for match in _TRANSPOSED.finditer(formula)}
+    places = [match for formula in primed for match in _PRIMED.finditer(f"{formula} ")]
+    if not any(match[2] in ("=", "&") for match in places):  # which would say what it is
+        other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}
+        found |= {match[1] for match in places} - other
     told = dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
     if any(map(_POWER_OF_T.search, formulas)) and "T" in {x for f in formulas for x in tex.texts(_ABOVE_T.sub("", f))}:
         bases = {m[1] for formula in formulas for m in _POWER_OF_T.finditer(formula)}

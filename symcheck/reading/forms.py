@@ -10,18 +10,23 @@ from __future__ import annotations
 import itertools
 import re
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import fields
+from typing import TypeGuard
 
 from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import Doubt, SymcheckError, Unsaid
+from symcheck.reading.faces import face
 from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, INTEGRATED, KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation
 from symcheck.reading.tree import (
     Add,
+    Bars,
     Call,
     Chain,
+    Div,
     Dots,
     Given,
     Indexed,
@@ -32,6 +37,7 @@ from symcheck.reading.tree import (
     Mul,
     Name,
     Neg,
+    Norm,
     Number,
     Pair,
     Pow,
@@ -40,6 +46,7 @@ from symcheck.reading.tree import (
     Tree,
     Tuple,
     Words,
+    children,
     nodes,
 )
 
@@ -103,12 +110,22 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             if letter is not None and letter.open and names[part] > clear[part]:
                 raise Doubt(f"{to_latex(part)}: a factor before brackets, or a function? say what it is")
         refuse_bare(part, notation)
+        if isinstance(part, Mul):
+            refuse_order(part, notation)
         if isinstance(part, Mul) and (factor := _applied(part)) is not None:
             raise SymcheckError(f"{to_latex(part)}: is {to_latex(factor)} a factor, or applied to what follows?")
         if isinstance(part, Pow) and isinstance(part.base, Call) and part.base.arguments:
             raised = isinstance(part.base.function, Name) and not isinstance(part.exponent, Number)
             if raised and part.exponent != Neg(Number("1")):
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
+        if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
+            raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
+        if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in nodes(tree):
+            raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
+        if isinstance(part, Chain) and part.signs[0] == "=" and any(map(_is_pair_in_braces, part.members)):
+            raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a set? say what it means")
+        if isinstance(part, Add | Div | Neg) and any(map(_is_commutator, children(part))):
+            raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a list? say what it means")
         if isinstance(part, Marked) and isinstance(part.value, Call) and isinstance(part.value.function, str):
             raise SymcheckError(f"{to_latex(part)}: is that a function here? say what it is")
         if isinstance(part, Limiting) and part.operator == "int":
@@ -119,19 +136,31 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
 
 
-_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^{}<>=]*\}")  # `\sum_i^N`, and over a set
+_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}")  # `\sum_i^N`, and over a set
 
 
 def _index_behind(tree: Add) -> str:
     """An index under a sum that stands in the terms behind it too, so that the sum may reach further."""
     for k, each in enumerate(tree.terms):
-        inner = each.value if isinstance(each, Neg) else each
-        last = inner.factors[-1] if isinstance(inner, Mul) else inner
-        found = _SUMMED.match(last.scripts) if isinstance(last, Limiting) and last.operator == "sum" else None
-        used = "".join(map(to_latex, tree.terms[k + 1 :])) if found else ""
-        if found and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{found[1]}(?![A-Za-z])", used):
-            return found[1]
+        used = ""
+        for last in _reaching(each.value if isinstance(each, Neg) else each):
+            found = _SUMMED.match(last.scripts)
+            used = used or "".join(map(to_latex, tree.terms[k + 1 :]))
+            if (
+                found
+                and rf"_{{ {found[1]} " not in used
+                and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{found[1]}(?![A-Za-z])", used)
+            ):
+                return found[1]
     return ""
+
+
+def _reaching(tree: Tree) -> Iterator[Limiting]:
+    """The sums and products that reach to the end of a term."""
+    last = tree.factors[-1] if isinstance(tree, Mul) else tree
+    if isinstance(last, Limiting) and last.operator in ("sum", "prod"):
+        yield last
+        yield from _reaching(last.body)
 
 
 def _applied(tree: Mul) -> Tree | None:
@@ -143,7 +172,7 @@ def _applied(tree: Mul) -> Tree | None:
     for factor, after in itertools.pairwise(tree.factors):
         if isinstance(after, Tuple) and isinstance(factor.base if isinstance(factor, Pow) else factor, Name):
             return factor
-        if isinstance(factor, Name) and _is_operator(factor):
+        if isinstance(factor, Name) and (_is_operator(factor) or (factor == Name(factor.letter) and _is_entry(after))):
             return factor
         if isinstance(after, Call) and isinstance(after.function, Name) and after.arguments:
             capitals = [
@@ -152,6 +181,86 @@ def _applied(tree: Mul) -> Tree | None:
             if all(capitals):
                 return factor
     return None
+
+
+_CAPITAL = re.compile(r"(?:\\(?:mathbf|boldsymbol|bm)\{)?[A-Z]\}?(?:_.+)?")
+
+
+def refuse_operator(tree: Tree, notation: Notation) -> None:
+    """An error for an equation that begins with a capital before the value of a function and nothing more: `T f(x) =`.
+
+    Parameters
+    ----------
+    tree
+        A relation.
+    notation
+        What the letters mean; only those that were inferred may be operators.
+    """
+    first = tree.members[0] if isinstance(tree, Chain) and notation.inferred and tree.signs[0] == "=" else None
+    if not isinstance(first, Mul) or len(first.factors) != 2:
+        return
+    name, value = first.factors
+    if (
+        not isinstance(value, Call)
+        or not isinstance(value.function, Name)
+        or value.function.dots
+        or not value.arguments
+    ):
+        return
+    if isinstance(name, Name) and _CAPITAL.fullmatch(name.letter) and Counter(nodes(tree))[name] == 1:
+        shown = to_latex(name)
+        raise Doubt(
+            f"{shown}: a factor, or applied to {to_latex(value.function)}? write \\cdot, or brackets around both"
+        )
+
+
+def _is_entry(tree: Tree) -> bool:
+    """May this be an entry of what a function before it gives: `f(x)_i`?"""
+    values = (Name, Mul, Call)
+    return isinstance(tree, Marked) and tree.mark.startswith("_") and isinstance(tree.value, values)
+
+
+def _is_called(tree: Tree) -> TypeGuard[Call]:
+    """Is this a function before brackets that hold more than one letter, as those of `x(t)` do?"""
+    return isinstance(tree, Call) and bool(tree.arguments) and not all(map(_is_plain, tree.arguments))
+
+
+def _is_pair_in_braces(tree: Tree) -> bool:
+    """Is this `{f, g}`, which may be the bracket of both, and hardly a set of numbers?"""
+    plain = isinstance(tree, Tuple) and tree.kind == "{}" and len(tree.items) == 2
+    return plain and all(isinstance(part, Name | Call) for part in children(tree))
+
+
+def _is_commutator(tree: Tree) -> bool:
+    return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
+
+
+def refuse_order(tree: Mul, notation: Notation) -> None:
+    """An error for a product of numbers in which a letter stands twice, but not as a power of it.
+
+    Parameters
+    ----------
+    tree
+        The product.
+    notation
+        What the letters mean; only those that were inferred may be other than numbers.
+    """
+    if not notation.inferred or len(tree.factors) < 3:
+        return
+    names = [factor.base if isinstance(factor, Pow) else factor for factor in tree.factors]
+    for k, name in enumerate(names):
+        if not isinstance(name, Name) or name not in names[k + 2 :] or names[k + 1] == name:
+            continue
+        letter = notation.find(name.letter, len(name.subscripts))
+        if (
+            letter is not None
+            and letter.kind == "scalar"
+            and not (letter.depends or letter.components or letter.number or letter.doubt)
+        ):
+            raise Doubt(
+                f"{to_latex(tree)}: does the order of its factors count? write the power of {to_latex(name)}, or say "
+                "that it is a matrix"
+            )
 
 
 def _is_operator(name: Name) -> bool:
@@ -202,7 +311,17 @@ def is_sequence(tree: Indexed) -> bool:
         A letter before square brackets.
     """
     expected = isinstance(tree.name, Name) and tree.name.letter in EXPECTED
-    return expected or len(tree.places) > 1 or all(map(_is_place, tree.places))
+    listed = len(tree.places) > 1 and not any(
+        isinstance(part, _NO_PLACES) or _is_bold(part) for place in tree.places for part in nodes(place)
+    )
+    return expected or listed or all(map(_is_place, tree.places))
+
+
+def _is_bold(tree: Tree) -> bool:
+    return isinstance(tree, Name) and bool(face(tree.letter))
+
+
+_NO_PLACES = (Mul, Div, Limiting, Transpose)
 
 
 def _is_place(tree: Tree) -> bool:

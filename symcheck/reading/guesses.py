@@ -68,6 +68,12 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     if _PRODUCT.fullmatch(of.spelling) and not of.said and any(p.after in OVER or p.arguments for p in of.places):
         doubt = r"a letter, or the sign of a product? say what it is, or write \prod"
         return [in_doubt(guess, doubt) for guess in found]
+    if (
+        not of.said
+        and any(place.arguments is not None and _is_undecided(place) for place in of.places)
+        and not any(place.arguments is None and place.superscript is None for place in of.places)
+    ):
+        found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
     operator = (_OPERATOR.fullmatch(of.spelling) or _OF_SPACE.match(of.spelling)) and not of.said
     operated = operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places)
     mapped = _DIFFERENTIAL.match(of.spelling) and not of.said and any(p.after in _MAPS for p in of.places)
@@ -86,6 +92,19 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and named)):
         return found
     return [replace(guess, letter=replace(guess.letter, open=True)) for guess in found]
+
+
+_STYLED = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|bar|hat)(?![A-Za-z])")
+_ANGLE = re.compile(r"(?:\d |\\pi |/ |\\frac \{ |\} \{ |\} )*\\pi(?: \d| /| \})*")
+
+
+def _is_undecided(place: Occurrence) -> bool:
+    """Is it raised to -1 before a sum, or does an angle in numbers stand in the brackets: 1 over it, or its inverse?"""
+    if place.arguments is None or len(place.arguments) != 1 or place.powered:
+        return False
+    (inside,) = place.arguments
+    inverse = place.superscript is not None and [x for x in place.superscript if x not in "{}"] == ["-", "1"]
+    return (inverse and not _STYLED.search(inside)) or _ANGLE.fullmatch(inside) is not None
 
 
 def _multiplies(of: Evidence, place: Occurrence) -> bool:
@@ -262,14 +281,43 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
+    if product is not matrix and not typical and _is_hardly_factor(of):
+        product = in_doubt(product, FACTOR)
     if _is_stepped(of):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
         yield in_doubt(function, FACTOR)
-    elif typical and any(place.exponent for place in of.places):
+    elif typical and (
+        any(place.exponent for place in of.places) or (of.spelling != "f" and not all(map(is_shift, of.arguments)))
+    ):
         yield from (in_doubt(function, FACTOR), product)
     else:
-        yield from (function, product) if typical else (product, replace(function, remote=factor or constant))
+        escape = replace(in_doubt(function, FACTOR), remote=factor or constant)  # where a product would be ambiguous
+        yield from (function, product) if typical else (product, escape)
+
+
+_SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\prime |' )*\}))*"
+_AT = rf"(?:[xyzrst]|\\tau|\\mathbf \{{ [xyzr] \}}){_SCRIPT}"
+# how far one place, or one time, is from another, which a kernel, a potential or a pulse is a function of
+_DISTANCE = re.compile(rf"{_AT} - {_AT}")
+_BELOW = re.compile(r"_ (?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\S+)")
+
+
+def _is_hardly_factor(of: Evidence) -> bool:
+    """Do the brackets hold a distance, a layer `W x + b`, or several sums, each without a number, as coefficients have?
+
+    Coefficients such as a in `a(1 - e)` and k in `k_p(x - x_d)` have numbers there, or an index below.
+    """
+    texts = {args[0] for args in of.arguments}
+    if any(place.powered for place in of.places) or any(len(args) > 1 for args in of.arguments):
+        return False
+    if any(map(_AFFINE.match, texts)) or (of.spelling == _stem(of.spelling) and any(map(_DISTANCE.fullmatch, texts))):
+        return True
+    return len(texts) > 1 and not any(map(str.isdigit, _BELOW.sub("", " ".join(texts))))
+
+
+def _stem(spelling: str) -> str:
+    return spelling.partition("_")[0]
 
 
 def _is_stepped(of: Evidence) -> bool:

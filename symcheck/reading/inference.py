@@ -333,7 +333,8 @@ def notation_of(guesses: Iterable[Guess], **habits: Any) -> Notation:
     for guess in guesses:
         letter = guess.letter
         if letter.kind not in ("index", "differential") and not letter.number:
-            names = (f"{letter.stem}{'' if n == 0 else f'v{n}'}" for n in itertools.count())
+            stem = f"x_{letter.stem}" if is_value(f"{letter.stem}v1") else letter.stem  # log_x is a logarithm
+            names = (f"{stem}{'' if n == 0 else f'v{n}'}" for n in itertools.count())
             letter = next(
                 new
                 for name in names

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NoReturn
@@ -122,6 +123,9 @@ class Lexeme:
     type: str
     value: Any
     at: int
+
+
+_FORMULA_IN_TEXT = re.compile(r"\\\{|\(\)|\([^()]*[_^]\{")  # a brace, or scripts in brackets: `\mathrm{Var(x_i)}`
 
 
 class Lexer(tex.Reader):
@@ -922,7 +926,7 @@ class Lexer(tex.Reader):
     ) -> tuple[Name, str]:
         """The letter of the notation that stands here, or SymcheckError."""
         notation = self.notation
-        if "$" in word and "\\" in word[5:]:
+        if ("$" in word and "\\" in word[5:]) or _FORMULA_IN_TEXT.search(word):
             self.fail("a formula in text; write it outside of the text", at)
         bare, dots = undotted(word)
         below = tex.subscript([tok.text for tok in tokens]) if tokens else ""

@@ -56,7 +56,7 @@ from symcheck.reading.components import (
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.faces import face
-from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt
+from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt, refuse_operator, refuse_order
 from symcheck.reading.functions import SPELLED, applied, extreme
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.limits import equated, limit, tends, turns
@@ -307,6 +307,7 @@ class Lowering:
 
     def stated(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, or its form if it has none."""
+        refuse_operator(relation.tree, self.notation)
         try:
             return self.whole(relation)
         except (NoForm, Unsaid):
@@ -781,6 +782,7 @@ class Lowering:
         return zipped(negative, [self.value(tree.value, env)])
 
     def of_mul(self, tree: Mul, env: Env) -> Value:
+        refuse_order(tree, self.notation)
         scalars: list[Number] = []
         product: Value = None
         ended = -1  # the last factor of a scalar product of two vectors

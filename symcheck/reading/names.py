@@ -25,6 +25,8 @@ BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _SIGNS |= {r"\perp", r"\parallel", r"\uparrow", r"\downarrow"}
 _STATES = frozenset("HSGU")  # enthalpy, entropy, and energies, whose changes have indices
+_OF_ORDERS = frozenset("PQLYCTBDJKHFWMZRgh") | {r"\mathcal{P}", r"\text{P}"}  # functions of a degree and an order
+_STATES_ABOVE = frozenset("cfghouvw")  # letters of phases and states, of which no exponent is made
 _TRANSPOSING = frozenset({"T", "H", r"\top", r"\intercal"})
 _ANGLES = frozenset(  # letters with a circle above of which that hardly says a standard state
     {r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\alpha", r"\beta", r"\gamma", r"\delta", r"\lambda", "x"}
@@ -66,6 +68,7 @@ class Scripted:
     plain: bool = False  # is it a power for certain unless it is a label for certain?
     applied: bool = False  # do brackets stand behind it that hold no sum?
     changed: bool = False  # does the sign of a change stand before it?
+    below: bool = False  # does anything stand below it?
 
 
 # where names of the other kinds can be
@@ -92,15 +95,12 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         formulas,
         said.keys(),
         {each.word for each in scripted if _is_power(each.above)},
-        {each.above for each in scripted if each.applied and each.word != each.bare and _letters(each.above)},
+        {each.above for each in scripted if each.applied and each.below and _letters(each.above)},
         loose,
-        {each.word for each in scripted if each.above in (("0",), ("1",)) and each.word != each.bare},
+        {each.word for each in scripted if each.above in (("0",), ("1",)) and each.below},
         {word for formula in raised for word in _APPLIED.findall(formula)},
-        {
-            each.above[0]
-            for each in scripted
-            if each.word == r"\delta" and each.bare != each.word and len(each.above) == 1
-        },
+        {each.above[0] for each in scripted if each.word == r"\delta" and each.below and len(each.above) == 1},
+        {(each.word, each.above[0]) for each in scripted if len(each.above) == 1},
     )
     labelled = {
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
@@ -171,6 +171,7 @@ class Told:
     framed: Collection[str]  # letters between two frames that have numbers, as in T_2^1
     applied: Collection[str]  # letters before brackets
     mixed: Collection[str]  # indices above Kronecker's delta
+    raised: Collection[tuple[str, str]]  # letters, each with the one that stands above it elsewhere
 
     @cached_property
     def numbers(self) -> Collection[str]:
@@ -192,7 +193,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     sign = sign or (of.word == r"\delta" and _is_word(inside))
     if of.word == "e" and len(inside) == 1 and inside[0] in told.mixed:
         return POWER_OR_LABEL.format(inside[0])  # one of the reciprocal vectors
-    if of.word == r"\delta" and of.word != of.bare and len(inside) == 1 and _letters(inside):
+    if of.word == r"\delta" and of.below and len(inside) == 1 and _letters(inside):
         return ""  # Kronecker's
     if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
         return POWER_OR_LABEL.format(inside[0])
@@ -200,6 +201,12 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return None
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
         return STANDARD
+    if inside == ["0"] and not any((of.word, power) in told.raised for power in "123n"):
+        return ""  # nobody prints this power but in a series of them
+    bracketed = inside[0] == "(" and _is_label(inside)
+    powers = [text for text in inside if (of.word, text) in told.raised] if bracketed else []
+    if powers:
+        return POWER_OR_LABEL.format(powers[0])  # as in z^{(M - 1)} beside z^M
     if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
@@ -208,25 +215,27 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
-    below = of.word != of.bare
-    if (inside == ["0"] and (of.applied or below or of.word in told.applied or of.changed)) or (
-        inside == ["1"] and below
+    if (inside == ["0"] and (of.applied or of.below or of.word in told.applied or of.changed)) or (
+        inside == ["1"] and of.below
     ):
         return ""  # nobody prints such a power
-    if below and of.word in told.framed and (inside[0].isdigit() or letters):
+    if of.below and of.word in told.framed and (inside[0].isdigit() or letters):
         return ""
-    if inside[:1] == ["-"] and of.applied and below and tuple(inside[1:]) in told.labels:
+    if inside[:1] == ["-"] and of.applied and of.below and tuple(inside[1:]) in told.labels:
         return ""  # as in P_n^{-m}(x)
     if of.applied and len(inside) > 1 and len(letters) == len(inside) and "_" not in of.word:
         return POWER_OR_LABEL.format(letters[0])  # a word above a function
-    if of.applied and below and not letters and any(map(str.isalpha, inside)):
+    if of.applied and of.below and not letters and any(map(str.isalpha, inside)):
         return POWER_OR_LABEL.format(next(filter(str.isalpha, inside)))
     if not letters or of.plain or of.word in told.powers:
         return None
-    if of.above in told.labels and of.word != of.bare:
-        return ""
+    if of.above in told.labels and of.below:
+        power = letters[0].islower() and letters[0] in told.numbers and of.word not in _OF_ORDERS
+        return POWER_OR_LABEL.format(letters[0]) if power and not of.framed else ""
     loose = letters[0] in told.loose or (of.applied and not any(letter[:1].isupper() for letter in letters))
     if loose and not of.framed:
+        return POWER_OR_LABEL.format(letters[0])
+    if letters[0] in _STATES_ABOVE and len(letters) == 1 and not of.framed:
         return POWER_OR_LABEL.format(letters[0])
     if not of.framed and any(letter in told.numbers for letter in letters):
         return None
@@ -237,10 +246,10 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.framed or "," in inside or letters[0].startswith(BOLD):
         return ""
     if points and all(letter[:1].isupper() for letter in letters):
-        series = len(inside) == 1 and not below and {chr(ord(inside[0]) + k) for k in (-1, 1)} <= {*told.numbers}
+        series = len(inside) == 1 and not of.below and {chr(ord(inside[0]) + k) for k in (-1, 1)} <= {*told.numbers}
         return POWER_OR_LABEL.format(letters[0]) if series else ""  # among the coefficients A, B and C
     style, _, base = of.word.partition("{")
-    if style in BOLD and base[:1].islower() and not {"+", "-"} & set(inside):
+    if style in BOLD and base[:1].islower() and not {"+", "-"} & set(inside) and not of.applied:
         return ""
     return POWER_OR_LABEL.format(letters[0])
 
@@ -367,7 +376,10 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 before = texts[:start]
                 coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}")
                 plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
-                yield Scripted(name, bare, word, tuple(above), framed, plain, _is_applied(texts[end:]), changed > 0)
+                applied = _is_applied(texts[end:])
+                yield Scripted(
+                    name, bare, word, tuple(above), framed, plain, applied, changed=changed > 0, below=low > behind
+                )
             reader.i = start + 1 if changed and not above else behind
         except SymcheckError:
             reader.i = max(reader.i, start + 1)

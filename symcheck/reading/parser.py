@@ -93,6 +93,7 @@ COUNTERS = frozenset("nkijml")  # letters that count
 ANGLES = frozenset({r"\theta", r"\vartheta", r"\phi", r"\varphi", r"\psi", r"\nu"})
 OFTEN_ANGLES = frozenset({r"\alpha", r"\beta", r"\gamma", r"\delta", r"\eta", r"\mu", r"\lambda", r"\Omega", "E", "i"})
 LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "k", "T"})  # what wave numbers multiply
+AT_OR_TIMES = "at the place in these brackets, or times it? leave out the brackets, or say what is a function"
 _D = re.compile(r"(?:\\[a-z]+\{)?(?:[dD]|\\text\{[dD]\})\}?")  # upright or not, with an accent or without
 _OPERATOR = re.compile(r"\\(?:hat|mathcal)\{[A-Z]\}")  # before the state to which it is applied
 _STATE = re.compile(r"\\(?:psi|Psi|phi|Phi|varphi|chi)(?![a-z])")  # the usual letters for one
@@ -100,6 +101,7 @@ SCRIPT = (r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of operators
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _SEVERAL = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among them
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
+_VERB = re.compile(r"\\text\{[a-z]{3,}\}_")  # a word in small letters with an index, as `prox_f`
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
 _BARE_E = re.compile(r"(?<![A-Za-z\\])E(?!\s*(?:\\left|\\[bB]igg?l?)?\s*\[|\s*_)")  # not before square brackets
@@ -271,6 +273,9 @@ class Builder:
 
     def statement_of(self, listing: Listing) -> Tree:
         """A whole statement: its qualifiers gathered, its cases told apart."""
+        trees = [tree for _, tree in listing.entries]
+        if isinstance(trees[0], Located) and any(isinstance(x, Chain) and r"\mapsto" in x.signs for x in trees[1:]):
+            raise self.fail(listing.at, "a map of several letters? write brackets around them")
         if "FOR" in listing.separators:
             return self.conditional(listing)
         if any(label for label, _ in listing.entries):
@@ -403,6 +408,8 @@ class Builder:
             raise self.fail(
                 at, "are the letters before the comma equal to this too, or only named? write a relation for each"
             )
+        if last.signs[0] == r"\sim" and any(letter in nodes(last.members[1]) for letter in letters):
+            raise self.fail(at, "are these distributed together? write brackets around them, or a relation for each")
         return [Chain((letter, *last.members[1:]), last.signs) for letter in (*letters, last.members[0])]
 
     def cases(self, listing: Listing) -> Tree:
@@ -781,6 +788,15 @@ class Builder:
         after = rest[0] if rest else None
         if after is None or after.kind == "dot":
             return
+        if after.square and isinstance(node, Name) and node.letter.startswith(("E_", r"\text{E}_")):
+            raise self.fail(after.at, "the expectation of what is in these brackets, or times it? write \\cdot")
+        if after.kind == "group" and isinstance(node, Indexed) and _is_styled(self.inside(after)):
+            raise self.fail(after.at, AT_OR_TIMES)
+        beside = isinstance(after.node, Norm | Bars) or self.in_brackets(after)
+        if isinstance(node, Name) and _VERB.match(node.letter) and beside:
+            raise self.fail(after.at, f"{to_latex(node)} of what follows, or times it? write \\cdot, or brackets")
+        if after.square and self.source[after.at + 1 :].lstrip()[:1] == "+":
+            raise self.fail(after.at, "a term that may be left out, or a factor? write no sign before it")
         if _is_operated(node) and self.in_brackets(after):
             raise self.fail(after.at, "of what the operator makes, or times it? write \\cdot, or brackets around both")
         if not alone:
@@ -808,6 +824,11 @@ class Builder:
             raise self.fail(item.at, "the change of what follows, or times it? write \\cdot, or brackets")
         if isinstance(name, Name) and _OPERATOR.match(name.letter) and _STATE.match(to_latex(after.node or Blank())):
             raise self.fail(item.at, f"{to_latex(name)} applied to what follows, or times it? say what it is")
+        if after.square and isinstance(name, Name) and self.counts(name, after.node):
+            raise self.fail(after.at, f"{to_latex(name)} at the place in these brackets, or times it? write \\cdot")
+        inverse = after.node.base if isinstance(after.node, Pow) and after.postfix == "TRANSPOSE" else None
+        if isinstance(name, Name) and _is_letter(inverse) and self.source[after.at] == "(":  # J(q)^{-T}
+            raise self.fail(after.at, AT_OR_TIMES)
         if not self.in_brackets(after):
             return
         if isinstance(node, Derivative) and _is_step(node, self.inside(after)):
@@ -817,6 +838,8 @@ class Builder:
                 after.at, "at the place in these brackets, or times it? write \\cdot, or the function with its place"
             )
         if not isinstance(name, Name):
+            if _is_letter(self.inside(after)) and not after.postfix and not isinstance(node, Number):
+                raise self.fail(after.at, AT_OR_TIMES)
             return
         letter = self.notation.find(name.letter, len(name.subscripts))
         shown, inside = to_latex(name), self.inside(after)
@@ -826,6 +849,14 @@ class Builder:
             raise self.fail(
                 after.at, f"the inverse function of {shown}, or its reciprocal? write a fraction for that one"
             )
+        if (
+            letter is not None
+            and letter.number == "pi"
+            and isinstance(inside, Mul)
+            and not rest[1:]
+            and not after.postfix
+        ):
+            raise self.fail(after.at, f"{shown} of what is in these brackets, or times it? leave out the brackets")
         if after.square and name in nodes(inside or Blank()):  # nothing is a function of itself
             return
         told = letter is not None and letter.meaning and not letter.applies  # of which a person says what it is
@@ -1039,6 +1070,14 @@ class Builder:
         )
         upright = name.letter.startswith(r"\text{")
         return (inside,) if counts or upright or isinstance(inside, Name | Number | Call) else ()
+
+    def counts(self, name: Name, inside: Tree | None) -> bool:
+        """Is this a sum of letters that count, and of their products: the place of an entry, as in `w^2[n - t h]`?"""
+        letter = self.notation.find(name.letter, len(name.subscripts))
+        if not isinstance(inside, Add) or (letter is not None and letter.number):
+            return False
+        plain = all(type(part) in _PLAIN for part in nodes(inside))
+        return plain and any(term.letter in COUNTERS for term in inside.terms if isinstance(term, Name))
 
     def is_sequence(self, name: Name) -> bool:
         """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
@@ -1553,6 +1592,11 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+def _is_letter(tree: Tree | None) -> bool:
+    """Is this one letter without scripts, around which a product needs no brackets?"""
+    return isinstance(tree, Name) and tree == Name(tree.letter) and tex.is_letter(tree.letter)
 
 
 def _is_step(node: Derivative, inside: Tree | None) -> bool:

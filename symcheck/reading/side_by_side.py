@@ -7,6 +7,7 @@ stands elsewhere without the others; otherwise it may be either, and what is usu
 from __future__ import annotations
 
 import re
+import string
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 
@@ -43,6 +44,7 @@ _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
+_DOUBLED = frozenset(2 * letter for letter in string.ascii_uppercase)  # which is no power of a letter with an index
 _APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
 # a number before a matrix
@@ -54,24 +56,66 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     texts = [_apart(text) for text in formulas]
     runs = Counter(run for text in texts for run in _runs(text))
     several = [run for run in runs if len(run) > 1]
+    found = dict(_prefixed(formulas)) if any(r"\text {" in text for text in formulas) else {}
     if not several:
-        return {}
+        return found
     signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(
         map(_OF_VECTORS.search, formulas)
     )
     matrices = any(map(_OF_MATRICES.search, formulas))
-    found: dict[str, str] = {}
+    for run in _abbreviated(several, runs):
+        found |= dict.fromkeys(run, _told(run))
     for run in several:
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
+        sequence = alone == {run[-1]} and runs[run] > 1 and _stands_before(r"\[", run, texts)
+        doubled = run in _DOUBLED and all(_stands_before("[_,]", each, texts) for each in (run, run[0]))
+        if sequence or doubled:
+            found |= dict.fromkeys(run, _told(run))
+            continue
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
         if unit or (
             alone
             and not _is_coefficient(run, alone, runs)
             and _may_be_name(run, alone, signed=signed, matrices=matrices, named=_is_name_on_sight(run, several, texts))
         ):
-            told = f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
-            found |= dict.fromkeys(alone or run, told)
+            found |= dict.fromkeys(alone or run, _told(run))
     return found
+
+
+def _told(run: str) -> str:
+    return f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
+
+
+def _abbreviated(several: Sequence[str], runs: Collection[str]) -> Iterator[str]:
+    """Capitals in pairs with a letter in common none of which stands anywhere else: `IE - EA`, but not `AB - BA`."""
+    pairs = [run for run in several if len(run) == 2 and run.isupper()]
+    if len(pairs) < 2:
+        return
+    others = {letter for run in runs if run not in pairs for letter in run}
+    for run in pairs:
+        shared = [other for other in pairs if other != run and {*other} & {*run}]
+        if shared and run[::-1] not in pairs and not {*run, *"".join(shared)} & others:
+            yield run
+
+
+def _stands_before(token: str, run: str, texts: Sequence[str]) -> bool:
+    """Does a bracket or an index stand behind these letters everywhere, as behind the name of a sequence?"""
+    printed = rf"(?<![A-Za-z\\]){' '.join(run)}(?:( ?{token})|(?! [A-Za-z]))"
+    places = [found[1] for text in texts for found in re.finditer(printed, text)]
+    return bool(places) and all(places)
+
+
+# a letter before an abbreviation in upright capitals, without a sign
+_PREFIX = re.compile(r"(?:^|[=(+-] |& )(\\[a-z]+|[a-z]) \\text \{ ((?:[A-Z] )+[A-Z]) \}")
+
+
+def _prefixed(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """The letters before abbreviations neither of which stands anywhere else: that of `\\mu\\text{FA}`."""
+    for text in formulas:
+        for letter, word in _PREFIX.findall(text):
+            tokens = [token for each in formulas for token in _BELOW.sub("", each).split()]
+            if tokens.count(letter) == 1 and sum(each.count(f"{{ {word} }}") for each in formulas) == 1:
+                yield letter, _told(letter + word.replace(" ", ""))
 
 
 def _apart(text: str) -> str:

@@ -6,6 +6,7 @@ import itertools
 import re
 from collections.abc import Sequence
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ARGUMENTS, LETTER_COMMANDS
 
@@ -43,6 +44,8 @@ def _with_words(source: str) -> list[tex.Tok]:
             inside += scripts[-1]
         elif tok.text == "}" and scripts:
             inside -= scripts.pop()
+        if tok.text == "_" and k >= text_ends and (below := _typed_below(toks, k)):
+            raise SymcheckError(f"_{below}: one subscript, or a product? write _{{{below}}}, or a space behind it")
         if tok.text == "e" and not inside and (power := _scientific(toks, k)):
             spelled = (r"\cdot", "1", "0", "^", "{", *str(int(power)), "}")
             found += [tex.Tok(text, tok.at + n) for n, text in enumerate(spelled)]  # their places make one number
@@ -79,6 +82,27 @@ def _with_words(source: str) -> list[tex.Tok]:
     return found
 
 
+def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
+    """The word, or the two indices, typed behind the sign of a subscript without braces: `F_net`, `g_ij`.
+
+    Print puts only the first letter below. Nothing if scripts or brackets show that the others are factors, as in
+    `x_iy_i`, or if one other letter may well be one, as in `m_Av`.
+    """
+    base = toks[k - 1].text if k else ""
+    if not (base.isalpha() or base == "}") or k + 1 == len(toks) or not toks[k + 1].text.isalpha():
+        return ""
+    end = k + 2
+    while end < len(toks) and toks[end].text.isalpha() and toks[end].at == toks[end - 1].at + 1:
+        end += 1
+    behind = toks[end].text if end < len(toks) else ""
+    word = "".join(tok.text for tok in toks[k + 1 : end])
+    meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES)
+    return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
+
+
+_INDICES = frozenset("ijklmn")
+
+
 LONGEST_PRODUCT = 4  # small letters that are typed without a space
 DECIMALS = 3  # digits before an e behind which nobody adds a whole number
 _POWER_OF_TEN = re.compile(r"e([-+]\d\d?)(?![\w.])")  # with two digits, as computers print it, or behind decimals
@@ -96,6 +120,9 @@ def _scientific(toks: Sequence[tex.Tok], k: int) -> str:
     return found[1] if found and (sure or found[1][1:].startswith("0")) else ""
 
 
+_OF_NUMBERS = frozenset(".0123456789")
+
+
 def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
     """The number of digits that are printed at a letter, as in `v1`, and belong to its name."""
     if not (k + 1 < len(toks) and toks[k + 1].text.isdigit()):
@@ -109,7 +136,7 @@ def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
     while end < len(toks) and toks[end].text.isdigit() and toks[end].at == toks[k].at + end - k:
         end += 1
     behind = toks[end] if end < len(toks) else tex.Tok("", -2)
-    adjacent = behind.at == toks[k].at + end - k and (behind.text.isalnum() or behind.text == ".")
+    adjacent = behind.at == toks[k].at + end - k and (tex.is_letter(behind.text) or behind.text[:1] in _OF_NUMBERS)
     return 0 if adjacent or _is_base(toks, end) else end - k - 1
 
 
@@ -123,7 +150,7 @@ def _is_base(toks: Sequence[tex.Tok], end: int) -> bool:
 
 _OF_FORMULAS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\cfrac", r"\left", r"\right"})  # arguments are formulas
 _TEXTS = frozenset(
-    {r"\text", r"\operatorname", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\mathrm", r"\mathit"}
+    {r"\text", r"\operatorname", r"\textrm", r"\mbox", r"\textnormal", r"\textit", r"\texttt", r"\mathrm", r"\mathit"}
 )
 _TYPED = frozenset({"arcsin", "arccos", "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "sin", "cos", "tan"})
 _TYPED |= {"exp", "log", "ln", "max", "min", "argmax", "argmin"}
