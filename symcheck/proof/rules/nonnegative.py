@@ -73,11 +73,9 @@ def _of_positive_roots(gap: Term, known: Knowledge) -> Iterator[Term]:
     """Forms in which the roots of what is positive are written as t/sqrt(t), which is positive."""
 
     def written(tree: Term) -> Term:
-        if not isinstance(tree, Node):
-            return tree
-        if tree.tag == "sqrt" and known.sign(tree.outside[0])[0] == 2:
+        if isinstance(tree, Node) and tree.tag == "sqrt" and known.sign(tree.outside[0])[0] == 2:
             return node("/", tree.outside[0], tree)
-        return mapped(tree, written) if not tree.bound else tree
+        return mapped(tree, written) if isinstance(tree, Node) and tree.tag in ("+", "-", "*", "/", "^") else tree
 
     for form in (gap, *_derived(gap, known)):
         if (new := written(form)) != form:
