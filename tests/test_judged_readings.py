@@ -19,9 +19,9 @@ from symcheck.reading.surface import plain, with_plain_differentials
 
 
 def first_reading(latex: str) -> tuple[Tree, Notation]:
-    """The first of the inferred readings that makes a tree; SymcheckError of the first if none does."""
+    """The first of the inferred readings that makes a tree; SymcheckError of the first if none does alone."""
     text, errors = with_plain_differentials(plain(latex)), list[SymcheckError]()
-    for inference in inferred([text], {}, {}):
+    for inference in (each for each in inferred([text], {}, {}) if not each.beside):
         try:
             return read(text, inference.notation), inference.notation
         except SymcheckError as error:

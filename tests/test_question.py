@@ -330,10 +330,11 @@ DEFINITIONS = (
 AMBIGUOUS = (
     r"\sin^{-1} x = \frac{1}{\sin x}", r"\tan^{-1} x = \arctan x", r"\log x = \ln x",
     "e = 2.718", r"\pi = 3.14", r"0.333 = \frac{1}{3}", r"1\,\text{km} = 1000\,\text{m}",
-    r"F_{ij} F_{ij} = 3", r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", r"dx^2 = 2x\,dx", r"\sin 90 = 1",
+    r"F_{ij} F_{ij} = 3", r"\det(2\mathbf{A}) = 8 \det(\mathbf{A})", r"\sin 90 = 1",
     r"q(x + 1)^2 = q(x^2 + 2x + 1)", r"\cos(n + 1) x = \cos n x \cos x - \sin n x \sin x",
 )  # fmt: skip
 REFUSED = (
+    r"dx^2 = 2x\,dx",
     "1/2x = x/2", "a/bc = d", "a/b c = ac/b", "a/b/c = d", r"1/2\pi = \frac{1}{2\pi}", r"2/3 x = \frac{2x}{3}",
     "|a|b||c| = 1", r"\cos a \, x = x \cos a", r"\cos a\,b = b \cos a", r"\cos(a+b)^2 = \cos^2(a+b)",
     r"\sin (x)^2 = \sin^2 x", r"\sin 2 x^2 = 0", r"3 \frac{1}{2} = \frac{7}{2}", "0^0 = 1", "1,000 = 1000",

@@ -236,6 +236,7 @@ def answered(
 def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     """The verdict of all readings; a remote one cannot contradict a proof, but raises doubts of a refutation."""
     near = [answer for reading, answer in found if not reading.inference.remote]
+    near += [answer for reading, answer in found if near and reading.inference.beside]
     remote = [answer.verdict for reading, answer in found if reading.inference.remote]
     verdicts = {answer.verdict for answer in near}
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):

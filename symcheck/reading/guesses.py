@@ -37,12 +37,15 @@ class Guess:
         The evidence.
     remote
         Whether hardly anybody would mean this where the other possibility makes sense.
+    beside
+        Whether it is meant only where the other possibility makes sense, too, so that both are told.
     """
 
     letter: Letter
     taken: str
     why: str
     remote: bool = False
+    beside: bool = False
 
 
 COMPLEX = "a complex number"
@@ -292,8 +295,8 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     ):
         yield from (in_doubt(function, FACTOR), product)
     else:
-        escape = replace(in_doubt(function, FACTOR), remote=factor or constant)  # where a product would be ambiguous
-        yield from (function, product) if typical else (product, escape)
+        second = replace(function, remote=factor or constant, beside=not (factor or constant))
+        yield from (function, product) if typical else (product, second)
 
 
 _SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\prime |' )*\}))*"
@@ -311,6 +314,8 @@ def _is_hardly_factor(of: Evidence) -> bool:
     texts = {args[0] for args in of.arguments}
     if any(place.powered for place in of.places) or any(len(args) > 1 for args in of.arguments):
         return False
+    if any(r"\times" in text for text in texts):
+        return False  # nobody applies a function to a cross product
     if any(map(_AFFINE.match, texts)) or (of.spelling == _stem(of.spelling) and any(map(_DISTANCE.fullmatch, texts))):
         return True
     return len(texts) > 1 and not any(map(str.isdigit, _BELOW.sub("", " ".join(texts))))

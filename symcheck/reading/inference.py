@@ -44,6 +44,8 @@ class Inference:
         What is so of the letters in this reading, in LaTeX.
     remote
         Whether hardly anybody would read it so: then it can raise a doubt, and a proof in another reading stands.
+    beside
+        Whether it is one beside another reading alone, which it can contradict.
     """
 
     guesses: tuple[Guess, ...]
@@ -51,6 +53,7 @@ class Inference:
     choices: tuple[str, ...] = ()
     facts: tuple[str, ...] = ()
     remote: bool = False
+    beside: bool = False
 
     @cached_property
     def notation(self) -> Notation:
@@ -316,7 +319,8 @@ def _inferred(
         choices = tuple(f"{g.letter.latex}: {g.taken}" for g, each in zip(chosen, every, strict=True) if len(each) > 1)
         for meaning in itertools.product(*habits):
             told = (*choices, *(f"{name}={value}" for name, value in meaning))
-            found.append(Inference(chosen, meaning, told, remote=any(guess.remote for guess in chosen)))
+            remote, beside = any(guess.remote for guess in chosen), any(guess.beside for guess in chosen)
+            found.append(Inference(chosen, meaning, told, remote=remote or beside, beside=beside and not remote))
     return found
 
 
