@@ -295,7 +295,8 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     ):
         yield from (in_doubt(function, FACTOR), product)
     else:
-        second = replace(function, remote=factor or constant, beside=not (factor or constant))
+        related = any("=" in args[0].split() for args in of.arguments)  # which is no factor
+        second = replace(function, remote=factor or constant, beside=not (factor or constant or related))
         yield from (function, product) if typical else (product, second)
 
 
