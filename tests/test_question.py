@@ -531,6 +531,13 @@ def test_the_reading_is_shown_with_brackets_around_arguments() -> None:
     assert decide(r"\sin 2a = 2 \sin a \cos a").reading == r"\sin\left(2 a\right) = 2 \sin a \cos a"
 
 
+def test_of_orders_that_would_hold_the_sharpest_is_told_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(repairs, "SECONDS", 6.0)
+    answer = decide(r"a + b \ge 5 f", r"f = \frac{a + b}{4}", ["a > 0", "b > 0"])
+    assert answer.repairs[0]["relation"] == r"a + b \ge 4 f"
+    assert len(answer.repairs) == 5
+
+
 def test_repairs_are_proved_and_none_is_trivial() -> None:
     answer = decide(r"\cos 2x = 1 - \sin^2 x")
     assert answer.verdict == "refuted"

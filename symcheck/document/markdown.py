@@ -30,7 +30,7 @@ _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\
 
 HEADINGS = {"h1": "section", "h2": "section"}  # all others are subsections
 _HIDDEN = re.compile(r"\s*<(?:!|\?|script|style|pre)", re.I)  # HTML of which a reader sees no formula
-_HEADING = re.compile(r"<(h[1-6])\b", re.I)
+_HEADING = re.compile(r"<(h[1-6])\b", re.I)  # of HTML
 _TAG = re.compile(r"</?[A-Za-z][^<>$]*>")  # and no sign of order between formulas
 
 # an environment of displays between double dollars, as MathJax wants it: the dollars say nothing more

@@ -15,6 +15,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import JSON, Reader, Value
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, fails_at, proof_of
+from symcheck.proof.algebra.knowledge import ORDERS
 from symcheck.proof.algebra.polynomial import unfold
 from symcheck.question import jets
 from symcheck.question.antiderivatives import FAULTS, hinted
@@ -52,6 +53,7 @@ SIMPLIFYING = 1.0  # seconds for SymPy to find what is missing
 MISSING = -5.8  # a lost term, where it is known, is as likely as a lost factor
 EVERYWHERE = ", everywhere"  # behind what a slip does that is made more than once
 MOST = 5  # repairs that are shown
+MOST_ORDERS = 20  # that are proved of an order: weaker ones are proved as well
 SECONDS = 6.0  # for all of them: nearly all that are found at all are found in one, but for those about integrals
 if TYPE_CHECKING:
     from sympy import Expr
@@ -65,19 +67,35 @@ SISTERS = {
 
 
 def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], ...]:
-    """At most five relations that are one slip away from the one that was refuted at a point, and are proved."""
-    found: list[dict[str, str]] = []
-    try:
-        with limited(SECONDS):
-            for slip in likely(reading, missing(reading)):
-                if _is_proved(reading, slip.tree, point):
-                    shown = {"relation": with_brackets(slip.tree), "kind": slip.kind, "edit": slip.description}
-                    found.append(shown)
-                if len(found) == MOST:
-                    break
-    except OutOfTime:
-        pass
-    return tuple(found)
+    """At most five relations that are one slip away from the one that was refuted at a point, and are proved.
+
+    Of orders more are proved than are meant: those come first whose sides are nearest to each other at the point.
+    """
+    found, ordered = list[Slip](), any(problem.claim.tag in ORDERS for problem in reading.problems)
+    with suppress(OutOfTime), limited(SECONDS):
+        for slip in likely(reading, missing(reading)):
+            if _is_proved(reading, slip.tree, point):
+                found.append(slip)
+            if len(found) == (MOST_ORDERS if ordered else MOST):
+                break
+    if ordered:
+        found.sort(key=lambda slip: _apart(reading, slip.tree, point))
+    return tuple(
+        {"relation": with_brackets(slip.tree), "kind": slip.kind, "edit": slip.description} for slip in found[:MOST]
+    )
+
+
+def _apart(reading: Reading, tree: Tree, point: dict[str, JSON]) -> float:
+    """How far the sides of a relation are from each other at a point."""
+    total, reader = 0.0, Reader()
+    with suppress(SymcheckError, *FAULTS):
+        values = {x: to_sympy(reader.term(value)) for x, value in point.items()}
+        for problem in worded(reading, tree):
+            left, right = (to_sympy(unfold(side, dict(problem.definitions))) for side in problem.claim.terms)
+            gap = left - right
+            total += abs(float(gap.subs({x: values[x.name] for x in gap.free_symbols if x.name in values})))
+        return total
+    return float("inf")
 
 
 class Slip(NamedTuple):

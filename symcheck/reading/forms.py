@@ -183,6 +183,7 @@ def _applied(tree: Mul) -> Tree | None:
     return None
 
 
+# a capital letter, bold or not, perhaps with an index
 _CAPITAL = re.compile(r"(?:\\(?:mathbf|boldsymbol|bm)\{)?[A-Z]\}?(?:_.+)?")
 
 

@@ -97,7 +97,9 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     return [replace(guess, letter=replace(guess.letter, open=True)) for guess in found]
 
 
+# a letter of a vector or a matrix
 _STYLED = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|bar|hat)(?![A-Za-z])")
+# a part or a multiple of pi
 _ANGLE = re.compile(r"(?:\d |\\pi |/ |\\frac \{ |\} \{ |\} )*\\pi(?: \d| /| \})*")
 
 
@@ -304,6 +306,7 @@ _SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\p
 _AT = rf"(?:[xyzrst]|\\tau|\\mathbf \{{ [xyzr] \}}){_SCRIPT}"
 # how far one place, or one time, is from another, which a kernel, a potential or a pulse is a function of
 _DISTANCE = re.compile(rf"{_AT} - {_AT}")
+# an index below
 _BELOW = re.compile(r"_ (?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\S+)")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from difflib import get_close_matches
+from typing import TYPE_CHECKING
 
 from symcheck.audit import check, kernels
 from symcheck.core.ids import Id
@@ -11,8 +12,10 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record
 from symcheck.papers import load
-from symcheck.question.answer import General
 from symcheck.views import terminal
+
+if TYPE_CHECKING:
+    from symcheck.question.answer import General
 
 
 def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]], list[Record]] = check) -> None:

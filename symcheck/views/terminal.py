@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich import box
 from rich.cells import cell_len, set_cell_size
@@ -24,12 +25,14 @@ from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record, digest_of
 from symcheck.ledger.changes import Change
-from symcheck.question.answer import General
 from symcheck.views import model
 from symcheck.views.diagnostics import near
 from symcheck.views.dimensions import conflict, fits, unlike
 from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
+
+if TYPE_CHECKING:
+    from symcheck.question.answer import General
 
 _STYLES = {Verdict.PROVED: "green", Verdict.REFUTED: "bold red", Verdict.UNDECIDED: "yellow"}
 _METHOD, _STATEMENT = 28, 30  # columns of the ledger: the method at most, the statement at least
