@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from symcheck.document.checks import REFERRING, Checks, Definition, Question
-from symcheck.document.points import Found, compared
-from symcheck.document.points import slips as slips_of
+from symcheck.document.points import Found, compared, slips
 from symcheck.document.roles import OF_KNOWN, Roles
 from symcheck.document.survey import SMALLEST
 from symcheck.document.work import Work
@@ -144,7 +143,7 @@ class Slip:
 def _slip(question: Question) -> str:
     """The relation after the likeliest slip with which it holds; "" if none is found."""
     with suppress(OutOfTime), limited(SLIPS):
-        return next(slips_of(question.relation, question.where, question.letters), "")
+        return next(slips(question.relation, question.where, question.letters), "")
     return ""
 
 
@@ -261,8 +260,10 @@ class Derived:
         known = {each.number for each in self.roles.known(k).values()}
         heads = {x for x, link in self.checks.seen[k].heads.items() if link.latex == question.relation}
         same = self._lefts(k, {question.relation}) & self._lefts(question.sources[0], {*question.where})
-        among = range(min(k, *question.sources), max(k, *question.sources) + 1)
-        if {formulas[m].before for m in among} == {formulas[k].before or None} or (len(question.sources) == 1 and same):
+        if len(question.sources) == 1 and same:
+            return True
+        words, among = formulas[k].before, range(min(k, *question.sources), max(k, *question.sources) + 1)
+        if words and all(formulas[m].before == words for m in among):
             return True
         return any(
             (m not in known and not self.roles.is_same_part(m, k))
@@ -365,8 +366,8 @@ def _explained(
     texts = work.all(_slip, [*dict.fromkeys(each for every in first.values() for each in every)], SLIPS, lambda _: "")
     held = {m: tuple((each, texts[each]) for each in every if texts[each]) for m, every in first.items()}
     chosen = {m: (several, tasks[m]) for m, several in held.items() if several}
-    slips = work.all(_explaining, [*dict.fromkeys(chosen.values())], EXPLAINING, lambda _: None)
-    found = {m: slip for m, task in chosen.items() if (slip := slips[task]) is not None}
+    told = work.all(_explaining, [*dict.fromkeys(chosen.values())], EXPLAINING, lambda _: None)
+    found = {m: slip for m, task in chosen.items() if (slip := told[task]) is not None}
     most = {same[m] for m, slip in found.items() if 2 * slip.repaired > len(tasks[m])}
     return {m: slip for m, slip in found.items() if same[m] in most}
 

@@ -11,14 +11,14 @@ from functools import cache
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Role, Said, Seen, is_sayable
-from symcheck.reading.evidence import spelling
+from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import is_styled
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
-from symcheck.reading.occurrences import occurrences
 from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
+_NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -143,9 +143,6 @@ def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> lis
     return [each for each in every if each.letter in read or each.letter not in named]
 
 
-_NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
-
-
 def factors(formulas: Sequence[Printed], seen: Sequence[Seen]) -> set[str]:
     """The letters of formulas that are read; those of what elsewhere may be a name only where they stand without it."""
     found = set[str]()
@@ -155,7 +152,7 @@ def factors(formulas: Sequence[Printed], seen: Sequence[Seen]) -> set[str]:
             rest = formula.latex
             for run in runs.values():
                 rest = run.sub(" ", rest)
-            apart = {spelling(place) for place in occurrences(rest)} if rest != formula.latex else None
+            apart = spellings(rest) if rest != formula.latex else None
             found |= {role.letter for role in each.roles if apart is None or shown(role.letter) in apart}
     return found
 

@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import islice
 from pathlib import Path
 from types import MappingProxyType, ModuleType
@@ -43,9 +43,8 @@ from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.papers import key_of
 from symcheck.proof import identity
 from symcheck.reading import Notation
-from symcheck.reading.evidence import spelling
+from symcheck.reading.evidence import spellings
 from symcheck.reading.inference import inferred, notation_of
-from symcheck.reading.occurrences import occurrences
 
 MANY = 5  # places that are named one by one
 
@@ -337,19 +336,14 @@ class Document:
         if not isinstance(item.question, Inquiry) or not isinstance(item, Claim):
             return item
         k, used = self.numbers.index(item.number), set(item.uses)
-        own = _letters(item.question.text, *item.question.assumed)
+        own = spellings(item.question.text, *item.question.assumed)
         near = (
             (self.formulas[m].place, rewritten(self.formulas[m].latex, self.rules)[0])
             for m in nearest(k, len(self.formulas))
             if self.formulas[m].scope[0] == self.formulas[k].scope[0] and self.numbers[m] not in claimed | used
         )
-        beside = islice((each for each in near if _letters(each[1]) <= own), MOST_CONDITIONS)
+        beside = islice((each for each in near if spellings(each[1]) <= own), MOST_CONDITIONS)
         return replace(item, question=replace(item.question, near=tuple(beside)))
-
-
-@cache
-def _letters(*texts: str) -> frozenset[str]:
-    return frozenset(spelling(place) for text in texts for place in occurrences(text))
 
 
 def _guessed(said: Said) -> list[Any]:

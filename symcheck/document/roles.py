@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from symcheck.document.checks import AGAIN, NEAR, Checks, Definition
 from symcheck.document.letters import shown
 from symcheck.document.survey import SMALLEST, Link
-from symcheck.reading.evidence import spelling
+from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face
-from symcheck.reading.occurrences import occurrences
 
 # words before an equation that make it a law, which says what a letter is all the same
 LAWS = re.compile(
@@ -51,9 +50,9 @@ def _is_length(letter: str, link: Link) -> bool:
     return face(BARS.sub("", link.right)) == f"{letter}}}"
 
 
-def _letters(text: str) -> set[str]:
+def _letters(text: str) -> frozenset[str]:
     """The letters of which a text says to which set they belong, or all of its letters."""
-    return {spelling(place) for place in occurrences(text.partition(r"\in")[0])}
+    return spellings(text.partition(r"\in")[0])
 
 
 class Roles:

@@ -234,7 +234,10 @@ def answered(
 
 
 def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
-    """The verdict of all readings; a remote one cannot contradict a proof, but raises doubts of a refutation."""
+    """The verdict of all readings; a remote one cannot contradict a proof, but raises doubts of a refutation.
+
+    One that is possible beside another alone can contradict that.
+    """
     near = [answer for reading, answer in found if not reading.inference.remote]
     near += [answer for reading, answer in found if near and reading.inference.beside]
     remote = [answer.verdict for reading, answer in found if reading.inference.remote]

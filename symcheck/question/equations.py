@@ -14,9 +14,8 @@ from symcheck.question import jets
 from symcheck.question.conventions import mentioned, names
 from symcheck.question.prepare import Reading
 from symcheck.reading import Notation, Tree
-from symcheck.reading.evidence import spelling
+from symcheck.reading.evidence import spellings
 from symcheck.reading.landau import terms_of_order
-from symcheck.reading.occurrences import occurrences
 from symcheck.reading.tree import Chain, Limiting, MatrixOf, Mul, Name, Neg, Number, Piecewise, Pow, Transpose, walk
 
 EQUATION = "it says how letters depend on each other of which nothing else is said: an equation or a condition"
@@ -37,8 +36,9 @@ def relates(problem: Problem, reading: Reading) -> bool:
     if _is_of_one_matrix(tree, notation) or _is_rough(tree):
         return True
     context = (*asked.where, *asked.given)
-    known = {spelling(place) for text in context for place in occurrences(text)}
-    known |= {x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)}
+    known = spellings(*context) | {
+        x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)
+    }
     integrated = any(part.tag == "integral" for part in jets.parts(problem.claim))
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)

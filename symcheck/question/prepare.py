@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from functools import partial
 from math import lcm
 
@@ -19,10 +18,11 @@ from symcheck.core.terms import Binder, End, Formula, Node, Relation, T, Term, V
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import Doubt, NoForm, SymcheckError, Unsaid
 from symcheck.core.words import term
+from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
-from symcheck.reading.evidence import spelling
+from symcheck.reading.evidence import spelling, spellings
 from symcheck.reading.inference import SIZES, Inference, inferred
 from symcheck.reading.lexer import SPACES
 from symcheck.reading.lowering import JUMPS
@@ -216,8 +216,7 @@ def definitions(
             others.append(equation)
             continue
         name, arguments = head
-        used = {spelling(place) for place in occurrences(parts[1])}
-        if name in found or name in used:
+        if name in found or name in spellings(parts[1]):
             others.append(equation)
         else:
             found[name] = (parts[0], arguments or _varied(name, parts[1], formulas), parts[1])
@@ -626,27 +625,13 @@ def rooted(tree: T) -> T:
     if not isinstance(tree, Node):
         return tree
     new = mapped(tree, rooted)
-    if not (isinstance(new, Value) and new.tag == "pow") or (exponent := _fraction(new.terms[1])) is None:
-        return new  # type: ignore[return-value]
-    if exponent.denominator != 2:
-        return new  # type: ignore[return-value]
-    root = node("sqrt", new.terms[0])
-    power = root if abs(exponent.numerator) == 1 else node("^", root, abs(exponent.numerator))
-    return power if exponent > 0 else node("/", 1, power)  # type: ignore[return-value]
-
-
-def _fraction(term: Term) -> Fraction | None:
-    """The rational number that a term of whole numbers, signs and strokes is."""
-    match term:
-        case int(number):
-            return Fraction(number)
-        case Value(tag="-", terms=(one,)):
-            value = _fraction(one)
-            return None if value is None else -value
-        case Value(tag="/", terms=(one, other)):
-            above, below = _fraction(one), _fraction(other)
-            return above / below if above is not None and below else None
-    return None
+    if isinstance(new, Value) and new.tag == "pow":
+        with suppress(Unsupported):
+            if (exponent := constant(new.terms[1])).denominator == 2:
+                root, count = node("sqrt", new.terms[0]), abs(exponent.numerator)
+                power = root if count == 1 else node("^", root, count)
+                return power if exponent > 0 else node("/", 1, power)  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
 
 
 def parted_angles(trees: Iterable[Term], defined: Mapping[str, Term]) -> dict[str, Term]:

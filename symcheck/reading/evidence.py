@@ -7,7 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_product
@@ -414,6 +414,12 @@ def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
 def spelling(place: Occurrence) -> str:
     """The spelling of the letter at one place, with its subscript."""
     return place.word + (tex.subscript(place.subscript) if place.subscript else "")
+
+
+@lru_cache(4096)
+def spellings(*texts: str) -> frozenset[str]:
+    """The spellings of all letters that stand in texts."""
+    return frozenset(spelling(place) for text in texts for place in occurrences(text))
 
 
 def canonical(latex: str) -> str:

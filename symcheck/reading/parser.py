@@ -838,8 +838,7 @@ class Builder:
                 after.at, "at the place in these brackets, or times it? write \\cdot, or the function with its place"
             )
         if not isinstance(name, Name):
-            lettered = any(isinstance(part, Name) for part in nodes(node))
-            if _is_letter(self.inside(after)) and not after.postfix and lettered:
+            if _is_letter(self.inside(after)) and not after.postfix and any(isinstance(x, Name) for x in nodes(node)):
                 raise self.fail(after.at, AT_OR_TIMES)
             return
         letter = self.notation.find(name.letter, len(name.subscripts))

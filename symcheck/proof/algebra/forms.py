@@ -9,13 +9,10 @@ from itertools import product
 from symcheck.core.terms import Term, Value, node
 from symcheck.proof.algebra.flint import Poly, by_powers, fraction
 from symcheck.proof.algebra.knowledge import Knowledge, proportional
-from symcheck.proof.algebra.polynomial import number_of
 from symcheck.proof.algebra.variables import circle, cosine, sine, table
 
 FEW = 6  # addends of a polynomial of which a bound is multiplied by a letter
 MAX_BOUNDS = 3  # subtracted one after the other: each is tried at every addend, so the work grows as their power
-
-
 HALF = Fraction(1, 2)
 
 
@@ -88,9 +85,10 @@ def _within_one(poly: Poly, known: Knowledge) -> Term | None:
         other = table().term((cosine if turn[0] == "sin" else sine)(turn[1]))
         beside = table().term(name) if sign > 0 else node("-", table().term(name))
         squares = node("+", node("^", node("+", 1, beside), 2), node("^", other, 2))
-        whole = number_of(form)
-        half = number_term(HALF if whole is None else whole / 2)
-        parts.append(node("*", half, squares) if whole is not None else node("*", half, form, squares))
+        if size.is_constant():
+            parts.append(node("*", number_term(fraction(size.leading_coefficient()) * HALF), squares))
+        else:
+            parts.append(node("*", number_term(HALF), form, squares))
     last = positive_form(rest, known) if parts and rest != 0 else 0
     return node("+", *parts, last) if parts and last is not None else None
 
