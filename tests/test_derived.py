@@ -261,7 +261,7 @@ def test_a_derivative_by_a_letter_that_is_defined_refutes_nothing() -> None:
 
 
 def test_what_may_be_one_name_in_a_formula_may_be_one_in_all_of_a_document(tmp_path: Path) -> None:
-    text = "Let $$w = Cr \\sqrt{1 - y^2}$$ and $$w = Cr \\sqrt{1 - (x - r)^2}.$$\n"
+    text = "Let $$w = Cr \\sqrt{1 - y^2}$$ and $$w = Cr \\sqrt{S - (x - r)^2}.$$\n"
     (tmp_path / "n.md").write_text(text, encoding="utf-8")
     assert look(tmp_path / "n.md").read == (False, False)
     (tmp_path / "n.md").write_text(text + "\nThe factors are $$C = 2 r$$ here.\n", encoding="utf-8")

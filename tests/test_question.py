@@ -531,6 +531,28 @@ def test_the_reading_is_shown_with_brackets_around_arguments() -> None:
     assert decide(r"\sin 2a = 2 \sin a \cos a").reading == r"\sin\left(2 a\right) = 2 \sin a \cos a"
 
 
+def test_a_relation_with_roots_under_definitions_may_be_meant_for_positive_letters() -> None:
+    relation, where = r"\frac{\mu}{h} = \sqrt{\frac{\mu}{p}}", r"h = \sqrt{\mu p}"
+    assert decide(relation, where).verdict == "ambiguous"
+    assert decide(relation, where, [r"\mu > 0", "p > 0"]).verdict == "proved"
+    assert decide(relation.replace(r"\frac{\mu}{p}", r"\frac{p}{\mu}"), where).verdict == "refuted"
+
+
+SIGNED = {  # what is so, with the conditions under which it is, and what is not
+    r"\frac{\sqrt{k} x}{1 - x y} > 0": (["0 < x < 1", "y < 1", "k > 0"], r"\frac{\sqrt{k} x}{1 - x y} < 0"),
+    r"\frac{\sin E}{1 - u \cos E} > 0": (["0 < u < 1", r"\sin E > 0"], r"\frac{\sin E}{1 - u \cos E} > 1"),
+    r"x \sqrt{a^2 b} = x a \sqrt{b}": (["a > 0", "b > 0"], r"x \sqrt{a^2 b} = x a b"),
+    r"\frac{1}{x} \frac{1}{\sqrt{x}} = x^{-\frac{3}{2}}": (["x > 0"], r"\frac{1}{x} \frac{1}{\sqrt{x}} = x^{-1.25}"),
+}
+
+
+@pytest.mark.parametrize("relation", SIGNED)
+def test_signs_and_positive_roots_are_decided(relation: str) -> None:
+    given, wrong = SIGNED[relation]
+    assert certified(right := decide(relation, (), given))
+    assert (right.verdict, decide(wrong, (), given).verdict) == ("proved", "refuted")
+
+
 def test_of_orders_that_would_hold_the_sharpest_is_told_first(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(repairs, "SECONDS", 6.0)
     answer = decide(r"a + b \ge 5 f", r"f = \frac{a + b}{4}", ["a > 0", "b > 0"])
