@@ -256,13 +256,24 @@ def _scripts_in_order(parts: list[Part]) -> list[Part]:
     return found
 
 
-BEHIND = frozenset("^_=+-/)],.;<>&") | {r"\right", r"\cdot", r"\times", r"\le", r"\ge", r"\leq", r"\geq", r"\\", ""}
+# what may stand behind the bar that closes a length
+_BEHIND_BARS = frozenset("^_=+-/)],.;<>&") | {
+    r"\right",
+    r"\cdot",
+    r"\times",
+    r"\le",
+    r"\ge",
+    r"\leq",
+    r"\geq",
+    r"\\",
+    "",
+}
 
 
 def _with_bars(parts: list[Part]) -> list[Part]:
     r"""Pairs of `\parallel` as the bars of lengths, which close where no operand follows."""
     places = [k for k, part in enumerate(parts) if part == r"\parallel"]
-    if not places or len(places) % 2 or any([*parts, ""][k + 1] not in BEHIND for k in places[1::2]):
+    if not places or len(places) % 2 or any([*parts, ""][k + 1] not in _BEHIND_BARS for k in places[1::2]):
         return parts
     return [r"\|" if part == r"\parallel" else part for part in parts]
 
