@@ -228,6 +228,12 @@ def test_terms_that_are_nested_too_deeply_settle_nothing() -> None:
     assert (found.verdict, found.reason) == (UNDETERMINED, "its terms are nested too deeply")
 
 
+def test_what_has_no_form_is_undetermined_with_its_reason() -> None:
+    found = decided(r"t_s \approx \frac{4}{\zeta \omega_n}", units={"t_s": "s"}).dimension
+    assert found.verdict == UNDETERMINED
+    assert found.reason.endswith(r"\approx has no algebraic form; state it formally")
+
+
 def test_units_are_those_of_the_registry() -> None:
     pint = pytest.importorskip("pint")
     registry = pint.UnitRegistry()

@@ -17,6 +17,7 @@ from symcheck import papers
 from symcheck.checker.__main__ import main as check_certificates
 from symcheck.cli import cli
 from symcheck.core.verdicts import SymcheckError
+from symcheck.document.look import look
 from symcheck.document.rewriting import Rule, rewritten
 from symcheck.question import Status
 
@@ -144,6 +145,27 @@ def test_an_audit_that_proves_everything_of_a_document_is_noticed(
 def test_other_documents(name: str, text: str, tmp_path: Path) -> None:
     """Markdown, reStructuredText, macros without sections or labels, and one label three times."""
     assert sorted(verdicts(begun(tmp_path, text, name)).values()) == ["proved", "refuted"]
+
+
+# vectors in plain letters, quotes within dollars, and a skew matrix with its cross within the brackets
+KINEMATICS = r"""# The motion of a point
+
+The point stands at $r = [0, b, 0]^T$. Its acceleration is
+$$\ddot r_{abs} = \dot\omega \times r + \omega \times (\omega \times r)$$
+For a rotation $`\omega = [0, 0, w]^T`$ the tangential term becomes
+$$\dot\omega \times r = \begin{bmatrix} 0 \\ 0 \\ \dot w \end{bmatrix} \times \begin{bmatrix} 0 \\ b \\ 0 \end{bmatrix}
+= \begin{bmatrix} -\dot w b \\ 0 \\ 0 \end{bmatrix}$$
+The rates of the parameters are
+$$\dot{\boldsymbol\sigma} = \frac{1}{4} \left[\mathbf{I}_3 + 2 [\boldsymbol\sigma \times]\right] \boldsymbol\Omega$$
+"""
+
+
+def test_vectors_in_plain_letters_are_known_by_what_they_are_equal_to(tmp_path: Path) -> None:
+    audit = begun(tmp_path / "right", KINEMATICS, "paper.md")
+    assert verdicts(audit) == {"0.4a": "proved", "0.4b": "proved"}
+    wrong = begun(tmp_path / "wrong", KINEMATICS.replace("[0, b, 0]", "[0, 2 b, 0]"), "paper.md")
+    assert verdicts(wrong) == {"0.4a": "undecided", "0.4b": "proved"}
+    assert not look(tmp_path / "right" / "paper.md").findings
 
 
 def test_a_misprint_in_the_source_changes_the_verdict_and_is_told(tmp_path: Path) -> None:

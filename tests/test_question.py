@@ -243,6 +243,9 @@ REFUTED |= {
 PROVED |= {  # parts of half a turn
     r"\cos\frac{\pi}{8} = \frac{\sqrt{2 + \sqrt{2}}}{2}": "",
     r"\sin 15^\circ = \frac{\sqrt{6} - \sqrt{2}}{4}": "",
+    r"\sin 15\degree = \sin(15^{\degree})": "",
+    r"\begin{bmatrix} | & | \\ 1 & 2 \\ | & | \end{bmatrix} = \begin{bmatrix} 1 & 2 \end{bmatrix}": "",
+    r"[\mathbf{a}_\times] \mathbf{b} = \mathbf{a} \times \mathbf{b}": "",
     r"\tan\frac{\pi}{8} = \sqrt{2} - 1": "",
     r"\cos\frac{\pi}{5} \cos\frac{2 \pi}{5} = \frac{1}{4}": "",
 }

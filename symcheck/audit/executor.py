@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable, Generator, Iterable
-from contextlib import suppress
-from dataclasses import dataclass
+from collections.abc import Callable, Generator, Iterable, Iterator
+from contextlib import AbstractContextManager, contextmanager, suppress
+from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any, Generic, Protocol, TypeVar
 
 from symcheck.core.interrupts import withheld
@@ -43,7 +44,14 @@ class Executor(Protocol):
     """What the audit needs of a way to run things."""
 
     def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
-        """Pairs (task, answer) in order of completion, one per task; no answer takes more than `timeout` seconds."""
+        """Pairs (task, answer) in order of completion, one per task; no answer takes more than `timeout` seconds.
+
+        Tasks are taken from the iterable shortly before they are begun.
+        """
+        ...
+
+    def kept(self) -> AbstractContextManager[Executor]:
+        """The same for several maps in turn, with workers that keep what they remember from one to the next."""
         ...
 
 
@@ -53,6 +61,10 @@ class Serial:
     def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
         for task in tasks:
             yield task, _attempt(function, task)
+
+    @contextmanager
+    def kept(self) -> Iterator[Executor]:
+        yield self
 
 
 @dataclass(frozen=True)
@@ -69,17 +81,17 @@ class Pool:
     preload: tuple[str, ...] = ()
 
     def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
-        from concurrent.futures import as_completed
+        waiting = list(tasks)
+        with replace(self, jobs=max(1, min(self.jobs, len(waiting)))).kept() as workers:
+            yield from workers.map(function, waiting, timeout)
 
+    @contextmanager
+    def kept(self) -> Iterator[Executor]:
         from pebble import ProcessPool
 
-        waiting = list(tasks)
-        pool: Any = ProcessPool(max_workers=max(1, min(self.jobs, len(waiting))), context=self._context())
+        pool: Any = ProcessPool(max_workers=self.jobs, context=self._context())
         try:
-            with withheld():  # no worker is left half started
-                futures = {pool.schedule(_attempt, args=(function, task), timeout=timeout): task for task in waiting}
-            for future in as_completed(futures):
-                yield futures[future], _answer(future, timeout)
+            yield _Workers(pool, self.jobs)
         finally:
             pool.stop()
             pool.join()
@@ -104,6 +116,49 @@ class Pool:
             _kill_server()
             raise
         return context
+
+
+@dataclass(frozen=True)
+class _Workers:
+    """The workers of a pool that stays; what is not awaited any more is killed."""
+
+    pool: Any
+    jobs: int
+
+    def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
+        from concurrent.futures import FIRST_COMPLETED, wait
+
+        waiting, running = iter(tasks), dict[Any, K]()
+
+        def begin(count: int) -> None:
+            for task in islice(waiting, count):
+                with withheld():  # no worker is left half started
+                    running[self._scheduled(function, task, timeout)] = task
+
+        try:
+            begin(2 * self.jobs)
+            while running:
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    task = running.pop(future)
+                    begin(1)
+                    yield task, _answer(future, timeout)
+        finally:
+            for future in running:
+                future.cancel()
+
+    def _scheduled(self, function: Callable[[K], T], task: K, timeout: float) -> Any:
+        from concurrent.futures import Future
+
+        try:
+            return self.pool.schedule(_attempt, args=(function, task), timeout=timeout)
+        except RuntimeError as error:  # no worker could be started
+            failed = Future[Any]()
+            failed.set_exception(error)
+            return failed
+
+    @contextmanager
+    def kept(self) -> Iterator[Executor]:
+        yield self
 
 
 def _nothing() -> None:

@@ -41,10 +41,9 @@ def new(file: Path, out: Path, update: bool, jobs: int) -> None:
     from symcheck.document import scaffold
     from symcheck.document.work import Work
 
-    with progress("reading") as move:
-        work = Work(executor(jobs, ["symcheck.document.checks"]), move)
-        with _writing():
-            done = scaffold.update(file, work) if update else scaffold.new(file, out, work)
+    with progress("reading") as move, executor(jobs, ["symcheck.document.checks"]).kept() as workers, _writing():
+        work = Work(workers, move)
+        done = scaffold.update(file, work) if update else scaffold.new(file, out, work)
     for line in done:
         click.echo(line)
     if not update:

@@ -26,7 +26,6 @@ MOST_SOURCES = 5  # equations from which one follows; derivations of the audited
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
 FAR = 12  # formulas before and behind one with which it is compared, if nothing before it says whether it holds
 LATER = "later"  # the kind of questions of which nothing is proved
-AT_ONCE = 16  # relations between two looks at the clock
 MOST_STEPS = 2000  # of the search for sets
 SAID = 8  # times that it is said what a letter is; one of which it is said more often is another one in each case
 ANEW = 2  # sections that say what a letter is, which means the same in all of them all the same
@@ -35,8 +34,8 @@ ASKED = 8  # of these, those that are asked, where it holds
 EXPLAINED = 4  # of these, those for which slips of the pen are looked for, where it fails
 # words before a relation that do not make it a condition, if it may follow from others
 DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|find)\b", re.IGNORECASE)
-ATTEMPT = 0.8  # seconds for one set; nearly all proofs take a tenth
-FOLLOWING = 2.0  # for all sets of a relation
+ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
+FOLLOWING = 1.2  # for all sets of a relation
 SLIPS = 4.0  # seconds for the slips in one relation
 EXPLAINING = 12.0  # for all slips that may explain why a relation fails
 
@@ -62,14 +61,12 @@ def sought(
     What agrees or disagrees with nothing before it is compared with what stands behind it. Proofs come last, as all but
     a few take longer than to compare.
     """
-    started = time.perf_counter()
+    until = time.perf_counter() + seconds
 
     def each_of(function: Callable[[K], T], tasks: Iterable[K], nothing: T) -> tuple[dict[K, T], int]:
-        found, rest = dict[K, T](), [*dict.fromkeys(tasks)]
-        while rest and time.perf_counter() - started < seconds:
-            found.update(work.all(function, rest[:AT_ONCE], FOLLOWING, lambda reason: nothing))
-            del rest[:AT_ONCE]
-        return found, len(rest)
+        every = [*dict.fromkeys(tasks)]
+        found = work.all(function, every, FOLLOWING, lambda reason: nothing, until)
+        return found, len(every) - len(found)
 
     def outcomes(questions: Mapping[int, list[tuple[Question, ...]]]) -> tuple[dict[int, list[Outcome]], int]:
         found, left = each_of(outcome, (each for every in questions.values() for each in every if each), NOTHING)
@@ -314,9 +311,9 @@ def blamed(
     Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
     of the pen explains it. Relations that say the same are right together, and so is what follows from one alone: the
     line behind a wrong one is no witness for it. `proved` are the numbers of others with those of their sources.
-    After so many seconds nothing more is explained.
+    After so many seconds no more than those that fail most often are explained.
     """
-    started = time.perf_counter()
+    end, until = time.perf_counter() + seconds, math.inf
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
     holding = [(question.number, question.sources) for each in outcomes for question in each.holding]
     holding += proved
@@ -329,41 +326,47 @@ def blamed(
     right = {x for x, times in held.items() if times >= failed[x]}
     left = {question: {question.number, *question.sources} for question in failing}
     left = {question: {m for m in places if same[m] not in right} for question, places in left.items()}
-    while time.perf_counter() - started < seconds and (left := {q: places for q, places in left.items() if places}):
-        votes = Counter(x for places in left.values() for x in {same[m] for m in places})
-        highest = max(votes.values())
-        most = {x for x, count in votes.items() if count == highest}
-        found = _explained(left, {m for places in left.values() for m in places if same[m] in most}, same, work)
-        beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
-        found |= _explained(left, {m for m in beside if same[m] not in most}, same, work)
-        best = max((slip.repaired for slip in found.values()), default=0)
-        likeliest = {same[m] for m, slip in found.items() if slip.repaired == best}
-        found = {m: slip for m, slip in found.items() if same[m] in likeliest}
-        most |= {same[m] for m in found}
-        done = {same[m] for m in found}
-        never = {m: slip for m, slip in found.items() if not held[same[m]]}
-        likely = never if len({same[m] for m in never}) == 1 else found
-        if len({same[m] for m in likely}) == 1:
-            wrong |= {m: slip.question for m, slip in likely.items()}
-        elif done:
-            unlike.append(tuple(sorted(found)))
-        left = {
-            question: {m for m in places if same[m] not in most}
-            for question, places in left.items()
-            if not done & {same[m] for m in places}
-        }
+    with suppress(OutOfTime):
+        while left := {q: places for q, places in left.items() if places}:
+            votes = Counter(x for places in left.values() for x in {same[m] for m in places})
+            highest = max(votes.values())
+            most = {x for x, count in votes.items() if count == highest}
+            voted = {m for places in left.values() for m in places if same[m] in most}
+            found = _explained(left, voted, same, work, until)
+            beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
+            found |= _explained(left, {m for m in beside if same[m] not in most}, same, work, until)
+            best = max((slip.repaired for slip in found.values()), default=0)
+            likeliest = {same[m] for m, slip in found.items() if slip.repaired == best}
+            found = {m: slip for m, slip in found.items() if same[m] in likeliest}
+            most |= {same[m] for m in found}
+            done = {same[m] for m in found}
+            never = {m: slip for m, slip in found.items() if not held[same[m]]}
+            likely = never if len({same[m] for m in never}) == 1 else found
+            if len({same[m] for m in likely}) == 1:
+                wrong |= {m: slip.question for m, slip in likely.items()}
+            elif done:
+                unlike.append(tuple(sorted(found)))
+            left = {
+                question: {m for m in places if same[m] not in most}
+                for question, places in left.items()
+                if not done & {same[m] for m in places}
+            }
+            until = end
     return wrong, unlike
 
 
 def _explained(
-    left: Mapping[Question, Set[int]], numbers: Set[int], same: Mapping[int, int], work: Work
+    left: Mapping[Question, Set[int]], numbers: Set[int], same: Mapping[int, int], work: Work, until: float
 ) -> dict[int, Slip]:
-    """The slips that explain why some of these relations fail with most of the others."""
+    """The slips that explain why some of these relations fail with most of the others; OutOfTime if some are open."""
     tasks = {
         m: tuple(exchanged(question, m) for question, places in left.items() if m in places) for m in sorted(numbers)
     }
     first = {m: every[:EXPLAINED] for m, every in tasks.items()}
-    texts = work.all(_slip, [*dict.fromkeys(each for every in first.values() for each in every)], SLIPS, lambda _: "")
+    open_ = dict.fromkeys(each for every in first.values() for each in every)
+    texts = work.all(_slip, [*open_], SLIPS, lambda _: "", until)
+    if len(texts) < len(open_):
+        raise OutOfTime
     held = {m: tuple((each, texts[each]) for each in every if texts[each]) for m, every in first.items()}
     chosen = {m: (several, tasks[m]) for m, several in held.items() if several}
     told = work.all(_explaining, [*dict.fromkeys(chosen.values())], EXPLAINING, lambda _: None)

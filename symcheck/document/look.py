@@ -17,7 +17,7 @@ from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirme
 from symcheck.document.derived import LATER, Derived, blamed, sought
 from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, letters
 from symcheck.document.measuring import UNKNOWN, measured_by, measurings
-from symcheck.document.printed import Printed
+from symcheck.document.printed import Printed, Source
 from symcheck.document.roles import Roles
 from symcheck.document.sources import source
 from symcheck.document.structure import Mark, marks
@@ -188,7 +188,11 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     """
     started = time.perf_counter()
     printed = source(Path(file))
-    work = Work(executor(jobs, ["symcheck.document.checks"]), progress)
+    with executor(jobs, ["symcheck.document.checks"]).kept() as workers:
+        return _looked(str(file), printed, Work(workers, progress), started)
+
+
+def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     formulas = printed.formulas
     seen, every = known(formulas, work)
     checks = Checks(formulas, seen, every)
@@ -215,7 +219,7 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
     found += disagreeing
     follows = [formulas[k].place for k in sorted(following.keys() | more)]
     return Look(
-        str(file),
+        file,
         formulas,
         tuple(each.read for each in seen),
         tuple(every),
@@ -287,7 +291,7 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     open_ = {
         f.latex: (f.latex, elsewhere(each, by_letter, read))
         for f, each in zip(formulas, seen, strict=True)
-        if not each.read
+        if each.reason
     }
     again = work.all(surveyed_with, [task for task in open_.values() if task[1]], READING, Seen)
     better = {latex: found for (latex, _), found in again.items() if found.is_known}

@@ -27,6 +27,7 @@ _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and My
 _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMathOperator)(?![A-Za-z])")
 # `\_` before a subscript; in words, which come first, it is the sign itself
 _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
+_QUOTED = re.compile(r"\s*`([^`]+)`\s*")  # the dollars of GitHub and GitLab stand around such quotes
 
 HEADINGS = {"h1": "section", "h2": "section"}  # all others are subsections
 _HIDDEN = re.compile(r"\s*<(?:!|\?|script|style|pre)", re.I)  # HTML of which a reader sees no formula
@@ -92,7 +93,12 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
 
 
 def _unescaped(content: str) -> str:
-    """A formula whose subscripts have a backslash, so that other readers of Markdown take them for no emphasis."""
+    """A formula whose subscripts have a backslash, so that other readers of Markdown take them for no emphasis.
+
+    Or that stands between backquotes, for the same reason.
+    """
+    if found := _QUOTED.fullmatch(content):
+        return found[1]
     return _ESCAPED.sub(lambda found: found[1] or "_", content)
 
 

@@ -164,7 +164,7 @@ def _measures(told: Told) -> frozenset[tuple[str, object]]:
 
 
 def of_document(letter: str, told: Sequence[Told], scopes: Iterable[tuple[int, int]]) -> Told | None:
-    """What is said of a letter wherever it stands."""
-    found = [of_letters(told, scope).get(canonical(letter)) for scope in dict.fromkeys(scopes)]
+    """What is said of a letter, in its usual spelling, wherever it stands."""
+    found = [of_letters(told, scope).get(letter) for scope in dict.fromkeys(scopes)]
     first = next(filter(None, found), None)
     return first if first and all(each and _measures(each) == _measures(first) for each in found) else None

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from typing import TypeVar
 
 from symcheck.audit.executor import Done, Executor, Timeout
@@ -26,12 +29,21 @@ class Work:
     total: int = 0
 
     def all(
-        self, function: Callable[[K], T], tasks: Sequence[K], seconds: float, lost: Callable[[str], T]
+        self,
+        function: Callable[[K], T],
+        tasks: Sequence[K],
+        seconds: float,
+        lost: Callable[[str], T],
+        until: float = math.inf,
     ) -> dict[K, T]:
-        """The answer to each task; what takes too long, or breaks, has the answer of `lost`."""
+        """The answer to each task that is begun in time; what takes too long, or breaks, has the answer of `lost`.
+
+        In time is before `until`, by `time.perf_counter`.
+        """
         self.total += len(tasks)
         found: dict[K, T] = {}
-        for task, answer in self.executor.map(function, tasks, HARD * seconds) if tasks else ():
+        begun = takewhile(lambda _: time.perf_counter() < until, tasks)
+        for task, answer in self.executor.map(function, begun, HARD * seconds) if tasks else ():
             if isinstance(answer, Done):
                 found[task] = answer.value
             elif isinstance(answer, Timeout):
@@ -40,6 +52,7 @@ class Work:
                 found[task] = lost(f"an internal error: {answer.reason}")
             self.done += 1
             self.progress(self.done, self.total)
+        self.total -= len(tasks) - len(found)
         return found
 
 

@@ -90,6 +90,9 @@ class Understood(SymcheckError):
     tree: Tree
     reason: str
 
+    def __str__(self) -> str:
+        return self.reason
+
 
 def plainly(asked: Asked) -> Asked:
     """The same without what is layout alone."""

@@ -185,6 +185,8 @@ def _complexed(inference: Inference, formulas: Sequence[str]) -> Iterator[Infere
 
 UNIT = r"\text{i}"
 _CROSS = re.compile(r"(?<![\d}])\s*\\times(?!\s*\d)|\}\s*\\times(?!\s*\d)")  # not beside a printed number
+_DOTS = re.compile(r"\\d+ot(?![a-z])\s*(?:\{([^{}]*)\})?")  # a vector has a rate that is one
+_TWICE = re.compile(r"\(([^()]*\\times[^()]*)\)")  # a cross within another one
 # what shows that brackets hold a number
 _SCALAR = re.compile(r"[(|\[]|\\(?:frac|cdot|sqrt)|\d")
 
@@ -201,8 +203,8 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
     if not crossed or not any(map(_CROSS.search, formulas)):
         yield inference
         return
-    for letter, other in equated(formulas):
-        if letter in plain and r"\times" in other and not _SCALAR.search(other):
+    for letter, other in equated([_DOTS.sub(r"\1", f) for f in formulas]):
+        if letter in plain and r"\times" in other and not _SCALAR.search(_TWICE.sub(r"\1", other)):
             crossed.add(letter)  # it is equal to a cross
     while more := {x for key in crossed for p in evidence[key].places for x in p.beside if x in plain} - crossed:
         crossed |= more

@@ -20,6 +20,7 @@ _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) 
 _CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: [_^] (?:\w|{_BRACED}))*)"
 # spaces between formulas
 _WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
+_BARS = r"\|(?: & \|)+"
 _SPELLINGS: Sequence[
     tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]
 ] = (  # of one thing in several tokens, behind what always stands in it, with the usual one
@@ -111,6 +112,11 @@ _SPELLINGS: Sequence[
         re.compile(rf"(?:\\left )?\[ (\\?[a-zA-Z]+(?: {_BRACED})?(?: _ (?:\w|{_BRACED}))?) \\times (?:\\right )?\]"),
         r"[ \1 ] _ { \\times }",
     ),
+    (
+        r"\times ",
+        re.compile(rf"\[ (\\?[a-zA-Z]+(?: {_BRACED})?) _ (?:\{{ )?\\times (?:\}} )?\]"),
+        r"[ \1 ] _ { \\times }",
+    ),
     # the logarithm of a determinant, and the determinant of an inverse or a transpose, which is the same as its power
     (
         r"\det ",
@@ -122,6 +128,13 @@ _SPELLINGS: Sequence[
     (r"\left [", re.compile(rf"\\left \[ ((?:{_LETTER}|[A-Z] [A-Z])(?: _ (?:\w|{_BRACED}))?) \\right \]"), r"[ \1 ]"),
     ("[ 0 ]", re.compile(r"\[ 0 \] (?=_ \{ [^{}]*\\times)"), "0 "),
     ("°", re.compile(r"(?<=[\d}]) °"), r" ^ { \\circ }"),
+    (r"\degree", re.compile(r"(?<=[\d}]) (?:\^ )?(?:\\degree|\{ \\degree \})"), r" ^ { \\circ }"),
+    # a matrix of columns, which are printed between bars
+    (
+        "| & |",
+        re.compile(rf"(?<=x \}} ){_BARS} \\\\ ((?:(?!\\begin|\\end|\\\\).)+) \\\\ {_BARS} (?:\\\\ )?(?=\\end)"),
+        r"\1 ",
+    ),
     ("v m a t r i x", re.compile(r"\\begin \{ v m a t r i x \}"), r"\\left | \\begin { m a t r i x }"),
     ("v m a t r i x", re.compile(r"\\end \{ v m a t r i x \}"), r"\\end { m a t r i x } \\right |"),
     # a binomial coefficient printed as a column, whose lower number is an exponent too
