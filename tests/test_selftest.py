@@ -72,6 +72,8 @@ def test_the_counts_add_up_in_json() -> None:
         assert data[name] == sum(each[name] for each in data["classes"].values())
         for each in data["classes"].values():
             assert each[name] == sum(kind[name] for kind in each["kinds"].values())
+            assert not each["papers"] or each[name] == sum(paper[name] for paper in each["papers"].values())
+    assert {*data["classes"]["statements"]["papers"]} == {"mirer2009", "poloskov2004", "esenkov2006", "ignatov2005"}
     assert data["planted"] == sum(data[name] for name in STATUSES[1:])
     assert data["seed"] == 3
 

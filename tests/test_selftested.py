@@ -21,7 +21,9 @@ from symcheck.selftest.trial import Count, Status
 from symcheck.views import figures
 
 RESULT = Result(
-    7, {"signs": {"plus": Count(Counter({Status.REJECTED: 9, Status.ACCEPTED: 1}), ["accepted plus: x"])}}
+    7,
+    {"signs": {"plus": Count(Counter({Status.REJECTED: 9, Status.ACCEPTED: 1}), ["accepted plus: x"])}},
+    {"signs": {"toy": Count(Counter({Status.REJECTED: 9, Status.ACCEPTED: 1}), misfits=3)}},
 ).to_json()
 
 
@@ -96,7 +98,12 @@ def test_generate_names_what_the_self_test_was_not_done_with(symcheck: Callable[
 
 def test_a_class_comes_before_its_kinds_and_all_come_last() -> None:
     rows = selftested.rows(RESULT)
-    assert [(row.name, row.is_class) for row in rows] == [("signs", True), ("plus", False), ("all", True)]
+    assert [(row.name, row.of) for row in rows] == [
+        ("signs", "class"),
+        ("plus", "kind"),
+        ("in toy", "paper"),
+        ("all", "class"),
+    ]
     assert {row.rate for row in rows} == {"90.00 % (55.50 to 99.75)"}
     assert selftested.Row("none", True, Count().to_json()).rate == ""
 

@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from symcheck import kernels
 from symcheck.core.files import put
@@ -25,11 +25,15 @@ MISFITS = "by dimension"  # the name of the count of faults that dimensions alon
 
 @dataclass(frozen=True)
 class Row:
-    """The counts of a class of faults, of one kind in it, or of all."""
+    """The counts of a class of faults, of one kind in it, of what was planted in one paper, or of all."""
 
     name: str
-    is_class: bool
+    of: Literal["class", "kind", "paper"]
     counts: Mapping[str, Any]
+
+    @property
+    def is_class(self) -> bool:
+        return self.of == "class"
 
     @property
     def rate(self) -> str:
@@ -43,12 +47,13 @@ class Row:
 
 
 def rows(result: Mapping[str, Any]) -> list[Row]:
-    """A line for each class, its kinds behind it, and last for all."""
+    """A line for each class, behind it its kinds and the papers, if they are counted, and last for all."""
     found = []
     for name, counts in result["classes"].items():
-        found.append(Row(name, True, counts))
-        found += [Row(kind, False, each) for kind, each in counts["kinds"].items()]
-    return [*found, Row("all", True, result)]
+        found.append(Row(name, "class", counts))
+        found += [Row(kind, "kind", each) for kind, each in counts["kinds"].items()]
+        found += [Row(f"in {paper}", "paper", each) for paper, each in counts.get("papers", {}).items()]
+    return [*found, Row("all", "class", result)]
 
 
 def evidence(records: Iterable[Record], folder: Path | None = None) -> dict[str, str]:

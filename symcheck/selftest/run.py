@@ -12,6 +12,7 @@ from random import Random
 
 from symcheck import selftest
 from symcheck.audit import Crash, Done, Executor, Timeout
+from symcheck.core.ids import Id
 from symcheck.ledger import Record
 from symcheck.selftest.documents import is_asked
 from symcheck.selftest.engines import Agreement, agreement
@@ -26,10 +27,11 @@ Progress = Callable[[int, int], None]
 
 @dataclass
 class Result:
-    """The counts of all kinds by class, and the tasks that did not come to an end."""
+    """The counts by class and kind, by class and paper, and the tasks that did not come to an end."""
 
     seed: int
     counts: dict[str, dict[str, Count]] = field(default_factory=dict)
+    papers: dict[str, dict[str, Count]] = field(default_factory=dict)
     unfinished: list[str] = field(default_factory=list)
     engines: Agreement = field(default_factory=Agreement)
     findings: list[str] = field(default_factory=list)
@@ -46,9 +48,13 @@ class Result:
         return enough and not (statuses[Status.FALSELY_REJECTED] or self.unfinished or self.engines.disagreements)
 
     def to_json(self) -> dict[str, object]:
-        """The confusion matrix as a whole, by class and by kind."""
+        """The confusion matrix as a whole, by class, by kind, and by paper where that is counted."""
         classes = {
-            name: {**total(kinds.values()).to_json(), "kinds": {kind: count.to_json() for kind, count in kinds.items()}}
+            name: {
+                **total(kinds.values()).to_json(),
+                "kinds": {kind: count.to_json() for kind, count in kinds.items()},
+                "papers": {paper: count.to_json() for paper, count in sorted(self.papers.get(name, {}).items())},
+            }
             for name, kinds in self.counts.items()
         }
         whole = self.whole.to_json()
@@ -106,6 +112,8 @@ def run(
         if isinstance(answer, Done):
             for kind, count in answer.value.items():
                 result.counts[name][kind].merge(count)
+                if those[name].by_paper:
+                    result.papers.setdefault(name, {}).setdefault(Id.parse(place).paper, Count()).merge(count)
         else:
             result.unfinished.append(f"{name} {place[:80]}: {_why(answer)}")
         progress(done, len(todo))
@@ -116,8 +124,8 @@ def run(
         else:
             result.unfinished.append(f"what says more than {place}: {_why(more)}")
     result.findings.sort()
-    for kinds in result.counts.values():
-        for count in kinds.values():
+    for counts in (*result.counts.values(), *result.papers.values()):
+        for count in counts.values():
             count.errors.sort()
     result.unfinished.sort()
     result.engines = agreement(records)

@@ -234,4 +234,5 @@ CLASS = FaultClass(
     share=1000,
     places=places,
     trials=trials,
+    by_paper=True,
 )

@@ -56,6 +56,7 @@ class FaultClass:
     places  where: texts from which a worker process finds the place again
     trials  at one place about so many, drawn with the seeded generator; fewer if the place has no more
     documents  whether they are planted in what documents of one's own print, and not in papers
+    by_paper  whether the places are ids of relations, and faults are counted by paper as well as by kind
     """
 
     name: str
@@ -65,6 +66,7 @@ class FaultClass:
     places: Callable[[Sequence[Record]], Sequence[str]]
     trials: Callable[[str, int, Random], Iterable[Trial]]
     documents: bool = False
+    by_paper: bool = False
 
 
 @dataclass

@@ -115,10 +115,11 @@ def _self_test(folder: Path) -> Iterator[str]:
         if row.is_class:
             others = map(row.number, (MISFITS, "right", "false_rejections"))
             yield cells([row.name, *map(row.number, STATUSES), row.rate or "-", *others])
-    found = [row for row in rows if not row.is_class and row.counts.get(MISFITS)]
-    if found:
-        yield ""
-        yield f"{ALONE.capitalize()}, by kind: {', '.join(_share(row) for row in found)}."
+    found = {of: [row for row in rows if row.of == of and row.counts.get(MISFITS)] for of in ("kind", "paper")}
+    for of, those in found.items():
+        if those:
+            yield ""
+            yield f"{ALONE.capitalize()}, by {of}: {', '.join(map(_share, those))}."
     engines = result["engines"]
     evaluated = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
     yield ""
