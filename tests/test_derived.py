@@ -187,6 +187,27 @@ def test_a_divisor_that_should_be_a_factor_is_found(tmp_path: Path) -> None:
     assert [each.place for each in look(tmp_path / "wrong.md").findings] == ["line 6"]
 
 
+# of a chain one link is an identity, in the other a letter is free; the words name what it rests on
+VELOCITY = r"""# The period
+
+The mean motion is
+\begin{equation} n = \sqrt{\frac{\mu}{a^3}} \label{mean motion} \end{equation}
+
+# The velocity
+
+With \eqref{mean motion} the square of the velocity becomes
+\begin{equation} n^2 a^2 \left(\frac{2 a}{r} - 1\right) = \frac{2 n^2 a^3}{r} - n^2 a^2
+= \mu \left(\frac{2}{r} - \frac{1}{a}\right) \end{equation}
+"""
+
+
+def test_a_wrong_link_behind_a_right_one_is_found_by_what_the_words_name(tmp_path: Path) -> None:
+    (tmp_path / "orbit.md").write_text(VELOCITY, encoding="utf-8")
+    assert not look(tmp_path / "orbit.md").findings
+    (tmp_path / "wrong.md").write_text(VELOCITY.replace(r"\frac{2}{r} -", r"\frac{1}{r} -"), encoding="utf-8")
+    assert [each.place for each in look(tmp_path / "wrong.md").findings] == ["line 9"]
+
+
 def test_a_wrong_link_of_a_chain_of_derivatives_is_found(tmp_path: Path) -> None:
     assert {*verdicts(begun(tmp_path, CHAIN, "chain.md")).values()} <= {"proved", "undecided"}
     (tmp_path / "wrong.md").write_text(CHAIN.replace(r"\frac{2}{r^3}", r"\frac{2}{r^2}"), encoding="utf-8")

@@ -104,6 +104,18 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
             (3, "3.1", "", "f = 2"),
         ],
     ),
+    "arrows before what follows": (
+        "a.tex",
+        "\\begin{align} a + 1 &= b \\\\ \\Rightarrow \\quad a &= b - 1 \\\\ &\\therefore b = a + 1 \\end{align}\n"
+        "\\[ \\rightarrow\\quad c = d \\]\n$\\to e = f$",
+        [
+            (1, "", "", "a + 1 = b"),
+            (1, "", "", "a = b - 1"),
+            (1, "", "", "b = a + 1"),
+            (2, "", "", "c = d"),
+            (3, "", "", r"\to e = f"),
+        ],
+    ),
     "Markdown": (
         "a.md",
         "---\ntitle: x\n---\n# A\nwith $a=b$ and \\(c=d\\) and `$no = 1$`\n\n$$ e = f \\tag{2} $$\n\n"

@@ -244,6 +244,8 @@ PROVED |= {  # parts of half a turn
     r"\cos\frac{\pi}{8} = \frac{\sqrt{2 + \sqrt{2}}}{2}": "",
     r"\sin 15^\circ = \frac{\sqrt{6} - \sqrt{2}}{4}": "",
     r"\sin 15\degree = \sin(15^{\degree})": "",
+    r"\mathbf{R}^T \mathbf{R} \begin{pmatrix} \cos I & 0 \\ 0 & 1 \end{pmatrix} = \mathbf{R}^T \mathbf{R} "
+    r"\begin{pmatrix} \cos I & 0 \\ 0 & 1 \end{pmatrix}^T": "",
     r"\begin{bmatrix} | & | \\ 1 & 2 \\ | & | \end{bmatrix} = \begin{bmatrix} 1 & 2 \end{bmatrix}": "",
     r"[\mathbf{a}_\times] \mathbf{b} = \mathbf{a} \times \mathbf{b}": "",
     r"\tan\frac{\pi}{8} = \sqrt{2} - 1": "",

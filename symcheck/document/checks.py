@@ -8,6 +8,7 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import chain
 
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
@@ -42,7 +43,7 @@ CONNECTING = re.compile(
 OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
 # words that say that a display follows from those to which they refer
 REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add|subtract|solv)\w*\b", re.IGNORECASE)
-REFERENCE = re.compile(r"\{([^{}\s]+)\}|\(([\w.]+)\)")  # to a label, or to a number in brackets
+REFERENCE = re.compile(r"ref\{([^{}]+)\}|\{([^{}\s]+)\}|\(([\w.]+)\)")  # to a label, or to a number in brackets
 MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
@@ -50,6 +51,9 @@ NEAR = 3  # formulas behind one that may say for what it holds
 SECONDS = 1.0  # for a formula alone; nearly all that are decided at all are decided in a fifth
 SEARCH = 4.0  # seconds for one that seems to fail
 REPAIRING = 2.5  # of these for slips of the pen; nearly all that are found are found in one
+
+
+Place = tuple[int, str]  # the number of a formula, and one of its relations
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,11 @@ class Question:
     letters: tuple[tuple[str, str], ...] = ()
     sure: bool = False  # does it fail only if a slip of the pen away from it stands what holds?
     worded: bool = False  # do words say that it follows?
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """The relation, and those from which it may follow, each with the number of its formula."""
+        return (self.number, self.relation), *zip(self.sources, self.where, strict=True)
 
 
 def decided(question: Question) -> Answer:
@@ -136,8 +145,12 @@ class Checks:
             if seen.links and not seen.reason and len(seen.heads) < len(seen.links):
                 yield Question(k, self.formulas[k].latex, "alone", letters=self.said(seen))
 
-    def said(self, *seen: Seen) -> tuple[tuple[str, str], ...]:
+    def said(self, *seen: Seen, factors: bool = False) -> tuple[tuple[str, str], ...]:
+        """What letters of formulas are; if wanted, also which are numbers, and so no parts of names."""
         found: dict[str, str] = {}
+        for role in chain.from_iterable(each.roles for each in seen if factors and not each.reason):
+            if role.kind == "scalar" and not role.phrase and not self.letters[role.letter].phrase:
+                found[role.letter] = "scalar"
         for each in seen:
             found |= said(each, self.letters) | dict(each.said)
             if each.apart:  # its links are as they are read in the whole
@@ -192,11 +205,9 @@ class Checks:
             seen.links
         ) != 1:
             return None
-        named = [found[1] or found[2] for found in REFERENCE.finditer(formula.before)]
-        places = {name: m for m in range(k) for name in (self.formulas[m].label, self.formulas[m].number) if name}
-        sources = [*dict.fromkeys(places[name] for name in named if name in places)]
+        named, sources = self.named(k, formula.before)
         others = [self.seen[m] for m in sources]
-        if len(sources) != len({*named}) or not all(x.plain and not x.reason and len(x.links) == 1 for x in others):
+        if len(sources) != len(named) or not all(x.plain and not x.reason and len(x.links) == 1 for x in others):
             return None
         (link,), known = (
             seen.links,
@@ -207,6 +218,15 @@ class Checks:
         where = tuple(x.links[0].latex for x in others)
         said = self.said(seen, *others)
         return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
+
+    def named(self, k: int, words: str) -> tuple[set[str], list[int]]:
+        """The labels and numbers in words near a formula, and the formulas before it that have these."""
+        names = [next(filter(None, found.groups())) for found in REFERENCE.finditer(words)]
+        return {*names}, [*dict.fromkeys(self._places[name] for name in names if self._places.get(name, k) < k)]
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        return {name: m for m, each in enumerate(self.formulas) for name in (each.label, each.number) if name}
 
     def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""

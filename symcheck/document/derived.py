@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from symcheck.document.checks import REFERRING, Checks, Definition, Question
-from symcheck.document.points import Found, compared, slips
+from symcheck.document.checks import REFERRING, Checks, Definition, Place, Question
+from symcheck.document.points import Found, compared, idle, slips
 from symcheck.document.roles import OF_KNOWN, Roles
 from symcheck.document.survey import SMALLEST
 from symcheck.document.work import Work
@@ -25,6 +24,7 @@ T = TypeVar("T")
 MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
 FAR = 12  # formulas before and behind one with which it is compared, if nothing before it says whether it holds
+AROUND = 3  # words before so many formulas, from one on, tell what it rests on: "We have used x = y and (3)"
 LATER = "later"  # the kind of questions of which nothing is proved
 MOST_STEPS = 2000  # of the search for sets
 SAID = 8  # times that it is said what a letter is; one of which it is said more often is another one in each case
@@ -53,69 +53,95 @@ class Outcome:
 NOTHING = Outcome()
 
 
-def sought(
-    sets: Derived, numbers: Iterable[int], work: Work, seconds: float = math.inf
-) -> tuple[dict[int, list[Outcome]], int]:
-    """What becomes of each equation of these formulas, and how many were left when the time was over.
+Outcomes = dict[int, list[Outcome]]  # by the number of a formula: one for each of its equations
 
-    What agrees or disagrees with nothing before it is compared with what stands behind it. Proofs come last, as all but
-    a few take longer than to compare.
+
+def sought(sets: Derived, numbers: Iterable[int], work: Work, until: float = math.inf) -> tuple[Outcomes, int]:
+    """How each equation of these formulas compares with others, and how many were left when the time was over.
+
+    What agrees or disagrees with nothing before it is compared with what stands behind it.
     """
-    until = time.perf_counter() + seconds
 
-    def each_of(function: Callable[[K], T], tasks: Iterable[K], nothing: T) -> tuple[dict[K, T], int]:
-        every = [*dict.fromkeys(tasks)]
-        found = work.all(function, every, FOLLOWING, lambda reason: nothing, until)
-        return found, len(every) - len(found)
-
-    def outcomes(questions: Mapping[int, list[tuple[Question, ...]]]) -> tuple[dict[int, list[Outcome]], int]:
-        found, left = each_of(outcome, (each for every in questions.values() for each in every if each), NOTHING)
-        return {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}, left
+    def outcomes(questions: Mapping[int, list[tuple[Question, ...]]]) -> tuple[Outcomes, int]:
+        tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
+        found = work.all(outcome, tasks, FOLLOWING, lambda reason: NOTHING, until)
+        compared_ = {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}
+        return compared_, len(tasks) - len(found)
 
     own, left = outcomes({k: sets.questions(k) for k in numbers})
     alone = [k for k, every in own.items() if not any(each.holding or each.failing for each in every)]
     behind, more = outcomes({k: sets.questions(k, later=True) for k in alone if sets.checks.formulas[k].display})
     for k, every in behind.items():
         own[k] = [replace(x, holding=y.holding, failing=y.failing) for x, y in zip(own[k], every, strict=True)]
-    tasks = [each.unproved for every in own.values() for each in every if each.unproved]
-    proofs, most = each_of(_proved, sorted(tasks, key=len), None)
-    proved = {k: [replace(each, proof=proofs.get(each.unproved)) for each in every] for k, every in own.items()}
-    return proved, left + more + most
+    return own, left + more
+
+
+def with_proofs(own: Outcomes, work: Work, until: float = math.inf) -> tuple[Outcomes, int]:
+    """The same with proofs, and how many were left; all but a few take longer than to compare."""
+    tasks = dict.fromkeys(each.unproved for every in own.values() for each in every if each.unproved)
+    proofs = work.all(_proved, sorted(tasks, key=len), FOLLOWING, lambda reason: None, until)
+    found = {k: [replace(each, proof=proofs.get(each.unproved)) for each in every] for k, every in own.items()}
+    return found, len(tasks) - len(proofs)
 
 
 def outcome(questions: tuple[Question, ...]) -> Outcome:
     """How a relation compares with different sources, the smallest sets first."""
     compared_ = [*_compared(questions)]
-    holding = tuple(_with_what_it_takes(question) for question, points in compared_ if points and points.holds)
-    failing = tuple(question for question, points in compared_ if points and not points.holds)
+    holding = tuple(_with_what_it_takes(question, points) for question, points in compared_ if points and points.holds)
+    failing = dict.fromkeys(
+        _with_what_it_takes(question, points)
+        for question, points in compared_
+        if points and not points.holds and not any({*question.where} < {*more.where} for more in holding)
+    )
     unproved = tuple(question for question, points in compared_ if points is None or points.holds)[:ASKED]
-    return Outcome(None, holding, failing, () if questions[0].kind == LATER else unproved)
+    return Outcome(None, holding, tuple(failing), () if questions[0].kind == LATER else unproved)
 
 
-def _with_what_it_takes(question: Question) -> Question:
-    """The question without sources with which its relation holds as well: these say nothing for each other."""
+def _with_what_it_takes(question: Question, found: Found) -> Question:
+    """The question without sources that change nothing: relations say nothing for others, or against them, then.
+
+    Of a relation that fails what is left must still bind all letters.
+    """
     if len(question.sources) == 1:
         return question
     for n in range(len(question.sources)):
         where = question.where[:n] + question.where[n + 1 :]
         sources = question.sources[:n] + question.sources[n + 1 :]
-        points = compared(question.relation, where, question.letters, further=True)
-        if points is not None and points.holds and points.bound:
-            return _with_what_it_takes(replace(question, where=where, sources=sources))
+        less: Question | None = replace(question, where=where, sources=sources)
+        if less and not found.holds:
+            less = _without_idle(less)
+        points = compared(less.relation, less.where, less.letters, further=found.holds) if less else None
+        if less and points is not None and points.holds == found.holds and points.bound:
+            return _with_what_it_takes(less, found)
     return question
+
+
+def _without_idle(question: Question) -> Question | None:
+    """The same without sources that say nothing of the relation; None if there are no others."""
+    rest = {*range(len(question.where))} - idle(question.relation, question.where, question.letters)
+    where, sources = (tuple(every[n] for n in sorted(rest)) for every in (question.where, question.sources))
+    return replace(question, where=where, sources=sources) if where else None
 
 
 def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found | None]]:
     """The questions whose sources bind the letters of the relation, or may; of sets that hold none that is larger."""
-    holding, count = list[frozenset[str]](), 0
+    holding, done, count = list[frozenset[str]](), set[frozenset[str]](), 0
     for question in questions:
-        where = frozenset(question.where)
+        least = _without_idle(question)
+        if least is None:
+            yield question, None
+            continue
+        where = frozenset(least.where)
         if any(each <= where for each in holding):
             continue
-        points = compared(question.relation, question.where, question.letters)
-        if points is None or points.bound:
+        points = compared(least.relation, least.where, least.letters)
+        if points is None:  # to prove it, rates may be needed
             yield question, points
             count += 1
+        elif points.bound and where not in done:
+            yield least, points
+            count += 1
+        done.add(where)
         if points is not None and points.holds and points.bound:
             holding.append(where)
         if count == COMPARED:
@@ -140,6 +166,8 @@ class Slip:
 def _slip(question: Question) -> str:
     """The relation after the likeliest slip with which it holds; "" if none is found."""
     with suppress(OutOfTime), limited(SLIPS):
+        if _holds(question):
+            return ""
         return next(slips(question.relation, question.where, question.letters), "")
     return ""
 
@@ -157,14 +185,14 @@ def _holds(question: Question) -> bool:
     return points is not None and points.holds
 
 
-def exchanged(question: Question, number: int) -> Question:
+def exchanged(question: Question, place: Place) -> Question:
     """The same, about the relation of one of its sources, which its own takes the place of."""
-    if number == question.number:
+    own, *others = question.places
+    if place == own:
         return question
-    m = question.sources.index(number)
-    where = (*question.where[:m], *question.where[m + 1 :], question.relation)
-    sources = (*question.sources[:m], *question.sources[m + 1 :], question.number)
-    return replace(question, number=number, relation=question.where[m], where=where, sources=sources)
+    others.remove(place)
+    sources, where = zip(*others, own, strict=True)
+    return replace(question, number=place[0], relation=place[1], where=where, sources=sources)
 
 
 def _verdict(question: Question) -> Status:
@@ -184,6 +212,8 @@ class Derived:
         for k, seen in enumerate(checks.seen):
             for letter in seen.heads:
                 self.anew.setdefault(letter, set()).add(checks.formulas[k].scope[0])
+        words = [each.before for each in checks.formulas]
+        self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
         self.stated = {k for k, every in self.usable.items() if every and self.is_said(k)}
 
@@ -215,14 +245,20 @@ class Derived:
         return found
 
     def _serves(self, m: int, k: int) -> bool:
-        """Do the letters of a formula mean the same elsewhere? Not if many sections say anew what one of them is."""
+        """Do the letters of a formula mean the same elsewhere? Not if many sections say anew what one of them is.
+
+        In one that the words before or behind the other name they do.
+        """
+        if m in self.named[k]:
+            return True
         names, own = self.checks.seen[m].names, self.roles.anew
         if names & (own[k] ^ own[m]):
             return False
         return self.roles.is_same_part(m, k) or all(len(self.anew.get(x, ())) <= ANEW for x in names)
 
     def _question(self, each: Definition, sources: Sequence[Definition], kind: str) -> Question:
-        said = self.checks.said(self.checks.seen[each.number], *(self.checks.seen[x.number] for x in sources))
+        seen = [self.checks.seen[x.number] for x in (each, *sources)]
+        said = self.checks.said(*seen, factors=True)
         where, numbers = tuple(x.link.latex for x in sources), tuple(x.number for x in sources)
         return Question(each.number, each.link.latex, kind, where, numbers, letters=said)
 
@@ -263,28 +299,31 @@ class Derived:
         if words and all(formulas[m].before == words for m in among):
             return True
         return any(
-            (m not in known and not self.roles.is_same_part(m, k))
+            (m not in known | self.named[k] and not self.roles.is_same_part(m, k))
             or ((formulas[m].part != formulas[k].part or len(question.sources) == 1) and heads & self.heads(m))
             for m in question.sources
         )
 
 
 def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Definition, ...]]:
-    """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated."""
-    found: list[tuple[Definition, ...]] = []
+    """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated.
+
+    A letter on both sides of the relation may drop out there, or be eliminated like others.
+    """
+    found: dict[tuple[Definition, ...], None] = {}
     done = set[frozenset[Definition]]()
     with_name: dict[str, list[Definition]] = {}
     for each in pool:
         for name in each.names:
             with_name.setdefault(name, []).append(each)
 
-    def grow(chosen: tuple[Definition, ...]) -> None:
-        if len(found) == MOST_SETS or len(done) > MOST_STEPS:
+    def grow(own: Sequence[frozenset[str]], chosen: tuple[Definition, ...], most: int) -> None:
+        if len(found) >= most or len(done) > MOST_STEPS:
             return
-        count = Counter(name for each in (relation, *chosen) for name in each.names)
+        count = Counter(name for names in (*own, *(each.names for each in chosen)) for name in names)
         alone = sorted(name for name, times in count.items() if times == 1)
         if not alone:
-            found.extend([chosen] if chosen else [])
+            found.update({chosen: None} if chosen else {})
             return
         if len(chosen) == MOST_SOURCES:
             return
@@ -293,45 +332,47 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
             more = frozenset((*chosen, each))
             if more not in done:
                 done.add(more)
-                grow((*chosen, each))
+                grow(own, (*chosen, each), most)
 
-    grow(())
-    return found
+    for own in (relation.link.names, (relation.names,)):
+        done.clear()
+        grow(own, (), len(found) + MOST_SETS)
+    return [*found]
 
 
 def blamed(
     sets: Derived,
     outcomes: Sequence[Outcome],
-    proved: Iterable[tuple[int, tuple[int, ...]]],
+    shown: Iterable[tuple[Place, ...]],
     work: Work,
-    seconds: float = math.inf,
+    end: float = math.inf,
 ) -> tuple[dict[int, Question], list[tuple[int, ...]]]:
     """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
 
     Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
-    of the pen explains it. Relations that say the same are right together, and so is what follows from one alone: the
-    line behind a wrong one is no witness for it. `proved` are the numbers of others with those of their sources.
-    After so many seconds no more than those that fail most often are explained.
+    of the pen explains it. The fewest that fail together say most, and are explained first. Relations that
+    say the same are right together, and so is what follows from one alone: the line behind a wrong one is no witness
+    for it. `shown` are others with their sources. When the time is over no more than the first ones are explained.
     """
-    end, until = time.perf_counter() + seconds, math.inf
+    until = math.inf
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
-    holding = [(question.number, question.sources) for each in outcomes for question in each.holding]
-    holding += proved
-    same = _same(holding, len(sets.usable))
+    holding = [*(question.places for each in outcomes for question in each.holding), *shown]
+    same = _same(holding)
     failing = [question for each in outcomes for question in each.failing if sets.is_telling(question)]
     held, failed = (
-        Counter(x for k, sources in every for x in {same[m] for m in (k, *sources)})
-        for every in ([each for each in holding if len(each[1]) != 1], [(q.number, q.sources) for q in failing])
+        Counter(x for places in every for x in {same[m] for m in places})
+        for every in ([each for each in holding if len(each) != 2], [question.places for question in failing])
     )
     right = {x for x, times in held.items() if times >= failed[x]}
-    left = {question: {question.number, *question.sources} for question in failing}
-    left = {question: {m for m in places if same[m] not in right} for question, places in left.items()}
+    left = {question: {m for m in question.places if same[m] not in right} for question in failing}
     with suppress(OutOfTime):
         while left := {q: places for q, places in left.items() if places}:
-            votes = Counter(x for places in left.values() for x in {same[m] for m in places})
+            least = min(len(question.sources) for question in left)
+            now = {question: places for question, places in left.items() if len(question.sources) == least}
+            votes = Counter(x for places in now.values() for x in {same[m] for m in places})
             highest = max(votes.values())
             most = {x for x, count in votes.items() if count == highest}
-            voted = {m for places in left.values() for m in places if same[m] in most}
+            voted = {m for places in now.values() for m in places if same[m] in most}
             found = _explained(left, voted, same, work, until)
             beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
             found |= _explained(left, {m for m in beside if same[m] not in most}, same, work, until)
@@ -342,10 +383,10 @@ def blamed(
             done = {same[m] for m in found}
             never = {m: slip for m, slip in found.items() if not held[same[m]]}
             likely = never if len({same[m] for m in never}) == 1 else found
-            if len({same[m] for m in likely}) == 1:
-                wrong |= {m: slip.question for m, slip in likely.items()}
+            if len({same[m] for m in likely}) == 1 or len({m for m, _ in likely}) == 1:
+                wrong |= {m: slip.question for (m, _), slip in likely.items()}
             elif done:
-                unlike.append(tuple(sorted(found)))
+                unlike.append(tuple(sorted({m for m, _ in found})))
             left = {
                 question: {m for m in places if same[m] not in most}
                 for question, places in left.items()
@@ -356,11 +397,11 @@ def blamed(
 
 
 def _explained(
-    left: Mapping[Question, Set[int]], numbers: Set[int], same: Mapping[int, int], work: Work, until: float
-) -> dict[int, Slip]:
+    left: Mapping[Question, Set[Place]], wanted: Set[Place], same: Mapping[Place, Place], work: Work, until: float
+) -> dict[Place, Slip]:
     """The slips that explain why some of these relations fail with most of the others; OutOfTime if some are open."""
     tasks = {
-        m: tuple(exchanged(question, m) for question, places in left.items() if m in places) for m in sorted(numbers)
+        m: tuple(exchanged(question, m) for question, places in left.items() if m in places) for m in sorted(wanted)
     }
     first = {m: every[:EXPLAINED] for m, every in tasks.items()}
     open_ = dict.fromkeys(each for every in first.values() for each in every)
@@ -375,16 +416,23 @@ def _explained(
     return {m: slip for m, slip in found.items() if same[m] in most}
 
 
-def _open(question: Question, same: Mapping[int, int], right: Set[int]) -> Iterator[int]:
+def _open(question: Question, same: Mapping[Place, Place], right: Set[Place]) -> Iterator[Place]:
     """The relations of a question that may be wrong."""
-    return (m for m in (question.number, *question.sources) if same[m] not in right)
+    return (m for m in question.places if same[m] not in right)
 
 
-def _same(holding: Iterable[tuple[int, tuple[int, ...]]], count: int) -> dict[int, int]:
-    """For each formula the first one that says the same: of two, one holds where the other does."""
-    same = {k: k for k in range(count)}
-    for k, sources in holding:
-        if len(sources) == 1:
-            first, second = sorted((same[k], same[sources[0]]))
-            same = {k: first if each == second else each for k, each in same.items()}
+class _Same(dict[Place, Place]):
+    """For each relation the first one that says the same; itself where nothing is known."""
+
+    def __missing__(self, place: Place) -> Place:
+        return place
+
+
+def _same(holding: Iterable[tuple[Place, ...]]) -> Mapping[Place, Place]:
+    """Of two relations, one holds where the other does, if nothing else is needed for that."""
+    same = _Same()
+    for places in holding:
+        if len(places) == 2:
+            first, second = sorted(same[place] for place in places)
+            same.update({k: first for k, each in same.items() if each == second} | {second: first})
     return same

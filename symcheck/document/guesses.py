@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from symcheck.document.asked import Inquiry, Relied, is_proved, is_settled, verdicts
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Definition, Question, confirmed, decided
-from symcheck.document.derived import Derived, Outcome, blamed, sought
+from symcheck.document.derived import Derived, Outcome, blamed, sought, with_proofs
 from symcheck.document.letters import Letter, shown
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess, Roles
@@ -85,6 +85,7 @@ def _with_derivations(
     claims = [task for k, task in asked.items() if _claims(guesses[k])]
     holds = work.all(_is_proved, [*dict.fromkeys(claims)], TOTAL, lambda reason: False)
     own, _ = sought(sets, [k for k, task in asked.items() if not (_claims(guesses[k]) and holds[task])], work)
+    own, _ = with_proofs(own, work)
     found = [_derived(sets.usable[k], own[k]) or guess if k in own else guess for k, guess in enumerate(guesses)]
     proofs = [each.proof for every in own.values() for each in every if each.proof]
     for m, links in _assumed(sets, proofs, found).items():
@@ -98,8 +99,13 @@ def _with_derivations(
     found = [guesses[k] if k in asked and not holds[asked[k]] else guess for k, guess in enumerate(found)]
     open_ = [k for k in own if _claims(found[k]) and found[k] is guesses[k]]
     found = _with_more_sources(found, {k: own[k] for k in open_}, formulas, said, work)
-    proved = [(k, each.follows) for k, each in enumerate(found) if _claims(each) and k not in own]
-    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved, work)
+    shown = [
+        ((k, one.link.latex), *((m, x.link.latex) for m in each.follows for x in sets.usable[m]))
+        for k, each in enumerate(found)
+        if _claims(each) and k not in own
+        for one in sets.usable[k]
+    ]
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], shown, work)
     for m, question in wrong.items():
         heads = [each.link for each in sets.usable[m] if each.link.head and each.link.latex != question.relation]
         imposed = "".join(chr(ord("a") + link.place) for link in heads)

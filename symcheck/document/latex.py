@@ -35,6 +35,8 @@ _ARROWS = "implies iff to mapsto in subset Rightarrow Longrightarrow Leftrightar
 RELATIONS = frozenset({"=", "<", ">", *(f"\\{name}" for name in _SIGNS.split())})
 ARROWS = frozenset(f"\\{name}" for name in _ARROWS.split())
 STEPPING = frozenset({r"\Longrightarrow", r"\Rightarrow", r"\implies"})  # between the equations of a derivation
+# before a display, or a row of it, that follows from what stands above it
+LEADING = STEPPING | {r"\rightarrow", r"\longrightarrow", r"\to", r"\therefore"}
 WIDE = frozenset({r"\quad", r"\qquad"})
 PARTS = frozenset({r"\text", r"\textrm", r"\mbox", r"\forall", r"\exists", r"\land", r"\lor", r"\wedge", r"\vee"})
 BINARY = frozenset({"+", "-", r"\cdot", r"\times", r"\pm", r"\mp", "/", "*"})
@@ -334,6 +336,8 @@ class Scanner:
 
     def _keep(self, toks: Sequence[Tok], label: str, number: str, *, display: bool) -> None:
         before = " ".join("".join(self.prose).split()[-MAX_PROSE:])
+        if display and (led := _led(toks)) is not None:
+            toks, before = led, before or "Hence"
         first = next((tok for tok in toks if not tok.is_space), None)
         begun = display and not before and first is not None and first.text in RELATIONS
         above = _last_side(self.above) if begun else []
@@ -492,6 +496,9 @@ def _continues(before: Sequence[Tok], row: Sequence[Tok]) -> bool:
     if not own:
         return True
     last = next((tok.text for tok in reversed(before) if not tok.is_space and tok.text not in ("&", "~")), "")
+    led = _led(row)
+    if led is not None and _is_equation(before) and _is_equation(led):
+        return False
     if own[0] in RELATIONS | ARROWS or last in RELATIONS | BINARY or _open(before):
         return True
     empty = printed[0] == "&"
@@ -545,6 +552,12 @@ def _steps(toks: Sequence[Tok]) -> list[list[Tok]]:
     if len(steps) == 1 or not (wide and all(map(_is_equation, steps)) and all(map(_is_general, steps[:-1]))):
         return [[*toks]]
     return [_without_width(step) for step in steps]
+
+
+def _led(toks: Sequence[Tok]) -> Sequence[Tok] | None:
+    """What stands behind an arrow at the beginning; None if there is none."""
+    kept = [k for k, tok in enumerate(toks) if not (tok.is_space or tok.text in WIDE or tok.text == "&")]
+    return toks[kept[1] :] if len(kept) > 1 and toks[kept[0]].text in LEADING else None
 
 
 def _without_width(toks: Sequence[Tok]) -> list[Tok]:

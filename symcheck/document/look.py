@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
-from itertools import groupby
+from itertools import accumulate, groupby
 from os import PathLike
 from pathlib import Path
 
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
-from symcheck.document.checks import SEARCH, SECONDS, Checks, Question, confirmed, decided
-from symcheck.document.derived import LATER, Derived, blamed, sought
+from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided
+from symcheck.document.derived import LATER, Derived, blamed, sought, with_proofs
 from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, letters
 from symcheck.document.measuring import UNKNOWN, measured_by, measurings
 from symcheck.document.printed import Printed, Source
@@ -24,6 +24,7 @@ from symcheck.document.structure import Mark, marks
 from symcheck.document.survey import READING, Seen, surveyed, surveyed_with
 from symcheck.document.units import Told
 from symcheck.document.work import Progress, Work, proved_of, undecided
+from symcheck.proof.search.decide import UNSETTLED
 from symcheck.question import Answer, Status
 from symcheck.question.measured import LIMIT
 
@@ -35,8 +36,9 @@ VALUELESS = (
     "has no algebraic form", "states no relation", "do not compare", "is no product", "a scalar is expected here",
     "stands without its arguments", "an index of a name is not summed over",
 )  # fmt: skip
-LONGEST = 8.0  # seconds in which it is sought what relations follow from; documents of 400 displays take as long
-EXPLAINING = 5.0  # seconds in which slips are sought that explain why relations do not agree
+COMPARING = 7.0  # seconds in which relations are compared; documents of 400 displays take as long
+EXPLAINING = 6.0  # seconds more in which slips are sought that explain why some do not agree
+PROVING = 2.0  # seconds more in which it is shown that some follow
 NEAREST = 2  # relations that are shown in the place of one that fails
 FAILS = "fails with these definitions: an error, or a condition printed elsewhere?"
 CHAIN = "the links of this chain do not agree: an error, or a condition printed elsewhere?"
@@ -209,15 +211,13 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     holding = {question.number for question in alone if question in proved} | {*checks.continued(suspicious, proved)}
     found += _misfits(checks, printed.told, work)
     holds = [formulas[k].place for k in sorted(holding)]
-    following: dict[int, tuple[int, ...]] = {
-        q.number: q.sources
-        for q in (*suspicious, *lines.questions, *lines.beyond.values())
-        if q.where and q in proved and q.number not in holding
-    }
+    shown = [q for q in (*suspicious, *lines.questions, *lines.beyond.values()) if q in proved]
+    done = {place for question in shown for place in question.places[:1]}
+    following = {q.number for q in shown if q.where and _rest(seen, q.number) <= done} - holding
     told = {q.number for q in failing if sure[q].verdict is Status.REFUTED}
-    more, disagreeing, left = _derived(checks, {**dict.fromkeys(holding, ()), **following}, told, work)
+    more, disagreeing, left = _derived(checks, holding, following, shown, told, work)
     found += disagreeing
-    follows = [formulas[k].place for k in sorted(following.keys() | more)]
+    follows = [formulas[k].place for k in sorted(following | more)]
     return Look(
         file,
         formulas,
@@ -231,6 +231,11 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
         (*printed.notes, *left),
         time.perf_counter() - started,
     )
+
+
+def _rest(seen: Sequence[Seen], k: int) -> set[Place]:
+    """The equations of a formula but for those that say what a letter is."""
+    return {(k, link.latex) for link in seen[k].links if not link.head}
 
 
 def _misfits(checks: Checks, told: Sequence[Told], work: Work) -> Iterator[tuple[int, Finding]]:
@@ -259,19 +264,30 @@ def _misfits(checks: Checks, told: Sequence[Told], work: Work) -> Iterator[tuple
 
 
 def _derived(
-    checks: Checks, proved: Mapping[int, tuple[int, ...]], told: Set[int], work: Work
+    checks: Checks,
+    holding: Set[int],
+    following: Set[int],
+    shown: Iterable[Question],
+    told: Set[int],
+    work: Work,
 ) -> tuple[set[int], list[tuple[int, Finding]], list[str]]:
     """The other formulas that follow from earlier ones, findings of those that do not agree, and what is left out."""
     roles = Roles(checks)
     roles.guesses()
     sets = Derived(checks, roles)
-    own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in proved], work, LONGEST)
+    settled = holding | following
+    ends = [*accumulate((COMPARING, EXPLAINING, PROVING), initial=time.perf_counter())][1:]
+    own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in settled], work, ends[0])
+    known_ = [question.places for question in shown if question.number not in holding]
+    known_ += [((k, each.link.latex),) for k in holding for each in sets.usable[k]]
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], known_, work, ends[1])
+    own, more = with_proofs(own, work, ends[2])
+    rest += more
     left = f"{rest} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
     follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
-    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], proved.items(), work, EXPLAINING)
     answers = work.all(decided, [*wrong.values()], SECONDS, undecided)
-    refuted = {m: q for m, q in wrong.items() if m not in told and answers[q].verdict is Status.REFUTED}
-    found = [(m, _finding(checks.formulas, question, answers[question])) for m, question in refuted.items()]
+    faulty = {m: q for m, q in wrong.items() if m not in told and _fails(answers[q])}
+    found = [(m, _finding(checks.formulas, question, answers[question])) for m, question in faulty.items()]
     for those in unlike:
         if told & {*those}:
             continue
@@ -279,6 +295,11 @@ def _derived(
         last = checks.formulas[those[-1]]
         found.append((those[-1], Finding(last.place, last.latex, UNLIKE, definitions=others)))
     return follows, found, [left] if rest else []
+
+
+def _fails(answer: Answer) -> bool:
+    """Is something refuted, or is nothing known against the points at which it fails?"""
+    return answer.verdict is Status.REFUTED or answer.reason == UNSETTLED
 
 
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:

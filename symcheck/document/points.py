@@ -5,7 +5,8 @@ Nothing is proved or refuted by these points: they tell which questions are wort
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence, Set
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from functools import lru_cache
 from itertools import chain
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from symcheck.core.calculus import letters as letters_of
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.letters import depends_on
 from symcheck.document.survey import Said
@@ -44,6 +46,7 @@ class Equation(NamedTuple):
 
     symbols: tuple[Symbol, ...]
     sides: Callable[..., Any]
+    shared: frozenset[Symbol]  # the letters on both sides
 
 
 class Placed(NamedTuple):
@@ -64,12 +67,13 @@ class Found(NamedTuple):
 def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bool = False) -> Found | None:
     """How a relation compares with the equations from which it may follow; None where no points are found.
 
-    Nor where it has further letters, unless it is asked whether it holds for all values of these.
+    Nor where one side alone has further letters, unless it is asked whether it holds for all values of these.
     """
     try:
         asked, given = _equations(relation, letters), _all(sources, letters)
         own, known = ({symbol for equation in every for symbol in equation.symbols} for every in (asked, given))
-        points = _points(sources, letters) if further or own <= known else ()
+        free = {symbol for equation in asked for symbol in equation.shared}
+        points = _points(sources, letters) if further or own <= known | free else ()
     except (SymcheckError, *FAULTS):
         return None
     if not points:
@@ -83,10 +87,28 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
         return Found(_hold(asked, points) or (bound and _on_a_branch(asked, given, symbols)), bound)
 
 
-def _with_further(points: Sequence[dict[Symbol, float]], own: Set[Symbol]) -> tuple[dict[Symbol, float], ...]:
+@lru_cache(4096)
+def idle(relation: str, sources: tuple[str, ...], letters: Said) -> frozenset[int]:
+    """Which sources say nothing of a relation: identities, and those with a letter or rate of their own."""
+    try:
+        asked, each = _equations(relation, letters), [_equations(source, letters) for source in sources]
+    except SymcheckError:
+        return frozenset()
+    own = [{symbol for equation in every for symbol in equation.symbols} for every in (asked, *each)]
+    with np.errstate(all="ignore"):
+        found = {n for n, every in enumerate(each) if _hold(every, _with_further(({},) * POINTS, own[n + 1]))}
+    while True:
+        count = Counter(symbol for n, symbols in enumerate(own, -1) if n not in found for symbol in symbols)
+        alone = {n for n, symbols in enumerate(own[1:]) if n not in found and any(count[x] == 1 for x in symbols)}
+        if not alone:
+            return frozenset(found)
+        found |= alone
+
+
+def _with_further(points: Sequence[Mapping[Symbol, float]], own: Set[Symbol]) -> tuple[dict[Symbol, float], ...]:
     """The same points with values of further letters."""
     numbers, further = np.random.default_rng(4), sorted(own - points[0].keys(), key=str)
-    return tuple(point | {symbol: numbers.uniform(0.3, 1.7) for symbol in further} for point in points)
+    return tuple({**point, **{symbol: numbers.uniform(0.3, 1.7) for symbol in further}} for point in points)
 
 
 def _on_a_branch(asked: Sequence[Equation], given: Sequence[Equation], symbols: Sequence[Symbol]) -> bool:
@@ -167,11 +189,12 @@ def _of(problems: Iterable[Problem]) -> Iterator[Equation]:
     from sympy import lambdify
 
     for problem in problems:
-        if problem.definitions:
+        if any(letters_of(value) & letters_of(problem.claim) for _, value in problem.definitions):
             raise SymcheckError("a value is defined here, and not compared")
         sides = tuple(_plain(to_sympy(side)) for side in problem.claim.terms)
         symbols = tuple(sorted(set().union(*(side.free_symbols for side in sides)), key=str))
-        yield Equation(symbols, lambdify(symbols, sides, "numpy"))
+        shared = frozenset.intersection(*(frozenset(side.free_symbols) for side in sides))
+        yield Equation(symbols, lambdify(symbols, sides, "numpy"), shared)
 
 
 def _signs(count: int, equations: Sequence[Placed]) -> Iterator[Array]:

@@ -59,6 +59,7 @@ class Evidence:
     orbital: bool = False
     below: bool = False  # does it stand in a subscript anywhere?
     square: bool = False  # does A - \lambda I, or Q A Q^{-1}, show that it is a matrix?
+    angle: bool = False  # is a sine or its like taken of it alone?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -155,6 +156,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         for m in each.finditer(formula)
         for x in m.groups()
     }
+    angles = {m[1] for formula in formulas for m in _ANGLE.finditer(formula)}
     for place in places:
         if place.role == "subscript":
             continue
@@ -176,6 +178,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.square = latex in square
+        own.angle = latex in angles
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
         own.orbital = own.orbital or (latex == "i" and any(map(_TURNED.search, formulas)))
@@ -195,6 +198,10 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
     return len(parts) > 1 and any(len(part) > 1 and not all(map(str.isdigit, part)) for part in parts)
 
 
+# a capital letter behind a trigonometric function, its power included
+_ANGLE = re.compile(
+    r"\\(?:arc)?(?:sin|cos|tan|cot|sec|csc)(?:\s*\^\s*(?:\d|\{[^{}]*\}))?[\s({]*(?:\\left\s*\()?\s*([A-Z])\b"
+)
 # two bold letters with a subscript that an equation begins with, which may be one name
 _BOLD_NAME = re.compile(r"\\mathbf \{ ([a-z]) \} \\mathbf \{ [a-z] \} _ (?:\w|\{ [^{}]* \}) =")
 # a differential, or a Laplacian, of a function: `d_A f(X)` and `\Delta_q h`

@@ -207,7 +207,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "a frame stands at its left")
     elif of.whole and latex.startswith("["):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands in brackets")
-    elif latex in _IDENTITIES and (size := _matrix_size(every)) is not None:
+    elif latex in _IDENTITIES and not of.angle and (size := _matrix_size(every)) is not None:
         own = (size, size) if size else ()
         unit = Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
         other = Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital")

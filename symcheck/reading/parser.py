@@ -1609,7 +1609,7 @@ def _is_step(node: Derivative, inside: Tree | None) -> bool:
 def _is_factor(name: Name, letter: Letter, inside: Tree | None) -> bool:
     """Does a letter that varies stand before brackets that hold no argument of it: rates, its own value, a fraction?
 
-    A cross product is no place and no time.
+    A cross product is no place and no time, nor is a number with a multiple of a sine, as in the radius of an orbit.
     """
     kinds = Add | Neg | Mul | Div | Derivative | Cross
     if letter.kind == "function" or not letter.depends or not isinstance(inside, kinds):
@@ -1619,7 +1619,8 @@ def _is_factor(name: Name, letter: Letter, inside: Tree | None) -> bool:
         return True
     terms = [term.value if isinstance(term, Neg) else term for term in getattr(inside, "terms", ())]
     sums = bool(terms) and any(isinstance(term, Div | Mul | Pow) for term in terms)
-    return isinstance(inside, Derivative | Cross) or (bool(name.dots) and sums)
+    shifted = any(isinstance(term, Number) for term in terms) and any(isinstance(x, Call) for x in nodes(inside))
+    return isinstance(inside, Derivative | Cross) or shifted or (bool(name.dots) and sums)
 
 
 def _changes(name: Name, of: Tree | None) -> bool:

@@ -38,6 +38,8 @@ VACUOUS = (
 _NAMES = re.compile(r"\w+")  # variables in a printed polynomial, and numbers, which stand for nothing
 Divisors = dict[tuple[str, ...], Poly]  # by numerator and the denominators inside, printed
 
+UNSETTLED = "neither a proof nor a counterexample was found within the limits of the search"
+
 
 def decide(problem: Problem) -> Outcome:
     """Proved with steps, refuted with a point, or undecided with the reason; no statement raises."""
@@ -61,9 +63,7 @@ def decide(problem: Problem) -> Outcome:
         return Outcome(Verdict.UNDECIDED, reason=f"a limit of the search was reached ({type(error).__name__})")
     if point is not None:
         return Outcome(Verdict.REFUTED, point=point, used=tuple(name for name, _ in problem.hypotheses))
-    return Outcome(
-        Verdict.UNDECIDED, reason="neither a proof nor a counterexample was found within the limits of the search"
-    )
+    return Outcome(Verdict.UNDECIDED, reason=UNSETTLED)
 
 
 def _complete(problem: Problem, outcome: Outcome) -> Outcome:
