@@ -24613,11 +24613,6 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "kornia/kornia/kornia/geometry/linalg.py",
     ),
     (
-        "\\mathbf{R}_i^\\rho &= \\frac{\\sqrt{\\rho'(c_i)}}{1 - \\alpha} \\mathbf{R}_i,\\\\\n    \\mathbf{J}_i^\\rho &= \\sqrt{\\rho'(c_i)} \\left(\\mathbf{I} - \\alpha\n        \\frac{\\mathbf{R}_i^T\\mathbf{R}_i}{\\|\\mathbf{R}_i\\|^2} \\right) \\mathbf{J}_i,",
-        "System(Chain(Pow(\\mathbf{R}_i; Call(\\rho)), Mul(Div(Sqrt(Call(\\rho'; c_i)); Add(1, Neg(\\alpha))), \\mathbf{R}_i); =), Chain(Pow(\\mathbf{J}_i; Call(\\rho)), Mul(Sqrt(Call(\\rho'; c_i)), Add(\\mathbf{I}, Neg(Mul(\\alpha, Div(Mul(Transpose(\\mathbf{R}_i), \\mathbf{R}_i); Pow(Norm(\\mathbf{R}_i); 2))))), \\mathbf{J}_i); =))",
-        "pypose/pypose/pypose/optim/corrector.py",
-    ),
-    (
         "y = x |W|^T + b",
         "Chain(y, Add(Mul(x, Transpose(Bars(W))), b); =)",
         "probabilists/zuko/zuko/nn.py",
@@ -25736,5 +25731,9 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\Sigma_{ij} := -i \\operatorname{Tr} (\\rho [\\mathbf{m}_i, \\mathbf{m}_j]) / 2,",
         "Budapest-Quantum-Computing-Group/piquasso/piquasso/fermionic/fock/state.py",
+    ),
+    (
+        "\\mathbf{R}_i^\\rho &= \\frac{\\sqrt{\\rho'(c_i)}}{1 - \\alpha} \\mathbf{R}_i,\\\\\n    \\mathbf{J}_i^\\rho &= \\sqrt{\\rho'(c_i)} \\left(\\mathbf{I} - \\alpha\n        \\frac{\\mathbf{R}_i^T\\mathbf{R}_i}{\\|\\mathbf{R}_i\\|^2} \\right) \\mathbf{J}_i,",
+        "pypose/pypose/pypose/optim/corrector.py",
     ),
 )

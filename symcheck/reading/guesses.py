@@ -10,7 +10,15 @@ from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
+from symcheck.reading.arguments import (
+    is_idle,
+    is_listed,
+    is_lone,
+    is_shift,
+    is_shift_of_time,
+    is_signed,
+    is_sum,
+)
 from symcheck.reading.commands import OVER
 from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
@@ -536,7 +544,7 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
     powered = any(place.powered for place in of.places)
-    return all(len(args) == 1 and (powered or not is_idle(args[0])) for args in of.arguments)
+    return all(len(args) == 1 and (powered or not (is_idle(args[0]) or is_signed(args[0]))) for args in of.arguments)
 
 
 def _varies(of: Evidence) -> bool:

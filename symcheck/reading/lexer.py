@@ -1020,6 +1020,7 @@ class Lexer(tex.Reader):
     def parted(self) -> None:
         """Spaces settled: between two factors a wide one parts relations, another may; elsewhere they are layout."""
         out: list[Lexeme] = []
+        self.refuse_rows()
         for k, lexeme in enumerate(self.out):
             if lexeme.type != "GAP":
                 out.append(lexeme)
@@ -1039,6 +1040,18 @@ class Lexer(tex.Reader):
             else:
                 self.fail("does this space part two things, or two factors? write a comma, or no space", lexeme.at)
         self.out = out
+
+    def refuse_rows(self) -> None:
+        """An error for two signs of relation with alignments before them on one line, where other lines have one."""
+        lines: list[list[int]] = [[]]
+        for lexeme, after in itertools.pairwise(self.out):
+            if lexeme.type == "NEWLINE":
+                lines.append([])
+            elif lexeme.type == "GAP" and lexeme.value == "&" and after.type == "REL":
+                lines[-1].append(after.at)
+        long = next((line for line in lines if len(line) > 1), None)
+        if long and any(len(line) == 1 for line in lines):
+            self.fail("do several equations stand in a row here? write a line for each", long[1])
 
     def relates(self, first: Lexeme) -> bool:
         """Does the line that begins here state a relation of its own, so that it may be none of the line before?"""

@@ -86,16 +86,39 @@ def _told(run: str) -> str:
     return f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
 
 
+# letters in bold type under one command
+_BOLD_RUN = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|mathsf)\s*\{\s*([A-Za-z](?:\s*[A-Za-z])*)\s*\}")
+
+_MATRICES_APPLIED = re.compile(r"[A-NP-Z]+[a-np-z]")  # before a vector; an o is hardly a letter
+
+
+def bold_name(source: str) -> str:
+    """The letters under one command for bold type that may be one name: `Op`, but neither `Ax` nor `CD`."""
+    runs = Counter(re.sub(r"\s", "", run) for run in _BOLD_RUN.findall(source))
+    for run in runs:
+        alone = {x for x in run if len(run) > 1 and not _stands_elsewhere(x, run, runs)}
+        product = _MATRICES_APPLIED.fullmatch(run)
+        if alone and not product and _may_be_name(run, alone, signed=False, matrices=True, named=False):
+            return run
+    return ""
+
+
 def _abbreviated(several: Sequence[str], runs: Collection[str]) -> Iterator[str]:
-    """Capitals in pairs with a letter in common none of which stands anywhere else: `IE - EA`, but not `AB - BA`."""
-    pairs = [run for run in several if len(run) == 2 and run.isupper()]
-    if len(pairs) < 2:
-        return
-    others = {letter for run in runs if run not in pairs for letter in run}
-    for run in pairs:
-        shared = [other for other in pairs if other != run and {*other} & {*run}]
-        if shared and run[::-1] not in pairs and not {*run, *"".join(shared)} & others:
-            yield run
+    """Pairs with a letter in common none of which stands anywhere else: `IE - EA`, but not `AB - BA`; `lb` and `ub`.
+
+    Small letters have the last one in common.
+    """
+    for small in (False, True):
+        pairs = [run for run in several if len(run) == 2 and (run.islower() if small else run.isupper())]
+        others = {letter for run in runs if run not in pairs for letter in run}
+        for run in pairs:
+            alike = [x for x in pairs if x != run and (x[1] == run[1] if small else {*x} & {*run})]
+            if (
+                0 < len(alike) < (2 if small else len(pairs))
+                and run[::-1] not in pairs
+                and not {*run, *"".join(alike)} & others
+            ):
+                yield run
 
 
 def _stands_before(token: str, run: str, texts: Sequence[str]) -> bool:

@@ -10,10 +10,12 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES
 from symcheck.reading.functions import COMMANDS
 from symcheck.reading.phrases import phrased
+from symcheck.reading.side_by_side import bold_name
 from symcheck.reading.typed import typed
 
 FONTS = {  # switches that hold to the end of their group
@@ -64,6 +66,11 @@ _HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*([\d.]*[1-9][\d.]*\s*(?:cm|em|in)|\
 _UNITS = re.compile(  # of which the last has a power
     r"(?<![_^{])\\(?:mathrm|text)\s*\{((?:\s*[A-Za-z]+\s*\\,)*\s*[A-Za-z]+)\s*\\,\s*([A-Za-z]+)\s*\}(?=\s*\^)"
 )
+# a power of ten with an upright e, or with braces, behind a number
+_TEN = re.compile(
+    r"(?<=\d)\s*(?:e|E|\\(?:mathrm|text|rm)\s*\{\s*[eE]\s*\})\s*\{\s*([-+]?\d+)\s*\}"
+    r"|(?<=\.\d)\\(?:mathrm|text)\{[eE]\}([-+]\d+)"
+)
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
 _HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
@@ -84,6 +91,10 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
     Formulas beside it tell whether a capital gamma is the function.
     """
+    if run := bold_name(source):
+        bold = "".join(rf"\mathbf{{{letter}}}" for letter in run)
+        raise SymcheckError(f"{run} in bold type: one name, or a product? write {bold}, or \\mathrm{{{run}}}")
+    source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     source = _WORDS.sub(_with_formulas, source)
     source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)

@@ -96,8 +96,16 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
         end += 1
     behind = toks[end].text if end < len(toks) else ""
     word = "".join(tok.text for tok in toks[k + 1 : end])
-    meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES)
+    twins = word.isupper() and any(_is_twice(toks, m, base) for m in range(len(toks) - 2))
+    meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES) or twins
     return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
+
+
+def _is_twice(toks: Sequence[tex.Tok], k: int, base: str) -> bool:
+    """Does one capital stand twice behind the subscript sign here, which no factor would: `C_XX`?"""
+    sign, first, second = toks[k : k + 3]
+    same = sign.text == "_" and first.text == second.text and second.at == first.at + 1
+    return same and k > 0 and toks[k - 1].text == base and first.text.isupper()
 
 
 _INDICES = frozenset("ijklmn")
