@@ -220,7 +220,8 @@ _TEXT = re.compile(r"\\(?:text|mathrm) \{[^{}]*\}|\\prescript (?:\{(?:[^{}]|\{[^
 _RATES = re.compile(r"\\d?dot|\\partial|d t|\{ d |\\mathrm \{ d \}")
 # a word before brackets that hold a number and a letter
 _WORD_TIMES = re.compile(
-    r"\\(?:text|mathrm) (\{ [a-z](?: [a-z])+ \}) (?:\\left )?\( \d+ [-+] (?:[a-z]|\\[a-z]+) (?:\\right )?\)"
+    r"\\(?:text|mathrm) (\{ [A-Za-z](?: [A-Za-z])+ \}) (?:\\left )?"
+    r"\( \d+ [-+] (?:[a-z]|\\(?:text|mathrm) \{[^{}]*\}|\\[a-z]+) (?:\\right )?\)"
 )
 # what has a number above it that a sum or a product runs over
 _ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})")
@@ -242,6 +243,9 @@ _ALONE = re.compile(
 )
 
 
+# rates written with letters below: `u_t = u_{xx}`
+_RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
+_PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
@@ -259,6 +263,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
+    if "_ t" in text or "_ { t" in text:
+        rates = {*_RATE_BELOW.findall(text)} & {*_PLACE_BELOW.findall(text)}
+        yield from ((letter, "derivatives, or letters with a label? write them as fractions") for letter in rates)
     if " ) = " in text and not _RATES.search(text):
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
@@ -325,7 +332,7 @@ _POWER_OF_T = re.compile(
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed
-_ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
+_ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ (?:- )?H \})")
 
 
 def _begins_factor(token: str) -> bool:

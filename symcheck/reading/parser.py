@@ -104,6 +104,9 @@ _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a
 _SEVERAL = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among them
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
 _TRANSPOSED = re.compile(r"\^\s*(?:\{\s*)?\\text\s*\{\s*T\s*\}")  # by an upright T
+_MATRIX_OF = re.compile(r"(?<![A-Za-z\\])[A-CE-IK-Z]\s*[a-z]\s*\(")  # before a value, as D is in `C x(t) + D u(t)`
+_DERIVATIONS = frozenset({"D", "J", r"\text{D}"})  # letters of derivatives, and of their matrices
+_OF_MATRICES = re.compile(r"\^\s*(?:\{\s*)?(?:T|\\top|\\intercal)(?![A-Za-z])|\\[sp](?:ucc|rec)eq")
 _VERB = re.compile(r"\\text\{[a-z]{3,}\}_")  # a word in small letters with an index, as `prox_f`
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
@@ -807,8 +810,23 @@ class Builder:
             raise self.fail(after.at, "a term that may be left out, or a factor? write no sign before it")
         if _is_operated(node) and self.in_brackets(after):
             raise self.fail(after.at, "of what the operator makes, or times it? write \\cdot, or brackets around both")
+        value = isinstance(node, Call) and isinstance(node.function, Name) and node.arguments
+        if value and after.kind == "group" and not after.postfix and _is_letter(self.inside(after)):
+            raise self.fail(after.at, AT_OR_TIMES)  # J(f)(x)
         if not alone:
             return
+        decimal = isinstance(node, Number) and "." in node.text and item.kind == "atom"
+        if decimal and after.kind == "group" and not after.postfix and isinstance(self.inside(after), Number):
+            raise self.fail(after.at, "the error of the last digits, or a factor? write \\pm, or \\cdot")
+        applied = isinstance(after.node, Name) and self.kind(after.node) == "function" and not _is_words(after.node)
+        if (
+            isinstance(node, Name)
+            and self.notation.inferred
+            and applied
+            and node.letter in _DERIVATIONS
+            and not _MATRIX_OF.search(self.source)
+        ):
+            raise self.fail(item.at, f"the derivative of {to_latex(after.node)}, or times it? write \\cdot")
         if item.square and isinstance(node, Pow) and isinstance(node.base, Name) and not item.postfix:
             raise self.fail(item.at, "the coefficient of this power, or idle brackets? leave them out")
         fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
@@ -1139,6 +1157,10 @@ class Builder:
         r"""`\sin` with its argument: brackets, one fraction or root, or the simple factors that follow."""
         head = items[k]
         k += 1
+        field = items[k].node if k < len(items) else None
+        second = head.name == "laplacian" and isinstance(field, Name) and not _is_styled(field)
+        if second and self.notation.inferred and _OF_MATRICES.search(self.source):
+            raise self.fail(head.at, "the sum of second derivatives, or their matrix? write \\Delta for the sum")
         if head.name in BRACKETED and (k == len(items) or items[k].kind != "group"):
             raise self.fail(head.at, f"the argument of {head.name} must stand in brackets")
         if k < len(items) and items[k].kind == "given" and head.power is None:

@@ -57,6 +57,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     runs = Counter(run for text in texts for run in _runs(text))
     several = [run for run in runs if len(run) > 1]
     found = dict(_prefixed(formulas)) if any(r"\text {" in text for text in formulas) else {}
+    found |= dict.fromkeys(_unsigned(formulas, texts), "a factor before brackets, or a function? say what it is")
     if not several:
         return found
     signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(
@@ -126,6 +127,16 @@ def _stands_before(token: str, run: str, texts: Sequence[str]) -> bool:
     printed = rf"(?<![A-Za-z\\]){' '.join(run)}(?:( ?{token})|(?! [A-Za-z]))"
     places = [found[1] for text in texts for found in re.finditer(printed, text)]
     return bool(places) and all(places)
+
+
+_BEFORE_SUM = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) (?:\\left )?\( (?=[^()]*[+-])")
+
+
+def _unsigned(formulas: Sequence[str], texts: Sequence[str]) -> Iterator[str]:
+    """The letters without a sign before brackets that hold a sum, where signs stand between all other factors."""
+    for formula, text in zip(formulas, texts, strict=True):
+        if len(_SIGN.findall(formula)) > 1 and all(len(run) == 1 for run in _runs(text)):
+            yield from _BEFORE_SUM.findall(formula)
 
 
 # a letter before an abbreviation in upright capitals, without a sign

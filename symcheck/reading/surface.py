@@ -53,7 +53,7 @@ _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # f
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
-_ITALIC = re.compile(r"\\math(?:it|sf|tt)\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
+_ITALIC = re.compile(r"\\(?:math(?:it|sf|tt)|text(?:it|sl|sf))\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 _BOLD = re.compile(  # words
     r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})|\\(?:mathbf|boldsymbol|textbf)\s*(\{\s*[A-Z][a-z]{2,}\s*\})"
 )
@@ -94,6 +94,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if run := bold_name(source):
         bold = "".join(rf"\mathbf{{{letter}}}" for letter in run)
         raise SymcheckError(f"{run} in bold type: one name, or a product? write {bold}, or \\mathrm{{{run}}}")
+    if "!=" in source and source.count("!") == 1:
+        raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     source = _WORDS.sub(_with_formulas, source)
