@@ -16323,11 +16323,6 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "simpeg/simpeg/simpeg/regularization/__init__.py",
     ),
     (
-        "\\gamma = \\frac{1}{2} \\left(\\frac{1}{\\mu_t} - \\frac{1}{\\mu_r}\\right)\r\n\\kappa = 1 - \\gamma - \\frac{1}{\\mu_r}",
-        "Chain(\\gamma, Mul(Div(1; 2), Add(Div(1; \\mu_t), Neg(Div(1; \\mu_r))), \\kappa), Add(1, Neg(\\gamma), Neg(Div(1; \\mu_r))); =, =)",
-        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/const_mag.py",
-    ),
-    (
         "f(x \\mid \\mu) = \\frac{e^{-\\mu}\\mu^x}{x!}",
         "Chain(Call(f; Given(x; \\mu; |)), Div(Mul(Pow(e; Neg(\\mu)), Pow(\\mu; x)); Factorial(x)); =)",
         "pymc-devs/pymc/pymc/distributions/discrete.py",
@@ -16746,11 +16741,6 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "\\beta = \\frac{Q_0}{Q_e}",
         "Chain(\\beta, Div(Q_0; Q_e); =)",
         "scikit-rf/scikit-rf/skrf/qfactor.py",
-    ),
-    (
-        "\\gamma = \\frac{1}{2} \\left(\\frac{1}{\\mu_t} + \\frac{1}{\\mu_r}\\right)\r\n\\kappa = 1 - \\gamma + \\frac{1}{\\mu_r}",
-        "Chain(\\gamma, Mul(Div(1; 2), Add(Div(1; \\mu_t), Div(1; \\mu_r)), \\kappa), Add(1, Neg(\\gamma), Div(1; \\mu_r)); =, =)",
-        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/const_mag.py",
     ),
     (
         "M_t = X \\cdot A_t \\cdot Y    \\\\\nM_l = X \\cdot A_l \\cdot Y\\\\",
@@ -25735,5 +25725,13 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\mathbf{R}_i^\\rho &= \\frac{\\sqrt{\\rho'(c_i)}}{1 - \\alpha} \\mathbf{R}_i,\\\\\n    \\mathbf{J}_i^\\rho &= \\sqrt{\\rho'(c_i)} \\left(\\mathbf{I} - \\alpha\n        \\frac{\\mathbf{R}_i^T\\mathbf{R}_i}{\\|\\mathbf{R}_i\\|^2} \\right) \\mathbf{J}_i,",
         "pypose/pypose/pypose/optim/corrector.py",
+    ),
+    (
+        "\\gamma = \\frac{1}{2} \\left(\\frac{1}{\\mu_t} - \\frac{1}{\\mu_r}\\right)\r\n\\kappa = 1 - \\gamma - \\frac{1}{\\mu_r}",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/const_mag.py",
+    ),
+    (
+        "\\gamma = \\frac{1}{2} \\left(\\frac{1}{\\mu_t} + \\frac{1}{\\mu_r}\\right)\r\n\\kappa = 1 - \\gamma + \\frac{1}{\\mu_r}",
+        "lenstronomy/lenstronomy/lenstronomy/LensModel/Profiles/const_mag.py",
     ),
 )

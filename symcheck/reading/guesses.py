@@ -296,7 +296,7 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if product is not matrix and not typical and _is_hardly_factor(of):
         product = in_doubt(product, FACTOR)
-    if _is_stepped(of):
+    if _is_stepped(of) or _is_earlier(of, every):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
         yield in_doubt(function, FACTOR)
@@ -341,6 +341,18 @@ def _is_stepped(of: Evidence) -> bool:
     """Does it stand before several times, of which some lie ahead, as in `v(t + h) = v(t - h) + ...`?"""
     times = {args[0] for args in of.arguments if is_shift_of_time(args)}
     return len(times) > 1 and len(times) == len({*of.arguments}) and any("+" in each.split() for each in times)
+
+
+_STEP = re.compile(r"(\w|\\[a-z]+) [-+] \d")  # one step before or behind
+
+
+def _is_earlier(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does it stand before steps of a letter of which two others are functions, as in `E(t - 1) + a(t) - b(t)`?"""
+    found = [_STEP.fullmatch(args[0]) if len(args) == 1 else None for args in of.arguments]
+    if not all(found) or any(place.powered for place in of.places):
+        return False
+    steps = {match[1] for match in found if match}
+    return len(steps) == 1 and sum((*steps,) in each.arguments for each in every.values()) > 1
 
 
 _OF_ORDER = re.compile(r"[A-Z]_\{?\\")  # a Bessel function, say
@@ -543,8 +555,16 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
-    powered = any(place.powered for place in of.places)
-    return all(len(args) == 1 and (powered or not (is_idle(args[0]) or is_signed(args[0]))) for args in of.arguments)
+    return all(
+        place.arguments is None
+        or (len(place.arguments) == 1 and (place.powered or not _needs_none(place.arguments[0])))
+        for place in of.places
+    )
+
+
+def _needs_none(text: str) -> bool:
+    """Would brackets around this be idle, or a number with a sign, if it were a factor?"""
+    return is_idle(text) or is_signed(text)
 
 
 def _varies(of: Evidence) -> bool:

@@ -261,7 +261,10 @@ class Builder:
     # -- lists and statements ------------------------------------------------------------------------------------
 
     def on_listing(self, nodes: list[ParseNode]) -> Listing:
-        entries = [self.build(node) for node in nodes[0::2]]
+        entries: list[tuple[str, Tree]] = [self.build(node) for node in nodes[0::2]]
+        for k, ((_, before), (label, tree)) in enumerate(itertools.pairwise(entries), 1):
+            if isinstance(before, Forall) and isinstance(before.scope, Name) and _is_of_set(tree):
+                entries[k] = (label, Forall(tree))  # of all the letters before it
         separators = [node.children[0] for node in nodes[1::2]]
         wide = [
             len(node.children) > 1 or node.children[0].value.value not in (",", COMMA_AT_END) for node in nodes[1::2]
@@ -736,6 +739,9 @@ class Builder:
             return self.differential(items)
         if len(items) == 1 and items[0].kind in ("group", "atom") and not items[0].postfix:
             return self.alone(items[0])
+        first = self.inside(items[0]) if items[0].kind == "group" and not items[0].postfix else None
+        if isinstance(first, Number) and items[1].kind in ("atom", "function"):
+            raise self.fail(items[0].at, "the number of an equation, or a factor? leave out its brackets")
         factors: list[Tree] = []
         dots: list[int] = []
         k = 0
@@ -1440,7 +1446,10 @@ class Builder:
         variables = self.orders(bottom, at)
         if sum(order for _, order in variables) != top.order or len(top.body) != 1 or top.partial != bottom.partial:
             raise self.fail(at, "the orders of this derivative do not agree")
-        return Derivative(top.body[0], variables, top.partial)
+        body = top.body[0]
+        if isinstance(body, Pow) and isinstance(body.base, Name | Call) and body.exponent == Neg(Number("1")):
+            raise self.fail(at, f"the inverse function of {to_latex(body.base)}, or its reciprocal? write a fraction")
+        return Derivative(body, variables, top.partial)
 
     def orders(self, bottom: Differential, at: int) -> tuple[tuple[Tree, int], ...]:
         """The variables below a derivative with their orders."""
@@ -1757,6 +1766,10 @@ def _is_of_capitals(tree: Tree) -> bool:
 def _is_of_two_capitals(tree: Tree) -> bool:
     """Are these two capitals in square brackets: `[Q, P]`?"""
     return _is_bracket(tree) and _is_of_capitals(tree)
+
+
+def _is_of_set(tree: Tree) -> bool:
+    return isinstance(tree, Chain) and tree.signs == (r"\in",) and isinstance(tree.members[0], Name)
 
 
 def _is_e(tree: Tree) -> bool:

@@ -96,6 +96,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         raise SymcheckError(f"{run} in bold type: one name, or a product? write {bold}, or \\mathrm{{{run}}}")
     if "!=" in source and source.count("!") == 1:
         raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
+    refuse_row(source)
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     source = _WORDS.sub(_with_formulas, source)
@@ -113,6 +114,23 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if rest != len(tokens):
         return source
     return phrased(_printed(_made_plain(parts)))
+
+
+_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{[^{}]*\})|'|\([A-Za-z, ]*\))*"
+# a line of the source that begins with what is equal to something
+_DEFINES = re.compile(rf"&?\s*(?:\\[A-Za-z]+(?:\{{[^{{}}]*\}})?|[A-Za-z]){_SCRIPTS}\s*&?\s*=")
+# the end of a line behind which an equation goes on, or another one is parted
+_GOES_ON = re.compile(r"(?:[-+*/=<>,.;:(\[{|&]|\\[A-Za-z]+|\\.|\\(?:text|mbox|textrm|begin|end)\s*\{[^{}]*\})\s*$")
+
+
+def refuse_row(source: str) -> None:
+    """SymcheckError for equations on lines of the source that print parts by nothing."""
+    for row in re.split(r"\\\\|\n\s*\n", source) if "\n" in source else ():
+        before = ""
+        for line in row.strip().split("\n"):
+            if "=" in before and _DEFINES.match(line.strip()) and not _GOES_ON.search(before):
+                raise SymcheckError(f"do several equations stand in a row here, before {line.strip()[:20]}? write \\\\")
+            before = line if line.strip() else before
 
 
 def _with_formulas(found: re.Match[str]) -> str:
