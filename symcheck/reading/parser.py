@@ -842,7 +842,9 @@ class Builder:
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
         bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
-        if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
+        bold = isinstance(name, Name) and name.letter == r"\mathbf{E}" and not _is_styled(after.node)
+        expected = isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}")
+        if (expected or (bold and isinstance(after.node, Name))) and not bracketed:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
         if (
             isinstance(name, Name)

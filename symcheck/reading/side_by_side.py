@@ -33,7 +33,9 @@ _DERIVATIVE = re.compile(r"\\int|\{ d |^d [A-Za-z] =")
 # letters side by side
 _LETTERS = re.compile(r"(?<![A-Za-z\\])[A-Za-z](?: [A-Za-z])*(?![A-Za-z])")
 # what shows that capitals are matrices
-_OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:T|- 1|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x")
+_OF_MATRICES = re.compile(
+    r"\^ (?:T|\{ (?:T|\\top) \}|(?<=[A-Z)\]}] \^ )\{ - 1 \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x"
+)
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
 _SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
 # what shows that letters are vectors
@@ -88,7 +90,7 @@ def _told(run: str) -> str:
 
 
 # letters in bold type under one command
-_BOLD_RUN = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|mathsf)\s*\{\s*([A-Za-z](?:\s*[A-Za-z])*)\s*\}")
+_BOLD_RUN = re.compile(r"\\(?:mathbf|textbf|boldsymbol|bm|pmb|mathsf)\s*\{\s*([A-Za-z](?:\s*[A-Za-z])*)\s*\}")
 
 _MATRICES_APPLIED = re.compile(r"[A-NP-Z]+[a-np-z]")  # before a vector; an o is hardly a letter
 

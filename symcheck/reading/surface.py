@@ -55,7 +55,7 @@ ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
 _ITALIC = re.compile(r"\\(?:math(?:it|sf|tt)|text(?:it|sl|sf))\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 _BOLD = re.compile(  # words
-    r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})|\\(?:mathbf|boldsymbol|textbf)\s*(\{\s*[A-Z][a-z]{2,}\s*\})"
+    r"\\textbf\s*(\{\s*(?:[a-z]{2}|[A-Za-z]{3,})(?:\s+[a-z]+)*\s*\})|\\(?:mathbf|boldsymbol|textbf)\s*(\{\s*[A-Z][a-z]{2,}\s*\})"
 )
 # the name of an operator, perhaps with spaces
 _OPERATOR = re.compile(
@@ -91,7 +91,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
     Formulas beside it tell whether a capital gamma is the function.
     """
-    if run := bold_name(source):
+    if run := bold_name(_BOLD.sub("", source)):
         bold = "".join(rf"\mathbf{{{letter}}}" for letter in run)
         raise SymcheckError(f"{run} in bold type: one name, or a product? write {bold}, or \\mathrm{{{run}}}")
     if "!=" in source and source.count("!") == 1:
