@@ -166,8 +166,13 @@ def _runs(text: str) -> Iterator[str]:
 
 
 def _stands_elsewhere(letter: str, run: str, runs: Collection[str]) -> bool:
-    """Does a letter of a run stand anywhere alone, or at another place of another run; a small one, at any?"""
+    """Does a letter of a run stand anywhere alone, or at another place of another run; a small one, at any?
+
+    Of long runs in small letters one shows nothing of another: both may be words.
+    """
     small = letter.islower() and len(run) == 2 and run.islower()
+    if len(run) > 2 and run.islower():
+        runs = [other for other in runs if len(other) < 3 or not other.islower()]
     return any(
         other == letter or any(x == letter and (small or run[k : k + 1] != letter) for k, x in enumerate(other))
         for other in runs

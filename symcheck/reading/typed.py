@@ -239,7 +239,27 @@ _COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mat
 # operators of statistics, before brackets
 _OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
 # and functions that have other names in print
-_OF_VARIABLES |= {"sign", "trace", "tr", "Tr", "sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}
+_OF_VARIABLES |= {
+    "mean",
+    "avg",
+    "abs",
+    "sum",
+    "acf",
+    "sign",
+    "trace",
+    "tr",
+    "Tr",
+    "sinc",
+    "Sinc",
+    "rect",
+    "Rect",
+    "Sin",
+    "Cos",
+    "Tan",
+    "Exp",
+    "Log",
+    "Ln",
+}
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
