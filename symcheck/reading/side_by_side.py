@@ -109,8 +109,13 @@ def bold_name(source: str) -> str:
 def _abbreviated(several: Sequence[str], runs: Collection[str]) -> Iterator[str]:
     """Pairs with a letter in common none of which stands anywhere else: `IE - EA`, but not `AB - BA`; `lb` and `ub`.
 
-    Small letters have the last one in common.
+    Small letters have the last one in common, or are counted along the axes: `nx` and `ny`.
     """
+    along = [run for run in several if len(run) == 2 and run.islower() and run[0] != "d" and run[1] in "xyz"]
+    for run in along:
+        alike = [other for other in along if other[0] == run[0] and other != run]
+        if alike and not any(run[0] in other for other in runs if other not in along):
+            yield run
     for small in (False, True):
         pairs = [run for run in several if len(run) == 2 and (run.islower() if small else run.isupper())]
         others = {letter for run in runs if run not in pairs for letter in run}

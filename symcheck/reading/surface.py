@@ -72,6 +72,7 @@ _TEN = re.compile(
     r"|(?<=\.\d)\\(?:mathrm|text)\{[eE]\}([-+]\d+)"
 )
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
+_HYPHENATED = re.compile(r"[A-Za-z]+-[A-Za-z]{2,}|[A-Za-z]{2,}-[A-Za-z]+")  # words with a hyphen
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
 _HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
 
@@ -456,7 +457,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
     if not style:
         return parts
     text = "".join(part for part in parts if isinstance(part, str))
-    if style == r"\mathrm" and len(parts) > 1 and text.isalnum():
+    if style == r"\mathrm" and len(parts) > 1 and (text.isalnum() or _HYPHENATED.fullmatch(text)):
         return [style, Group(parts)]
     found: list[Part] = []
     for k, part in enumerate(parts):
