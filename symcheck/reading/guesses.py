@@ -19,7 +19,7 @@ from symcheck.reading.arguments import (
     is_signed,
     is_sum,
 )
-from symcheck.reading.commands import OVER
+from symcheck.reading.commands import LETTER_COMMANDS, OVER
 from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
@@ -186,7 +186,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         depends = ", ".join(simple) if simple else time(every) if of.dotted else None
         shape = (0, 0) if latex.startswith("[") else ()  # of the matrix that is its value
         applied_to = _letter(of, kind="function", depends=depends, size=shape)
-        yield Guess(applied_to, "a function", "it stands before its arguments only")
+        function = Guess(applied_to, "a function", "it stands before its arguments only")
+        yield in_doubt(function, FACTOR) if _is_greek(latex) else function
     elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
@@ -358,6 +359,12 @@ def _is_earlier(of: Evidence, every: Mapping[str, Evidence]) -> bool:
 _OF_ORDER = re.compile(r"[A-Z]_\{?\\")  # a Bessel function, say
 _AFFINE = re.compile(r"[A-Z](?: _ \S+| _ \{[^{}]*\})* [a-z].*\+")  # W x + b, of which a layer is a function
 _MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
+
+
+def _is_greek(latex: str) -> bool:
+    """Is this the name of a Greek letter in upright type, as a number is called?"""
+    word = latex.removeprefix(r"\text{").removesuffix("}")
+    return word != latex and rf"\{word}" in LETTER_COMMANDS
 
 
 def _holds_factors(of: Evidence) -> bool:

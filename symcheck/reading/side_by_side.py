@@ -48,6 +48,7 @@ _UNITS = frozenset(
 )
 _DOUBLED = frozenset(2 * letter for letter in string.ascii_uppercase)  # which is no power of a letter with an index
 _APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
+_FACTORS_FIRST = frozenset("gkmd")  # gravity, springs, masses, differentials
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
 # a number before a matrix
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
@@ -75,6 +76,11 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         if sequence or doubled:
             found |= dict.fromkeys(run, _told(run))
             continue
+        left = run[0] not in _FACTORS_FIRST and any(
+            re.match(rf"(?:& )?{' '.join(run)}_ (?:& )?=", text.strip()) for text in texts
+        )
+        if alone and left and len(run) == 2 and run.islower():
+            found |= dict.fromkeys(alone, _told(run))
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
         if unit or (
             alone
@@ -212,7 +218,7 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
     if any(re.match(rf"(?:& )?{printed}_? \( [^()]*,[^()]* \)(?: &)? =", text.strip()) for text in texts):
         return True  # a distance, say
     places = [found[1] for text in texts for found in re.finditer(rf"(?<![A-Za-z\\]){printed} ?(_?)", text)]
-    return run[0] not in "gkmd" and all(places)  # gravity, springs, masses, differentials
+    return run[0] not in _FACTORS_FIRST and all(places)
 
 
 def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:
