@@ -22,12 +22,14 @@ def is_sum(args: Sequence[str]) -> bool:
     return bool({"+", "-", r"\times"} & {*toks[1:]}) and toks[0] not in _ARGUMENTS
 
 
+_TIME_BELOW = re.compile(r"^(t|\\tau) _ (?:\w|\{ \w [-+] \d \}|\{ \w \})")  # one of several times
 # signs around which brackets are needed where a factor stands before them
 _SIGNS = frozenset({"+", "-", "/", "*", r"\pm", r"\mp", r"\times", r"\cdot", r"\sum", r"\int", r"\frac"})
 
 
 def is_shift_of_time(args: Sequence[str]) -> bool:
     """Is this the time with something added to it: an argument of a function, or how long something moves?"""
+    args = [_TIME_BELOW.sub(r"\1", args[0], count=1)]
     return args[0].split()[:1] in (["t"], [r"\tau"]) and is_shift(args)
 
 

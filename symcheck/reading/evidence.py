@@ -313,6 +313,7 @@ _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
 _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
     rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:{_BASE}{_INDEX} )+(?=\2\3 '(?! '))"
+    r"|(y) ' y (?=\) \^ \{ - )"
 )
 # what shows that primes differentiate, or that something else transposes
 _NO_TRANSPOSES = re.compile(
@@ -344,7 +345,7 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     primed = [formula.replace(r"^ { \prime }", "'") for formula in formulas if "'" in formula or r"\prime" in formula]
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
-    found = {match[1] or match[2] for formula in primed for match in _TRANSPOSED.finditer(formula)}
+    found = {match[1] or match[2] or match[4] for formula in primed for match in _TRANSPOSED.finditer(formula)}
     places = [match for formula in primed for match in _PRIMED.finditer(f"{formula} ")]
     if not any(match[2] in ("=", "&") for match in places):  # which would say what it is
         other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}

@@ -816,23 +816,15 @@ class Builder:
             raise self.fail(after.at, "a term that may be left out, or a factor? write no sign before it")
         if _is_operated(node) and self.in_brackets(after):
             raise self.fail(after.at, "of what the operator makes, or times it? write \\cdot, or brackets around both")
-        value = isinstance(node, Call) and isinstance(node.function, Name) and node.arguments
-        if value and after.kind == "group" and not after.postfix and _is_letter(self.inside(after)):
+        applied = isinstance(node, Call) and isinstance(node.function, Name) and bool(node.arguments)
+        if applied and after.kind == "group" and not after.postfix and _is_letter(self.inside(after)):
             raise self.fail(after.at, AT_OR_TIMES)  # J(f)(x)
         if not alone:
             return
         decimal = isinstance(node, Number) and "." in node.text and item.kind == "atom"
         if decimal and after.kind == "group" and not after.postfix and isinstance(self.inside(after), Number):
             raise self.fail(after.at, "the error of the last digits, or a factor? write \\pm, or \\cdot")
-        applied = isinstance(after.node, Name) and self.kind(after.node) == "function" and not _is_words(after.node)
-        if (
-            isinstance(node, Name)
-            and self.notation.inferred
-            and applied
-            and node.letter in _DERIVATIONS
-            and not _MATRIX_OF.search(self.source)
-        ):
-            raise self.fail(item.at, f"the derivative of {to_latex(after.node)}, or times it? write \\cdot")
+        self.refuse_derivation(item, node, after.node)
         if item.square and isinstance(node, Pow) and isinstance(node.base, Name) and not item.postfix:
             raise self.fail(item.at, "the coefficient of this power, or idle brackets? leave them out")
         fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
@@ -886,7 +878,7 @@ class Builder:
         if (
             letter is not None
             and letter.number == "pi"
-            and isinstance(inside, Mul)
+            and isinstance(inside, Mul | Call)
             and not rest[1:]
             and not after.postfix
         ):
@@ -920,6 +912,14 @@ class Builder:
                 f"{shown} of what is in these brackets, or times it? declare {name.letter} with kind='function', or "
                 "with depends='' if it is constant, or leave out the brackets",
             )
+
+    def refuse_derivation(self, item: Item, node: Tree, behind: Tree | None) -> None:
+        """A D before a function is a derivative, unless other capitals are matrices before values."""
+        derives = isinstance(node, Name) and self.notation.inferred and node.letter in _DERIVATIONS
+        if not derives or not isinstance(behind, Name) or _is_words(behind) or self.kind(behind) != "function":
+            return
+        if not _MATRIX_OF.search(self.source):
+            raise self.fail(item.at, f"the derivative of {to_latex(behind)}, or times it? write \\cdot")
 
     def has_function(self, tree: Tree) -> bool:
         """Does a function stand here without its arguments?"""

@@ -27,7 +27,7 @@ _RAISED = re.compile(
     r"([A-Za-z]) (?=\^ (?:[A-Za-z\\]|\{ (?:- )?[A-Za-z\\]))"
 )  # to a power in letters, as one letter is
 _CHANGE = re.compile(r"\\[Dd]elta [A-Za-z](?= [A-Za-z] _)")  # a change, and a letter with an index behind it
-_FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=-]*?\\cdot")  # whose argument a dot ends
+_FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=()-]*?\\cdot")  # whose argument a dot ends
 # what shows that a d is one
 _DERIVATIVE = re.compile(r"\\int|\{ d |^d [A-Za-z] =")
 # letters side by side
