@@ -315,6 +315,7 @@ _SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\p
 _AT = rf"(?:[xyzrst]|\\tau|\\mathbf \{{ [xyzr] \}}){_SCRIPT}"
 # how far one place, or one time, is from another, which a kernel, a potential or a pulse is a function of
 _DISTANCE = re.compile(rf"{_AT} - {_AT}")
+_BETWEEN = re.compile(rf"\\mathbf \{{ r \}}{_SCRIPT} - \\mathbf \{{ r \}}{_SCRIPT}")  # of a field
 # an index below
 _BELOW = re.compile(r"_ (?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\S+)")
 
@@ -673,7 +674,8 @@ def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
 
 def _styled(of: Evidence) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
-    if of.arguments and not of.bare and all(map(is_shift_of_time, of.arguments)):
+    shifted = all(is_shift_of_time(args) or _BETWEEN.fullmatch(args[0]) for args in of.arguments)
+    if of.arguments and not of.bare and shifted:
         yield in_doubt(Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow"), FACTOR)
         return
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")

@@ -119,9 +119,14 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
 _SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{[^{}]*\})|'|\([A-Za-z, ]*\))*"
 # a line of the source that begins with what is equal to something
-_DEFINES = re.compile(rf"&?\s*(?:\\[A-Za-z]+(?:\s*\{{[^{{}}]*\}})*|[A-Za-z]){_SCRIPTS}\s*&?\s*=")
+_DEFINES = re.compile(
+    rf"&?\s*(?:\\(?!frac|sqrt|left)[A-Za-z]+(?:\{{[^{{}}]*\}})?|[A-Za-z]|\\frac\s*\{{\s*(?:d|\\partial)(?![A-Za-z])[^{{}}]*\}}"
+    rf"\s*\{{[^{{}}]*\}}){_SCRIPTS}\s*&?\s*="
+)
 # the end of a line behind which an equation goes on, or another one is parted
-_GOES_ON = re.compile(r"(?:[-+*/=<>,.;:(\[{|&]|\\[A-Za-z]+|\\.|\\(?:text|mbox|textrm|begin|end)\s*\{[^{}]*\})\s*$")
+_GOES_ON = re.compile(
+    r"(?:[-+*/=<>,.;:(\[{|&]|\\[A-Za-z]+|\\.|\\(?:text|mbox|textrm|begin|end)\s*\{[^{}]*\}|\\(?:sum|prod|int)[^=+]*)\s*$"
+)
 
 
 def refuse_row(source: str) -> None:
