@@ -34,7 +34,8 @@ _DERIVATIVE = re.compile(r"\\int|\{ d |^d [A-Za-z] =")
 _LETTERS = re.compile(r"(?<![A-Za-z\\])[A-Za-z](?: [A-Za-z])*(?![A-Za-z])")
 # what shows that capitals are matrices
 _OF_MATRICES = re.compile(
-    r"\^ (?:T|\{ (?:T|\\top) \}|(?<=[A-Z)\]}] \^ )\{ - 1 \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x"
+    r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x"
+    r"|(?:[A-Z] (?:_ (?:\w|\{[^{}]*\}) )?|\\[a-z]+ \{ [A-Z] \} |[)\]] )\^ \{ - 1 \}"
 )
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
 _SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
