@@ -588,6 +588,7 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"\text{out} = \text{alpha}(x)": r"\text{out} = \text{relu}(x)",
     r"y = Iobs(1 - t0)": r"y = Iobs(t0)",
     r"w = \sum_m v(t_n + (m - \frac{1}{2}) a)": r"w = \sum_m v_m t_n",
+    r"y = \frac{\text{POD}}{\text{1 - POD}}": r"y = \text{1-hop} + \text{POD}",
     r"y = \pi(\phi(x, z))": r"y = \pi(R^2 - r^2)",
     r"b = (y'y)^{-1} a": r"b = y'y + a",
     r"\mathbf{E} = \mathbf{F}_m(\mathbf{r} - \mathbf{r}_i)": r"\mathbf{E} = \mathbf{K}(\mathbf{x} - \mathbf{x}_0)",

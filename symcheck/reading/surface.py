@@ -71,6 +71,7 @@ _TEN = re.compile(
     r"(?<=\d)\s*(?:e|E|\\(?:mathrm|text|rm)\s*\{\s*[eE]\s*\})\s*\{\s*([-+]?\d+)\s*\}"
     r"|(?<=\.\d)\\(?:mathrm|text)\{[eE]\}([-+]\d+)"
 )
+_CALCULATED = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*\d+\s+[-+]\s+[A-Za-z]\w*\s*\}")  # `1 - POD`
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
 _HYPHENATED = re.compile(r"[A-Za-z]+-[A-Za-z]{2,}|[A-Za-z]{2,}-[A-Za-z]+")  # words with a hyphen
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
@@ -98,6 +99,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if "!=" in source and source.count("!") == 1:
         raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
     refuse_row(source)
+    if found := _CALCULATED.search(source):
+        raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     source = _WORDS.sub(_with_formulas, source)
