@@ -1042,16 +1042,17 @@ class Lexer(tex.Reader):
         self.out = out
 
     def refuse_rows(self) -> None:
-        """An error for two signs of relation with alignments before them on one line, where other lines have one."""
-        lines: list[list[int]] = [[]]
+        """An error for a row of one column with two signs of relation at alignments, where another row has one."""
+        rows: list[list[int]] = [[]]  # where the signs are that stand at an alignment; 0 for an alignment elsewhere
         for lexeme, after in itertools.pairwise(self.out):
             if lexeme.type == "NEWLINE":
-                lines.append([])
-            elif lexeme.type == "GAP" and lexeme.value == "&" and after.type == "REL":
-                lines[-1].append(after.at)
-        long = next((line for line in lines if len(line) > 1), None)
-        if long and any(len(line) == 1 for line in lines):
-            self.fail("do several equations stand in a row here? write a line for each", long[1])
+                rows.append([])
+            elif lexeme.type == "GAP" and lexeme.value == "&":
+                rows[-1].append(after.at if after.type == "REL" else 0)
+        signs = [[at for at in row if at] for row in rows]
+        twice = [b for row in rows for a, b in itertools.pairwise(row) if a and b]
+        if twice and any(len(row) == 1 for row in signs):
+            self.fail("do several equations stand in a row here? write a line for each", twice[0])
 
     def relates(self, first: Lexeme) -> bool:
         """Does the line that begins here state a relation of its own, so that it may be none of the line before?"""
