@@ -245,6 +245,7 @@ _ALONE = re.compile(
 
 # rates written with letters below: `u_t = u_{xx}`
 _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
+# and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 

@@ -106,6 +106,7 @@ _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is
 _TRANSPOSED = re.compile(r"\^\s*(?:\{\s*)?\\text\s*\{\s*T\s*\}")  # by an upright T
 _MATRIX_OF = re.compile(r"(?<![A-Za-z\\])[A-CE-IK-Z]\s*[a-z]\s*\(")  # before a value, as D is in `C x(t) + D u(t)`
 _DERIVATIONS = frozenset({"D", "J", r"\text{D}"})  # letters of derivatives, and of their matrices
+# what shows that letters are matrices
 _OF_MATRICES = re.compile(r"\^\s*(?:\{\s*)?(?:T|\\top|\\intercal)(?![A-Za-z])|\\[sp](?:ucc|rec)eq")
 _VERB = re.compile(r"\\text\{[a-z]{3,}\}_")  # a word in small letters with an index, as `prox_f`
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist

@@ -143,6 +143,7 @@ def _stands_before(token: str, run: str, texts: Sequence[str]) -> bool:
     return bool(places) and all(places)
 
 
+# a letter without a sign before brackets that hold a sum
 _BEFORE_SUM = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) (?:\\left )?\( (?=[^()]*[+-])")
 
 
