@@ -12,6 +12,7 @@ from symcheck.reading.occurrences import Occurrence
 
 _ARGUMENTS = frozenset({"t", r"\tau", "s", "n", "k", "x", "z"})  # what functions of one letter are mostly applied to
 _DOTS = frozenset({r"\dots", r"\cdots", r"\ldots"})
+_SIGNED = re.compile(r"(?:[-+]|\\pm|\\mp) (?:\d |\. )*\d")  # `-1` and `\pm 1`
 _NUMBER = re.compile(r"\s*[-+]?\s*[\d.\s]+")  # a decimal number, with spaces between its tokens
 
 
@@ -21,12 +22,14 @@ def is_sum(args: Sequence[str]) -> bool:
     return bool({"+", "-", r"\times"} & {*toks[1:]}) and toks[0] not in _ARGUMENTS
 
 
+_TIME_BELOW = re.compile(r"^(t|\\tau) _ (?:\w|\{ \w [-+] \d \}|\{ \w \})")  # one of several times
 # signs around which brackets are needed where a factor stands before them
 _SIGNS = frozenset({"+", "-", "/", "*", r"\pm", r"\mp", r"\times", r"\cdot", r"\sum", r"\int", r"\frac"})
 
 
 def is_shift_of_time(args: Sequence[str]) -> bool:
     """Is this the time with something added to it: an argument of a function, or how long something moves?"""
+    args = [_TIME_BELOW.sub(r"\1", args[0], count=1)]
     return args[0].split()[:1] in (["t"], [r"\tau"]) and is_shift(args)
 
 
@@ -56,6 +59,11 @@ def is_listed(args: Sequence[str]) -> bool:
 def is_product(args: Sequence[str]) -> bool:
     """Is this one product of several letters and numbers, around which brackets would be idle?"""
     return len(args) == 1 and is_idle(args[0]) and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0])
+
+
+def is_signed(text: str) -> bool:
+    """Is this one number with a sign, which a product has before it?"""
+    return _SIGNED.fullmatch(text) is not None
 
 
 def is_idle(text: str) -> bool:

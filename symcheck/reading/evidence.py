@@ -227,7 +227,8 @@ _TEXT = re.compile(r"\\(?:text|mathrm) \{[^{}]*\}|\\prescript (?:\{(?:[^{}]|\{[^
 _RATES = re.compile(r"\\d?dot|\\partial|d t|\{ d |\\mathrm \{ d \}")
 # a word before brackets that hold a number and a letter
 _WORD_TIMES = re.compile(
-    r"\\(?:text|mathrm) (\{ [a-z](?: [a-z])+ \}) (?:\\left )?\( \d+ [-+] (?:[a-z]|\\[a-z]+) (?:\\right )?\)"
+    r"\\(?:text|mathrm) (\{ [A-Za-z](?: [A-Za-z])+ \}) (?:\\left )?"
+    r"\( \d+ [-+] (?:[a-z]|\\(?:text|mathrm) \{[^{}]*\}|\\[a-z]+) (?:\\right )?\)"
 )
 # what has a number above it that a sum or a product runs over
 _ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})")
@@ -249,6 +250,10 @@ _ALONE = re.compile(
 )
 
 
+# rates written with letters below: `u_t = u_{xx}`
+_RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
+# and slopes
+_PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
@@ -266,6 +271,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
+    if "_ t" in text or "_ { t" in text:
+        rates = {*_RATE_BELOW.findall(text)} & {*_PLACE_BELOW.findall(text)}
+        yield from ((letter, "derivatives, or letters with a label? write them as fractions") for letter in rates)
     if " ) = " in text and not _RATES.search(text):
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
@@ -313,6 +321,7 @@ _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
 _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
     rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:{_BASE}{_INDEX} )+(?=\2\3 '(?! '))"
+    r"|(y) ' y (?=\) \^ \{ - )"
 )
 # what shows that primes differentiate, or that something else transposes
 _NO_TRANSPOSES = re.compile(
@@ -332,7 +341,7 @@ _POWER_OF_T = re.compile(
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed
-_ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ H \})")
+_ADJOINT = re.compile(r"\^ (?:H(?![A-Za-z])|\{ (?:- )?H \})")
 
 
 def _begins_factor(token: str) -> bool:
@@ -344,7 +353,7 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     primed = [formula.replace(r"^ { \prime }", "'") for formula in formulas if "'" in formula or r"\prime" in formula]
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
-    found = {match[1] or match[2] for formula in primed for match in _TRANSPOSED.finditer(formula)}
+    found = {match[1] or match[2] or match[4] for formula in primed for match in _TRANSPOSED.finditer(formula)}
     places = [match for formula in primed for match in _PRIMED.finditer(f"{formula} ")]
     if not any(match[2] in ("=", "&") for match in places):  # which would say what it is
         other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}

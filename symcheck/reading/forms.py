@@ -124,7 +124,9 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
         if isinstance(part, Chain) and part.signs[0] == "=" and any(map(_is_pair_in_braces, part.members)):
             raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a set? say what it means")
-        if isinstance(part, Add | Div | Neg) and any(map(_is_commutator, children(part))):
+        if isinstance(part, Add | Div | Neg) and any(
+            _is_commutator(x) or _is_pair_in_braces(x) for x in children(part)
+        ):
             raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a list? say what it means")
         if isinstance(part, Marked) and isinstance(part.value, Call) and isinstance(part.value.function, str):
             raise SymcheckError(f"{to_latex(part)}: is that a function here? say what it is")
@@ -226,13 +228,13 @@ def _is_called(tree: Tree) -> TypeGuard[Call]:
     return isinstance(tree, Call) and bool(tree.arguments) and not all(map(_is_plain, tree.arguments))
 
 
-def _is_pair_in_braces(tree: Tree) -> bool:
+def _is_pair_in_braces(tree: object) -> bool:
     """Is this `{f, g}`, which may be the bracket of both, and hardly a set of numbers?"""
-    plain = isinstance(tree, Tuple) and tree.kind == "{}" and len(tree.items) == 2
-    return plain and all(isinstance(part, Name | Call) for part in children(tree))
+    pair = isinstance(tree, Tuple) and tree.kind == "{}" and len(tree.items) == 2
+    return isinstance(tree, Tuple) and pair and all(isinstance(part, Name | Call) for part in tree.items)
 
 
-def _is_commutator(tree: Tree) -> bool:
+def _is_commutator(tree: object) -> bool:
     return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
 
 

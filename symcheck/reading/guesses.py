@@ -10,8 +10,16 @@ from functools import lru_cache
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
-from symcheck.reading.arguments import is_idle, is_listed, is_lone, is_shift, is_shift_of_time, is_sum
-from symcheck.reading.commands import OVER
+from symcheck.reading.arguments import (
+    is_idle,
+    is_listed,
+    is_lone,
+    is_shift,
+    is_shift_of_time,
+    is_signed,
+    is_sum,
+)
+from symcheck.reading.commands import LETTER_COMMANDS, OVER
 from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
@@ -178,7 +186,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         depends = ", ".join(simple) if simple else time(every) if of.dotted else None
         shape = (0, 0) if latex.startswith("[") else ()  # of the matrix that is its value
         applied_to = _letter(of, kind="function", depends=depends, size=shape)
-        yield Guess(applied_to, "a function", "it stands before its arguments only")
+        function = Guess(applied_to, "a function", "it stands before its arguments only")
+        yield in_doubt(function, FACTOR) if _is_greek(latex) else function
     elif arguments and simple and _varies(of):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
@@ -288,7 +297,7 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if product is not matrix and not typical and _is_hardly_factor(of):
         product = in_doubt(product, FACTOR)
-    if _is_stepped(of):
+    if _is_stepped(of) or _is_earlier(of, every):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
         yield in_doubt(function, FACTOR)
@@ -306,6 +315,7 @@ _SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\p
 _AT = rf"(?:[xyzrst]|\\tau|\\mathbf \{{ [xyzr] \}}){_SCRIPT}"
 # how far one place, or one time, is from another, which a kernel, a potential or a pulse is a function of
 _DISTANCE = re.compile(rf"{_AT} - {_AT}")
+_BETWEEN = re.compile(rf"\\mathbf \{{ r \}}{_SCRIPT} - \\mathbf \{{ r \}}{_SCRIPT}")  # of a field
 # an index below
 _BELOW = re.compile(r"_ (?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\S+)")
 
@@ -335,9 +345,27 @@ def _is_stepped(of: Evidence) -> bool:
     return len(times) > 1 and len(times) == len({*of.arguments}) and any("+" in each.split() for each in times)
 
 
+_STEP = re.compile(r"(\w|\\[a-z]+) [-+] \d")  # one step before or behind
+
+
+def _is_earlier(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does it stand before steps of a letter of which two others are functions, as in `E(t - 1) + a(t) - b(t)`?"""
+    found = [_STEP.fullmatch(args[0]) if len(args) == 1 else None for args in of.arguments]
+    if not all(found) or any(place.powered for place in of.places):
+        return False
+    steps = {match[1] for match in found if match}
+    return len(steps) == 1 and sum((*steps,) in each.arguments for each in every.values()) > 1
+
+
 _OF_ORDER = re.compile(r"[A-Z]_\{?\\")  # a Bessel function, say
 _AFFINE = re.compile(r"[A-Z](?: _ \S+| _ \{[^{}]*\})* [a-z].*\+")  # W x + b, of which a layer is a function
 _MOVING = frozenset("uvwxyqp")  # letters of what moves, or how fast
+
+
+def _is_greek(latex: str) -> bool:
+    """Is this the name of a Greek letter in upright type, as a number is called?"""
+    word = latex.removeprefix(r"\text{").removesuffix("}")
+    return word != latex and rf"\{word}" in LETTER_COMMANDS
 
 
 def _holds_factors(of: Evidence) -> bool:
@@ -535,8 +563,16 @@ def _common_arguments(of: Evidence) -> tuple[str, ...]:
 
 def _may_be_factor(of: Evidence) -> bool:
     """Could it be multiplied with what stands in brackets behind it, which is more than a letter or a number?"""
-    powered = any(place.powered for place in of.places)
-    return all(len(args) == 1 and (powered or not is_idle(args[0])) for args in of.arguments)
+    return all(
+        place.arguments is None
+        or (len(place.arguments) == 1 and (place.powered or not _needs_none(place.arguments[0])))
+        for place in of.places
+    )
+
+
+def _needs_none(text: str) -> bool:
+    """Would brackets around this be idle, or a number with a sign, if it were a factor?"""
+    return is_idle(text) or is_signed(text)
 
 
 def _varies(of: Evidence) -> bool:
@@ -638,7 +674,8 @@ def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
 
 def _styled(of: Evidence) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
-    if of.arguments and not of.bare and all(map(is_shift_of_time, of.arguments)):
+    shifted = all(is_shift_of_time(args) or _BETWEEN.fullmatch(args[0]) for args in of.arguments)
+    if of.arguments and not of.bare and shifted:
         yield in_doubt(Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow"), FACTOR)
         return
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")

@@ -1020,6 +1020,7 @@ class Lexer(tex.Reader):
     def parted(self) -> None:
         """Spaces settled: between two factors a wide one parts relations, another may; elsewhere they are layout."""
         out: list[Lexeme] = []
+        self.refuse_rows()
         for k, lexeme in enumerate(self.out):
             if lexeme.type != "GAP":
                 out.append(lexeme)
@@ -1039,6 +1040,19 @@ class Lexer(tex.Reader):
             else:
                 self.fail("does this space part two things, or two factors? write a comma, or no space", lexeme.at)
         self.out = out
+
+    def refuse_rows(self) -> None:
+        """An error for a row of one column with two signs of relation at alignments, where another row has one."""
+        rows: list[list[int]] = [[]]  # where the signs are that stand at an alignment; 0 for an alignment elsewhere
+        for lexeme, after in itertools.pairwise(self.out):
+            if lexeme.type == "NEWLINE":
+                rows.append([])
+            elif lexeme.type == "GAP" and lexeme.value == "&":
+                rows[-1].append(after.at if after.type == "REL" else 0)
+        signs = [[at for at in row if at] for row in rows]
+        twice = [b for row in rows for a, b in itertools.pairwise(row) if a and b]
+        if twice and any(len(row) == 1 for row in signs):
+            self.fail("do several equations stand in a row here? write a line for each", twice[0])
 
     def relates(self, first: Lexeme) -> bool:
         """Does the line that begins here state a relation of its own, so that it may be none of the line before?"""

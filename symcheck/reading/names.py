@@ -227,6 +227,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(letters[0])  # a word above a function
     if of.applied and of.below and not letters and any(map(str.isalpha, inside)):
         return POWER_OR_LABEL.format(next(filter(str.isalpha, inside)))
+    if len(letters) > 2 and letters == inside and all(map(str.isalpha, letters)) and not of.framed:
+        return POWER_OR_LABEL.format("".join(letters))  # a word
     if not letters or of.plain or of.word in told.powers:
         return None
     if of.above in told.labels and of.below:

@@ -86,6 +86,8 @@ from symcheck.reading.tree import nodes as walked  # where a rule of the grammar
 
 OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
 _INDICES = re.compile(r"(?<![A-Za-z\\])[a-z](?![A-Za-z])")  # below the sign of a sum
+LOGARITHMS = frozenset({"log", "ln", "lg", "lb"})
+REACHING = ("integral", "antiderivative", "over", "sum", "under")  # to the end of a product
 TRACES = frozenset({"tr", "Tr", "sp", "Sp"})
 SIMPLE_KINDS = ("scalar", "index", "function")
 _BRACKETS_ARE_IDLE = (Name, Number, Call, Sqrt, Pow, Mul, Div, Derivative, Degrees, Pair, Norm)
@@ -101,6 +103,11 @@ SCRIPT = (r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of operators
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
 _SEVERAL = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among them
 _WORD = re.compile(r"\\text\{[a-z]{2,}\}")  # in small letters, as a function is called
+_TRANSPOSED = re.compile(r"\^\s*(?:\{\s*)?\\text\s*\{\s*T\s*\}")  # by an upright T
+_MATRIX_OF = re.compile(r"(?<![A-Za-z\\])[A-CE-IK-Z]\s*[a-z]\s*\(")  # before a value, as D is in `C x(t) + D u(t)`
+_DERIVATIONS = frozenset({"D", "J", r"\text{D}"})  # letters of derivatives, and of their matrices
+# what shows that letters are matrices
+_OF_MATRICES = re.compile(r"\^\s*(?:\{\s*)?(?:T|\\top|\\intercal)(?![A-Za-z])|\\[sp](?:ucc|rec)eq")
 _VERB = re.compile(r"\\text\{[a-z]{3,}\}_")  # a word in small letters with an index, as `prox_f`
 _PLAIN = (Number, Dots, Name, Add, Neg, Mul)  # of what the values of an index consist
 SUBJECT = r"\text{subject~to}"  # what stands before it is to be found
@@ -255,7 +262,10 @@ class Builder:
     # -- lists and statements ------------------------------------------------------------------------------------
 
     def on_listing(self, nodes: list[ParseNode]) -> Listing:
-        entries = [self.build(node) for node in nodes[0::2]]
+        entries: list[tuple[str, Tree]] = [self.build(node) for node in nodes[0::2]]
+        for k, ((_, before), (label, tree)) in enumerate(itertools.pairwise(entries), 1):
+            if isinstance(before, Forall) and isinstance(before.scope, Name) and _is_of_set(tree):
+                entries[k] = (label, Forall(tree))  # of all the letters before it
         separators = [node.children[0] for node in nodes[1::2]]
         wide = [
             len(node.children) > 1 or node.children[0].value.value not in (",", COMMA_AT_END) for node in nodes[1::2]
@@ -560,7 +570,10 @@ class Builder:
         if len(signs) > 2 and isinstance(members[0], Name) and all(map(_is_value_and_name, members[1:-1])):
             raise self.fail(_place(nodes[0]), "do several equations stand in a row here? write commas between them")
         lists = any(isinstance(member, Tuple) for member in members[1:]) and not _is_of_capitals(members[0])
-        if self.notation.inferred and _is_bracket(members[0]) and not lists:
+        brackets = any(map(_is_of_two_capitals, members)) and not all(
+            isinstance(x, Name | Tuple | Call) for x in members
+        )
+        if self.notation.inferred and ((_is_bracket(members[0]) and not lists) or ("=" in signs and brackets)):
             raise self.fail(_place(nodes[0]), "the bracket of two operators, or a list? say what it means")
         inner = [k for k in range(1, len(signs) - 1) if signs[k] in _ARROWS]  # between relations
         if inner and (len(inner) > 1 or isinstance(members[inner[0] + 1], Number | Name | Infinity)):
@@ -592,7 +605,7 @@ class Builder:
         """The differential of a letter; `dx^2` is its square."""
         if isinstance(tree, Pow) and isinstance(tree.base, Name):
             return Pow(self.total(tree.base, at), tree.exponent)
-        if isinstance(tree, Call) and isinstance(tree.function, Name) and not tree.arguments:
+        if isinstance(tree, Call) and isinstance(tree.function, Name):
             return Total(tree)
         if isinstance(tree, Mul) and tree.dotted[:1] == (1,):
             return Mul((self.total(tree.factors[0], at), *tree.factors[1:]), tree.dotted)
@@ -727,6 +740,9 @@ class Builder:
             return self.differential(items)
         if len(items) == 1 and items[0].kind in ("group", "atom") and not items[0].postfix:
             return self.alone(items[0])
+        first = self.inside(items[0]) if items[0].kind == "group" and not items[0].postfix else None
+        if isinstance(first, Number) and items[1].kind in ("atom", "function"):
+            raise self.fail(items[0].at, "the number of an equation, or a factor? leave out its brackets")
         factors: list[Tree] = []
         dots: list[int] = []
         k = 0
@@ -780,6 +796,8 @@ class Builder:
         if beside and not factor.letter.removeprefix(r"\text{")[:1].isalnum():
             raise self.fail(item.at, "punctuation or brackets in text are no factor; name what is printed with them")
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
+        if beside and factor.letter == r"\text{T}" and _TRANSPOSED.search(self.source):
+            raise self.fail(item.at, "the sign that transposes elsewhere, or a factor? write ^ before it")
         if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
@@ -799,8 +817,15 @@ class Builder:
             raise self.fail(after.at, "a term that may be left out, or a factor? write no sign before it")
         if _is_operated(node) and self.in_brackets(after):
             raise self.fail(after.at, "of what the operator makes, or times it? write \\cdot, or brackets around both")
+        applied = isinstance(node, Call) and isinstance(node.function, Name) and bool(node.arguments)
+        if applied and after.kind == "group" and not after.postfix and _is_letter(self.inside(after)):
+            raise self.fail(after.at, AT_OR_TIMES)  # J(f)(x)
         if not alone:
             return
+        decimal = isinstance(node, Number) and "." in node.text and item.kind == "atom"
+        if decimal and after.kind == "group" and not after.postfix and isinstance(self.inside(after), Number):
+            raise self.fail(after.at, "the error of the last digits, or a factor? write \\pm, or \\cdot")
+        self.refuse_derivation(item, node, after.node)
         if item.square and isinstance(node, Pow) and isinstance(node.base, Name) and not item.postfix:
             raise self.fail(item.at, "the coefficient of this power, or idle brackets? leave them out")
         fraction = children(after.node) if isinstance(after.node, Div) and not after.postfix else ()
@@ -810,7 +835,9 @@ class Builder:
         if isinstance(name, Call) and isinstance(name.function, Name) and not name.arguments:
             name = name.function
         bracketed = self.in_brackets(after) or isinstance(after.node, Tuple)
-        if isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}") and not bracketed:
+        bold = isinstance(name, Name) and name.letter == r"\mathbf{E}" and not _is_styled(after.node)
+        expected = isinstance(name, Name) and name.letter.startswith(r"\mathbb{E}")
+        if (expected or (bold and isinstance(after.node, Name))) and not bracketed:
             raise self.fail(after.at, "does what follows belong to the expectation? write brackets")
         if (
             isinstance(name, Name)
@@ -852,7 +879,7 @@ class Builder:
         if (
             letter is not None
             and letter.number == "pi"
-            and isinstance(inside, Mul)
+            and isinstance(inside, Mul | Call)
             and not rest[1:]
             and not after.postfix
         ):
@@ -887,6 +914,14 @@ class Builder:
                 "with depends='' if it is constant, or leave out the brackets",
             )
 
+    def refuse_derivation(self, item: Item, node: Tree, behind: Tree | None) -> None:
+        """A D before a function is a derivative, unless other capitals are matrices before values."""
+        derives = isinstance(node, Name) and self.notation.inferred and node.letter in _DERIVATIONS
+        if not derives or not isinstance(behind, Name) or _is_words(behind) or self.kind(behind) != "function":
+            return
+        if not _MATRIX_OF.search(self.source):
+            raise self.fail(item.at, f"the derivative of {to_latex(behind)}, or times it? write \\cdot")
+
     def has_function(self, tree: Tree) -> bool:
         """Does a function stand here without its arguments?"""
         calls = [node for node in nodes(tree) if isinstance(node, Call) and not node.arguments]
@@ -915,12 +950,15 @@ class Builder:
         if item.kind == "sum":
             if k + 1 == len(items) or items[k + 1].kind == "dot" or item.bounds is None:
                 raise self.fail(item.at, "a sum of nothing")
-            made = BigProduct if item.name else BigSum
-            return made(*item.bounds, self.plain(items[k + 1 :])), len(items)
+            made, body = BigProduct if item.name else BigSum, self.plain(items[k + 1 :])
+            self.refuse_units(item.bounds[0], body, item.at)
+            return made(*item.bounds, body), len(items)
         if item.kind == "under":
             if k + 1 == len(items) or items[k + 1].kind == "dot":
                 raise self.fail(item.at, f"{item.name} of nothing")
-            return Limiting(item.name, item.text, self.plain(items[k + 1 :])), len(items)
+            body = self.plain(items[k + 1 :])
+            self.refuse_units(_INDICES.findall(item.text), body, item.at)
+            return Limiting(item.name, item.text, body), len(items)
         if item.kind in ("integral", "antiderivative", "over"):
             return self.integral(items, k), len(items)
         if item.kind == "operator":
@@ -929,8 +967,7 @@ class Builder:
             alone = k + 2 == len(items) and items[k + 1].kind in ("group", "atom", "fraction")
             if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
                 alone = self.call(items, k + 1)[1] == len(items)
-            reaching = ("integral", "antiderivative", "over", "sum", "under")  # to the end
-            alone = alone or (k + 1 < len(items) and items[k + 1].kind in reaching)
+            alone = alone or (k + 1 < len(items) and items[k + 1].kind in REACHING)
             if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
@@ -945,12 +982,24 @@ class Builder:
                 raise self.fail(item.at, "a differential outside of a derivative")
             after = items[k + 1]
             bracketed = after.kind == "group" and not after.postfix
-            return Total(self.atom(after)) if bracketed else self.total(self.atom(after), item.at), k + 2
+            if bracketed:
+                return Total(self.atom(after)), k + 2
+            value, end = self.applied(items, k + 1)
+            return self.total(value, item.at), end
         if isinstance(item.node, Number) and not dotted and not self.ends_clearly(items[k - 1]):
             raise self.fail(item.at, "a number behind a factor is ambiguous")
         if isinstance(item.node, Name):
             return self.applied(items, k)
         return self.alone(item), k + 1
+
+    def refuse_units(self, indices: Sequence[str], body: Tree, at: int) -> None:
+        """In an exponent, an index below another letter is hardly a factor too, but the imaginary unit."""
+        for unit in {"i", "j"}.intersection(indices):
+            exponents = [node.exponent for node in nodes(body) if isinstance(node, Pow) and _is_e(node.base)]
+            for names in ([x for x in nodes(each) if isinstance(x, Name)] for each in exponents):
+                below = any(unit in x.subscripts or unit in tex.texts(x.letter.partition("_")[2]) for x in names)
+                if below and Name(unit) in names:
+                    raise self.fail(at, f"is {unit} the index, or the imaginary unit? give one of them another letter")
 
     def ends_clearly(self, item: Item) -> bool:
         """Does this factor end in a bracket, a factorial or a fraction with letters, behind which a number is one?"""
@@ -964,6 +1013,8 @@ class Builder:
     def integral(self, items: list[Item], k: int) -> Tree:
         r"""`\int_a^b f \, dx`; nothing may stand behind the differential."""
         sign, depth, end = items[k], 1, k + 1
+        if inner := self.above(items[k + 1 :]):
+            return self.integrated(sign, *inner)
         while end < len(items) and depth:
             depth += {"integral": 1, "antiderivative": 1, "over": 1, "d": -1, "d fraction": -1}.get(items[end].kind, 0)
             end += 1
@@ -987,6 +1038,28 @@ class Builder:
         if rest:
             raise self.fail(rest[0].at, "does this belong to the integral? put the integral in brackets")
         return self.integrated(sign, items[k + 1 : end - 1], variable)
+
+    def above(self, items: list[Item]) -> tuple[list[Item], Tree] | None:
+        r"""The factors of `f \frac{g \, dx}{h}` without the differential in the numerator, and its letter."""
+        tops = [item.node.top if isinstance(item.node, Div) and not item.postfix else None for item in items]
+        found = [
+            (n, m)
+            for n, top in enumerate(tops)
+            if isinstance(top, Mul)
+            for m, each in enumerate(top.factors)
+            if isinstance(each, Total) and isinstance(each.value, Name)
+        ]
+        bare = any(item.kind in ("d", "d fraction", "integral", "antiderivative", "over") for item in items)
+        if len(found) != 1 or bare:
+            return None
+        ((n, m),) = found
+        top, fraction = tops[n], items[n].node
+        assert isinstance(top, Mul)
+        assert isinstance(fraction, Div)
+        rest = (*top.factors[:m], *top.factors[m + 1 :])
+        left = rest[0] if len(rest) == 1 else Mul(rest)
+        body = [*items[:n], replace(items[n], node=Div(left, fraction.bottom)), *items[n + 1 :]]
+        return body, next(each.value for each in top.factors if isinstance(each, Total))
 
     def integrated(self, sign: Item, body: list[Item], variable: Tree) -> Tree:
         """The integral of a product over a letter, with bounds or without."""
@@ -1093,6 +1166,10 @@ class Builder:
         r"""`\sin` with its argument: brackets, one fraction or root, or the simple factors that follow."""
         head = items[k]
         k += 1
+        field = items[k].node if k < len(items) else None
+        second = head.name == "laplacian" and isinstance(field, Name) and not _is_styled(field)
+        if second and self.notation.inferred and _OF_MATRICES.search(self.source):
+            raise self.fail(head.at, "the sum of second derivatives, or their matrix? write \\Delta for the sum")
         if head.name in BRACKETED and (k == len(items) or items[k].kind != "group"):
             raise self.fail(head.at, f"the argument of {head.name} must stand in brackets")
         if k < len(items) and items[k].kind == "given" and head.power is None:
@@ -1124,7 +1201,8 @@ class Builder:
         if k < len(items) and items[k].kind == "fraction" and not items[k].postfix:
             argument: Tree = self.atom(items[k])
             k += 1
-            if k < len(items) and self.simple(items[k]):
+            summed = head.name in LOGARITHMS and k < len(items) and items[k].kind in REACHING
+            if summed or (k < len(items) and self.simple(items[k])):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
             return self.powered(head, (argument,)), k
         if k < len(items) and isinstance(items[k].node, Bars | Norm | MatrixOf) and not items[k].postfix:
@@ -1306,6 +1384,8 @@ class Builder:
         if item.postfix == "PRIMES":
             return Derivative(node, tuple(Counter(item.letters).items()), partial=True)
         assert item.power is not None
+        if isinstance(item.power, Call) and not item.power.arguments and self.has_function(item.power):
+            raise self.fail(item.at, f"{to_latex(item.power)} is a function elsewhere; say what it is above a letter")
         if isinstance(node, Number) and isinstance(item.power, Cross):
             raise self.fail(item.at, "rows and columns, or a power? write them below")
         return Pow(node, item.power)
@@ -1369,7 +1449,10 @@ class Builder:
         variables = self.orders(bottom, at)
         if sum(order for _, order in variables) != top.order or len(top.body) != 1 or top.partial != bottom.partial:
             raise self.fail(at, "the orders of this derivative do not agree")
-        return Derivative(top.body[0], variables, top.partial)
+        body = top.body[0]
+        if isinstance(body, Pow) and isinstance(body.base, Name | Call) and body.exponent == Neg(Number("1")):
+            raise self.fail(at, f"the inverse function of {to_latex(body.base)}, or its reciprocal? write a fraction")
+        return Derivative(body, variables, top.partial)
 
     def orders(self, bottom: Differential, at: int) -> tuple[tuple[Tree, int], ...]:
         """The variables below a derivative with their orders."""
@@ -1518,6 +1601,8 @@ class Builder:
         items = self.entries(self.build(nodes[1]))
         if len(items) == 1:
             return Item("atom", at, Call("average", items))
+        if len(items) > 2 and all(map(self.is_vector, items)):
+            raise self.fail(at, "a product of several vectors, or a list of them? say what it means")
         return Item("atom", at, Tuple(items, "()") if len(items) != 2 else Pair(*items))
 
     def from_over(self, nodes: list[ParseNode], at: int) -> Item:
@@ -1680,6 +1765,19 @@ def _is_operated(tree: Tree) -> bool:
 def _is_of_capitals(tree: Tree) -> bool:
     """Are these names with capitals, as those of operators are: `[L_x, L_y]`?"""
     return isinstance(tree, Tuple) and all(isinstance(x, Name) and x.letter[:1].isupper() for x in tree.items)
+
+
+def _is_of_two_capitals(tree: Tree) -> bool:
+    """Are these two capitals in square brackets: `[Q, P]`?"""
+    return _is_bracket(tree) and _is_of_capitals(tree)
+
+
+def _is_of_set(tree: Tree) -> bool:
+    return isinstance(tree, Chain) and tree.signs == (r"\in",) and isinstance(tree.members[0], Name)
+
+
+def _is_e(tree: Tree) -> bool:
+    return isinstance(tree, Name) and tree.letter in ("e", r"\text{e}")
 
 
 def _is_words(tree: Tree) -> bool:

@@ -27,13 +27,16 @@ _RAISED = re.compile(
     r"([A-Za-z]) (?=\^ (?:[A-Za-z\\]|\{ (?:- )?[A-Za-z\\]))"
 )  # to a power in letters, as one letter is
 _CHANGE = re.compile(r"\\[Dd]elta [A-Za-z](?= [A-Za-z] _)")  # a change, and a letter with an index behind it
-_FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=-]*?\\cdot")  # whose argument a dot ends
+_FUNCTION = re.compile(r"\\(?:sin|cos|tan|ln|log|exp) [^+=()-]*?\\cdot")  # whose argument a dot ends
 # what shows that a d is one
 _DERIVATIVE = re.compile(r"\\int|\{ d |^d [A-Za-z] =")
 # letters side by side
 _LETTERS = re.compile(r"(?<![A-Za-z\\])[A-Za-z](?: [A-Za-z])*(?![A-Za-z])")
 # what shows that capitals are matrices
-_OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:T|- 1|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x")
+_OF_MATRICES = re.compile(
+    r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\\det(?![A-Za-z])|m a t r i x"
+    r"|(?:[A-Z] (?:_ (?:\w|\{[^{}]*\}) )?|\\[a-z]+ \{ [A-Z] \} |[)\]] )\^ \{ - 1 \}"
+)
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
 _SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
 # what shows that letters are vectors
@@ -46,6 +49,7 @@ _UNITS = frozenset(
 )
 _DOUBLED = frozenset(2 * letter for letter in string.ascii_uppercase)  # which is no power of a letter with an index
 _APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
+_FACTORS_FIRST = frozenset("gkmd")  # gravity, springs, masses, differentials
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
 # a number before a matrix
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
@@ -57,6 +61,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     runs = Counter(run for text in texts for run in _runs(text))
     several = [run for run in runs if len(run) > 1]
     found = dict(_prefixed(formulas)) if any(r"\text {" in text for text in formulas) else {}
+    found |= dict.fromkeys(_unsigned(formulas, texts), "a factor before brackets, or a function? say what it is")
     if not several:
         return found
     signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(
@@ -72,6 +77,11 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         if sequence or doubled:
             found |= dict.fromkeys(run, _told(run))
             continue
+        left = run[0] not in _FACTORS_FIRST and any(
+            re.match(rf"(?:& )?{' '.join(run)}_ (?:& )?=", text.strip()) for text in texts
+        )
+        if alone and left and len(run) == 2 and run.islower():
+            found |= dict.fromkeys(alone, _told(run))
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
         if unit or (
             alone
@@ -86,16 +96,44 @@ def _told(run: str) -> str:
     return f"{ONE_NAME} {run}, or a product? say what its letters are, or write \\mathrm{{{run}}}"
 
 
+# letters in bold type under one command
+_BOLD_RUN = re.compile(r"\\(?:mathbf|textbf|boldsymbol|bm|pmb|mathsf)\s*\{\s*([A-Za-z](?:\s*[A-Za-z])*)\s*\}")
+
+_MATRICES_APPLIED = re.compile(r"[A-NP-Z]+[a-np-z]")  # before a vector; an o is hardly a letter
+
+
+def bold_name(source: str) -> str:
+    """The letters under one command for bold type that may be one name: `Op`, but neither `Ax` nor `CD`."""
+    runs = Counter(re.sub(r"\s", "", run) for run in _BOLD_RUN.findall(source))
+    for run in runs:
+        alone = {x for x in run if len(run) > 1 and not _stands_elsewhere(x, run, runs)}
+        product = _MATRICES_APPLIED.fullmatch(run)
+        if alone and not product and _may_be_name(run, alone, signed=False, matrices=True, named=False):
+            return run
+    return ""
+
+
 def _abbreviated(several: Sequence[str], runs: Collection[str]) -> Iterator[str]:
-    """Capitals in pairs with a letter in common none of which stands anywhere else: `IE - EA`, but not `AB - BA`."""
-    pairs = [run for run in several if len(run) == 2 and run.isupper()]
-    if len(pairs) < 2:
-        return
-    others = {letter for run in runs if run not in pairs for letter in run}
-    for run in pairs:
-        shared = [other for other in pairs if other != run and {*other} & {*run}]
-        if shared and run[::-1] not in pairs and not {*run, *"".join(shared)} & others:
+    """Pairs with a letter in common none of which stands anywhere else: `IE - EA`, but not `AB - BA`; `lb` and `ub`.
+
+    Small letters have the last one in common, or are counted along the axes: `nx` and `ny`.
+    """
+    along = [run for run in several if len(run) == 2 and run.islower() and run[0] != "d" and run[1] in "xyz"]
+    for run in along:
+        alike = [other for other in along if other[0] == run[0] and other != run]
+        if alike and not any(run[0] in other for other in runs if other not in along):
             yield run
+    for small in (False, True):
+        pairs = [run for run in several if len(run) == 2 and (run.islower() if small else run.isupper())]
+        others = {letter for run in runs if run not in pairs for letter in run}
+        for run in pairs:
+            alike = [x for x in pairs if x != run and (x[1] == run[1] if small else {*x} & {*run})]
+            if (
+                0 < len(alike) < (2 if small else len(pairs))
+                and run[::-1] not in pairs
+                and not {*run, *"".join(alike)} & others
+            ):
+                yield run
 
 
 def _stands_before(token: str, run: str, texts: Sequence[str]) -> bool:
@@ -103,6 +141,17 @@ def _stands_before(token: str, run: str, texts: Sequence[str]) -> bool:
     printed = rf"(?<![A-Za-z\\]){' '.join(run)}(?:( ?{token})|(?! [A-Za-z]))"
     places = [found[1] for text in texts for found in re.finditer(printed, text)]
     return bool(places) and all(places)
+
+
+# a letter without a sign before brackets that hold a sum
+_BEFORE_SUM = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) (?:\\left )?\( (?=[^()]*[+-])")
+
+
+def _unsigned(formulas: Sequence[str], texts: Sequence[str]) -> Iterator[str]:
+    """The letters without a sign before brackets that hold a sum, where signs stand between all other factors."""
+    for formula, text in zip(formulas, texts, strict=True):
+        if len(_SIGN.findall(formula)) > 1 and all(len(run) == 1 for run in _runs(text)):
+            yield from _BEFORE_SUM.findall(formula)
 
 
 # a letter before an abbreviation in upright capitals, without a sign
@@ -130,8 +179,13 @@ def _runs(text: str) -> Iterator[str]:
 
 
 def _stands_elsewhere(letter: str, run: str, runs: Collection[str]) -> bool:
-    """Does a letter of a run stand anywhere alone, or at another place of another run; a small one, at any?"""
+    """Does a letter of a run stand anywhere alone, or at another place of another run; a small one, at any?
+
+    Of long runs in small letters one shows nothing of another: both may be words.
+    """
     small = letter.islower() and len(run) == 2 and run.islower()
+    if len(run) > 2 and run.islower():
+        runs = [other for other in runs if len(other) < 3 or not other.islower()]
     return any(
         other == letter or any(x == letter and (small or run[k : k + 1] != letter) for k, x in enumerate(other))
         for other in runs
@@ -166,7 +220,7 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
     if any(re.match(rf"(?:& )?{printed}_? \( [^()]*,[^()]* \)(?: &)? =", text.strip()) for text in texts):
         return True  # a distance, say
     places = [found[1] for text in texts for found in re.finditer(rf"(?<![A-Za-z\\]){printed} ?(_?)", text)]
-    return run[0] not in "gkmd" and all(places)  # gravity, springs, masses, differentials
+    return run[0] not in _FACTORS_FIRST and all(places)
 
 
 def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:

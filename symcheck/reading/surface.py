@@ -10,10 +10,12 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ARGUMENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES
 from symcheck.reading.functions import COMMANDS
 from symcheck.reading.phrases import phrased
+from symcheck.reading.side_by_side import bold_name
 from symcheck.reading.typed import typed
 
 FONTS = {  # switches that hold to the end of their group
@@ -51,9 +53,9 @@ _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # f
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
-_ITALIC = re.compile(r"\\math(?:it|sf|tt)\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
+_ITALIC = re.compile(r"\\(?:math(?:it|sf|tt)|text(?:it|sl|sf))\s*\{\s*([A-Za-z]{2,})\s*\}")  # a name of several letters
 _BOLD = re.compile(  # words
-    r"\\textbf\s*(\{\s*[a-z]{2,}(?:\s+[a-z]+)*\s*\})|\\(?:mathbf|boldsymbol|textbf)\s*(\{\s*[A-Z][a-z]{2,}\s*\})"
+    r"\\textbf\s*(\{\s*(?:[a-z]{2}|[A-Za-z]{3,})(?:\s+[a-z]+)*\s*\})|\\(?:mathbf|boldsymbol|textbf)\s*(\{\s*[A-Z][a-z]{2,}\s*\})"
 )
 # the name of an operator, perhaps with spaces
 _OPERATOR = re.compile(
@@ -64,7 +66,14 @@ _HSPACE = re.compile(r"\\hspace\*?\s*\{(?:\s*([\d.]*[1-9][\d.]*\s*(?:cm|em|in)|\
 _UNITS = re.compile(  # of which the last has a power
     r"(?<![_^{])\\(?:mathrm|text)\s*\{((?:\s*[A-Za-z]+\s*\\,)*\s*[A-Za-z]+)\s*\\,\s*([A-Za-z]+)\s*\}(?=\s*\^)"
 )
+# a power of ten with an upright e, or with braces, behind a number
+_TEN = re.compile(
+    r"(?<=\d)\s*(?:e|E|\\(?:mathrm|text|rm)\s*\{\s*[eE]\s*\})\s*\{\s*([-+]?\d+)\s*\}"
+    r"|(?<=\.\d)\\(?:mathrm|text)\{[eE]\}([-+]\d+)"
+)
+_CALCULATED = re.compile(r"\\(?:text|mbox|textrm|mathrm)\s*\{\s*\d+\s+[-+]\s+[A-Za-z]\w*\s*\}")  # `1 - POD`
 _EMPTY = re.compile(r"\\text\s*\{\s*\}")  # a text without letters
+_HYPHENATED = re.compile(r"[A-Za-z]+-[A-Za-z]{2,}|[A-Za-z]{2,}-[A-Za-z]+")  # words with a hyphen
 _INNER = re.compile(r"\\[,;:! ]|[~\s]")  # spaces between the parts of a name
 _HIGH = re.compile(r"\^\s*\{\s*\\left\s*\(([^{}()]*)\\right\s*\)\s*\}")  # a superscript in large brackets
 
@@ -84,6 +93,15 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
 
     Formulas beside it tell whether a capital gamma is the function.
     """
+    if run := bold_name(_BOLD.sub("", source)):
+        bold = "".join(rf"\mathbf{{{letter}}}" for letter in run)
+        raise SymcheckError(f"{run} in bold type: one name, or a product? write {bold}, or \\mathrm{{{run}}}")
+    if "!=" in source and source.count("!") == 1:
+        raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
+    refuse_row(source)
+    if found := _CALCULATED.search(source):
+        raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
+    source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
     source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
     source = _WORDS.sub(_with_formulas, source)
     source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
@@ -100,6 +118,28 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if rest != len(tokens):
         return source
     return phrased(_printed(_made_plain(parts)))
+
+
+_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{[^{}]*\})|'|\([A-Za-z, ]*\))*"
+# a line of the source that begins with what is equal to something
+_DEFINES = re.compile(
+    rf"&?\s*(?:\\(?!frac|sqrt|left)[A-Za-z]+(?:\{{[^{{}}]*\}})?|[A-Za-z]|\\frac\s*\{{\s*(?:d|\\partial)(?![A-Za-z])[^{{}}]*\}}"
+    rf"\s*\{{[^{{}}]*\}}){_SCRIPTS}\s*&?\s*="
+)
+# the end of a line behind which an equation goes on, or another one is parted
+_GOES_ON = re.compile(
+    r"(?:[-+*/=<>,.;:(\[{|&]|\\[A-Za-z]+|\\.|\\(?:text|mbox|textrm|begin|end)\s*\{[^{}]*\}|\\(?:sum|prod|int)[^=+]*)\s*$"
+)
+
+
+def refuse_row(source: str) -> None:
+    """SymcheckError for equations on lines of the source that print parts by nothing."""
+    for row in re.split(r"\\\\|\n\s*\n", source) if "\n" in source else ():
+        before = ""
+        for line in row.strip().split("\n"):
+            if "=" in before and _DEFINES.match(line.strip()) and not _GOES_ON.search(before):
+                raise SymcheckError(f"do several equations stand in a row here, before {line.strip()[:20]}? write \\\\")
+            before = line if line.strip() else before
 
 
 def _with_formulas(found: re.Match[str]) -> str:
@@ -425,7 +465,7 @@ def _styled(style: str, parts: list[Part]) -> list[Part]:
     if not style:
         return parts
     text = "".join(part for part in parts if isinstance(part, str))
-    if style == r"\mathrm" and len(parts) > 1 and text.isalnum():
+    if style == r"\mathrm" and len(parts) > 1 and (text.isalnum() or _HYPHENATED.fullmatch(text)):
         return [style, Group(parts)]
     found: list[Part] = []
     for k, part in enumerate(parts):

@@ -96,8 +96,16 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
         end += 1
     behind = toks[end].text if end < len(toks) else ""
     word = "".join(tok.text for tok in toks[k + 1 : end])
-    meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES)
+    twins = word.isupper() and any(_is_twice(toks, m, base) for m in range(len(toks) - 2))
+    meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES) or twins
     return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
+
+
+def _is_twice(toks: Sequence[tex.Tok], k: int, base: str) -> bool:
+    """Does one capital stand twice behind the subscript sign here, which no factor would: `C_XX`?"""
+    sign, first, second = toks[k : k + 3]
+    same = sign.text == "_" and first.text == second.text and second.at == first.at + 1
+    return same and k > 0 and toks[k - 1].text == base and first.text.isupper()
 
 
 _INDICES = frozenset("ijklmn")
@@ -231,7 +239,27 @@ _COMMANDS = frozenset({"hat", "bar", "dot", "ddot", "vec", "tilde", "sqrt", "mat
 # operators of statistics, before brackets
 _OF_VARIABLES = frozenset({"var", "Var", "cov", "Cov", "std", "Std", "corr", "Corr", "SE", "cdf", "pdf", "CDF", "PDF"})
 # and functions that have other names in print
-_OF_VARIABLES |= {"sign", "trace", "tr", "Tr", "sinc", "Sinc", "rect", "Rect", "Sin", "Cos", "Tan", "Exp", "Log", "Ln"}
+_OF_VARIABLES |= {
+    "mean",
+    "avg",
+    "abs",
+    "sum",
+    "acf",
+    "sign",
+    "trace",
+    "tr",
+    "Tr",
+    "sinc",
+    "Sinc",
+    "rect",
+    "Rect",
+    "Sin",
+    "Cos",
+    "Tan",
+    "Exp",
+    "Log",
+    "Ln",
+}
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
