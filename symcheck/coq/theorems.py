@@ -28,7 +28,7 @@ UNSTATED = {  # theorems without a proof in Theorems.v
     "power_diverges": "the divergence of an improper integral is not stated in Coq",
     **dict.fromkeys(
         ("antiderivative", "antiderivative_everywhere", "antiderivative_converges"),
-        "how smooth an antiderivative is, is read off its term"
+        "how smooth an antiderivative is, is read off its term",
     ),
     **dict.fromkeys(
         (
@@ -54,7 +54,8 @@ UNSTATED = {  # theorems without a proof in Theorems.v
         "an improper integral is not stated in Coq",
     ),
     **dict.fromkeys(
-        ("gamma", "gamma_values", "gamma_reflected", "gamma_doubled"), "Euler's gamma function is not in Coq's libraries"
+        ("gamma", "gamma_values", "gamma_reflected", "gamma_doubled"),
+        "Euler's gamma function is not in Coq's libraries",
     ),
 }
 LEMMAS = {"principal_value": "below", "first_quadrant": "acute", "known_angle": "known"}  # of a function: atan_below
@@ -63,7 +64,14 @@ LIKE = {
     "arcsine": ("sine", "R1 L H"),
     "arccosine": ("cosine", "R1 L H"),
 }  # of an order
-OF_THEOREMS = ("telescope", "telescoping_product", "sum_of_sums", "shifted", "gaussian", "gaussian_wave")  # of what has a form in theorems alone
+OF_THEOREMS = (
+    "telescope",
+    "telescoping_product",
+    "sum_of_sums",
+    "shifted",
+    "gaussian",
+    "gaussian_wave",
+)  # of what has a form in theorems alone
 MISSING = {  # those that no proof may apply
     **{name: reason for name, reason in UNSTATED.items() if name != "enclosure"},
     **dict.fromkeys(OF_THEOREMS, "a sum, a product or an integral without an end has no form in a claim"),
