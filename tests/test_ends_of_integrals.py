@@ -1,4 +1,4 @@
-"""Integrals to infinity, logarithms and powers at an end, other letters of integrals: what is so, what is not, and open.
+"""Integrals to infinity, logarithms and powers at an end, other letters of integrals: what is so, and what is not.
 
 What an integral without a value is said to be is neither proved nor refuted.
 """

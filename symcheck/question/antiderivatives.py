@@ -208,7 +208,9 @@ def _inverted(body: Term, x: str, low: Term, high: Term) -> list[Applied[Term]]:
     if high != INFINITY or isinstance(low, End):
         return []
     hints, inside = inverted(body, x, low)
-    hints += _hints(node("integral", inside, x, 0, 1))[1]
+    there = node("integral", inside, x, 0, 1)
+    assert isinstance(there, Binder)
+    hints += _hints(there)[1]
     primitives = [hint for hint in hints if hint.theorem.startswith("antiderivative")][:1]
     return [*hints, *(replace(hint, theorem=CONVERGES) for hint in primitives)]
 

@@ -154,10 +154,10 @@ def _sum_alone(claim: Formula) -> tuple[Binder, Term] | None:
                 if len(sums) == 1 and rest and not any(part.tag == "sum" for part in nodes(*rest)):
                     return sums[0], node("/", other, node("*", *rest) if rest[1:] else rest[0])
             case Node(tag="+", outside=addends):
-                sums = [part for part in addends if any(inner.tag == "sum" for inner in nodes(part))]
-                rest = [node("-", part) for part in addends if part not in sums]
-                if len(sums) == 1:
-                    return _sum_alone(node("=", sums[0], node("+", other, *rest)))
+                own = [part for part in addends if any(inner.tag == "sum" for inner in nodes(part))]
+                beside = [node("-", part) for part in addends if part not in own]
+                if len(own) == 1:
+                    return _sum_alone(node("=", own[0], node("+", other, *beside)))
     return None
 
 

@@ -222,10 +222,11 @@ def _gamma(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
         yield applied("gamma", number_term(number - 1))
     elif number in (1, _HALF):
         yield applied("gamma_values")
+    doubled = number is None and canonical(node("*", 2, t)) in [canonical(gamma.terms[0]) for gamma in others]
     for (other,) in (gamma.terms for gamma in others):
-        if number_of(node("+", t, other)) == 1 and (number is None or number < _HALF):
+        if number is None and number_of(node("+", t, other)) == 1:
             yield applied("gamma_reflected", t)
-        if number_of(node("+", other, node("-", t))) == _HALF:
+        if doubled and number_of(node("+", other, node("-", t))) == _HALF:
             yield applied("gamma_doubled", t)
         if number is None and number_of(node("+", other, node("-", t))) == 1:
             yield applied("gamma", t)
