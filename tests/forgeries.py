@@ -2054,6 +2054,104 @@ THEOREMS: dict[str, Forgery] = {
             ),
         ),
     ),
+    "a gamma function reflected from beyond 1": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["*", ["gamma", 2], ["gamma", -1], ["sin", ["*", PI, 2]]], PI],
+            theorem("gamma_reflected", {"t": 2}, [above(2), above(-1)], by(here())),
+        ),
+    ),
+    "a gamma function doubled below zero": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["*", ["gamma", -1], HALF_GAMMA, ["pow", 2, -2]], ["*", 2, ["sqrt", PI], ["gamma", -2]]],
+            theorem("gamma_doubled", {"t": -1}, [above(-1)], by(here())),
+        ),
+    ),
+    "Euler's first integral of a pole": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["*", integral(["pow", "x", -1]), ["gamma", 1]], 0],
+            theorem(
+                "unit_beta",
+                {"f": of("x", ["pow", "x", -1]), "c": 1, "u": -1, "v": 0},
+                [above(0), above(1), every(["y"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a power times a logarithm that diverges": Forgery(
+        NO_SIGN,
+        proved(
+            ["=", ["diverges", ["*", ["pow", "x", -1], ["log", "x"]], "x", 0, 1], 0],
+            theorem(
+                "log_head",
+                {"f": of("x", ["*", ["pow", "x", -1], ["log", "x"]]), "c": 1, "u": -1, "s": 1},
+                [above(1), above(0), every(["y"], implies(ID))],
+                by(here(1)),
+            ),
+        ),
+    ),
+    "an inverted letter without its rate": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(["^", "x", -2], low=1, high=OO), integral(sq("x"))],
+            theorem(
+                "inverted",
+                {"f": of("x", ["^", "x", -2]), "g": of("x", sq("x")), "s": 1},
+                [every(["y"], implies(have([">", ["+", 1, -1, ["/", 1, "y"]], 0], above(["/", 1, "y"]), ID)))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a pole of an inverted integrand": Forgery(
+        MAY_BE_ZERO,
+        proved(
+            ["=", integral(["^", ["+", "x", -2], -2], low=1, high=OO), integral(["^", ["+", 1, ["*", -2, "x"]], -2])],
+            theorem(
+                "inverted",
+                {"f": of("x", ["^", ["+", "x", -2], -2]), "g": of("x", ["^", ["+", 1, ["*", -2, "x"]], -2]), "s": 1},
+                [every(["y"], implies(have([">", ["+", 1, -1, ["/", 1, "y"]], 0], above(["/", 1, "y"]), ID)))],
+                by(here()),
+            ),
+        ),
+    ),
+    "a letter moved without its rate": Forgery(
+        NOT_EQUAL,
+        proved(
+            ["=", integral(sq(["*", 2, "x"])), integral(sq("x"), high=2)],
+            theorem(
+                "moved",
+                {"f": of("x", sq(["*", 2, "x"])), "g": of("x", sq("x")), "a": 2, "b": 0, "s": 0, "t": 1},
+                [implies(absurd([], [here(), "1/2"])), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "a letter moved to one place": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            ["=", integral(["/", 1, "x"], low=0, high=0), 0],
+            theorem(
+                "moved",
+                {"f": of("x", 1), "g": of("x", ["/", 1, "x"]), "a": 0, "b": 0, "s": 0, "t": 1},
+                [implies(absurd([], [here(), "1"])), every(["y"], ID)],
+                by(here()),
+            ),
+        ),
+    ),
+    "an integral across a pole that is said to have a value": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            ["=", ["diverges", ["^", "x", -2], "x", -1, 1], 0],
+            theorem(
+                "antiderivative_converges",
+                {"f": of("x", ["^", "x", -2]), "g": of("x", ["-", ["^", "x", -1]]), "s": -1, "t": 1},
+                [above(2), every(["x"], implies(implies(absurd([], [here(2), "1"])))), every(["x"], implies(ID))],
+                by(here()),
+            ),
+        ),
+    ),
     "a gamma function at zero": Forgery(
         NO_SIGN,
         proved(

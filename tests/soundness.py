@@ -329,7 +329,7 @@ class Forger:
         if name == "power_rule" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], ["*", given["c"], ["pow", given["g"]["term"], given["u"]]]
             given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
-        if name == "antiderivative":
+        if name in ("antiderivative", "antiderivative_converges"):
             given["s"], given["t"] = self.rng.choice(((1, 2), (0, 1), (0, "y"), ("x", ["+", "x", 1]), (-1, 1)))
         if name.startswith("antiderivative") and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], given["g"]["term"]
@@ -366,6 +366,25 @@ class Forger:
                 given["f"] = {"letter": "x", "term": ["+", given["g"]["term"], given["h"]["term"]]}
             if name == "reflected":
                 given["f"] = {"letter": "x", "term": put(given["g"]["term"], "x", ["-", "x"])}
+        if name in ("gamma_reflected", "gamma_doubled"):
+            given["t"] = self.rng.choice((1, 2, -1, ["/", 1, 2], ["/", -1, 2], ["/", 1, 3], "a", ["/", "x", 7]))
+        if name in ("unit_beta", "log_head"):
+            given |= {p: self.rng.choice((1, 0, -1, ["/", 1, 2], ["/", -1, 2], "a", -2)) for p in "uvs" if p in given}
+            rest = ["pow", ["+", 1, ["-", "x"]], given["v"]] if name == "unit_beta" else ["log", "x"]
+            given["f"] = {"letter": "x", "term": ["*", given["c"], ["pow", "x", given["u"]], rest]}
+        if name == "inverted":
+            given["s"] = self.rng.choice((0, 1, 2, ["/", 1, 2], -1))
+            bodies = [["^", ["+", "x", self.number()], -self.rng.choice((1, 2, 3))], ["exp", ["-", "x"]]]
+            bodies += [["*", ["pow", "x", -2], ["log", "x"]], ["/", "x", ["+", 2, ["^", "x", 4]]], "x"]
+            given["f"] = {"letter": "x", "term": self.rng.choice(bodies)}
+            there = put(given["f"]["term"], "x", ["+", given["s"], -1, ["/", 1, "x"]])
+            given["g"] = {"letter": "x", "term": ["/", there, ["^", "x", 2]] if self.chance(0.9) else there}
+        if name == "moved":
+            given |= {p: self.rng.choice((0, 1, -1, 2, ["/", -1, 2], "y")) for p in "abst"}
+            bodies = [["^", "x", 3], ["exp", "x"], ["sin", "x"], ["^", ["+", 1, ["^", "x", 2]], -1]]
+            given["g"] = {"letter": "x", "term": self.rng.choice(bodies)}
+            inner = put(given["g"]["term"], "x", ["+", ["*", given["a"], "x"], given["b"]])
+            given["f"] = {"letter": "x", "term": inner}
         if name == "shifted":
             bodies = [["exp", ["-", ["^", "x", 2]]], ["pow", ["+", ["^", "x", 2], 1], -2], "x", ["sin", "x"]]
             given |= {"a": self.number(), "g": {"letter": "x", "term": self.rng.choice(bodies)}}

@@ -61,6 +61,7 @@ JSON = Any
 ROOT = Path(__file__).resolve().parent.parent
 DOUBLE = minus(sq(["cos", "y"]), sq(["sin", "y"]))
 SIZE: JSON = ["sqrt", sq("x")]  # an absolute value
+ARCH: JSON = ["*", ["pow", "x", ["/", 1, 2]], ["pow", ["+", 1, ["-", "x"]], ["/", 1, 2]]]
 FALLING, BELL = ["exp", ["-", "x"]], ["exp", ["-", sq("x")]]
 NOT_ZERO = implies(absurd([], [here(), "1"]))
 EULER = ["pow", ["+", sq("x"), 1], ["-", 1]]
@@ -282,6 +283,59 @@ THEOREMS: dict[str, JSON] = {
     "gamma": proved(
         ["=", ["gamma", ["/", 3, 2]], ["*", ["/", 1, 2], ["gamma", ["/", 1, 2]]]],
         theorem("gamma", {"t": ["/", 1, 2]}, [above(["/", 1, 2])], by(here(1))),
+    ),
+    "gamma_reflected": proved(
+        ["=", ["*", sq(["gamma", ["/", 1, 2]]), ["sin", ["*", PI, ["/", 1, 2]]]], PI],
+        theorem("gamma_reflected", {"t": ["/", 1, 2]}, [above(["/", 1, 2]), above(["/", 1, 2])], by(here())),
+    ),
+    "gamma_doubled": proved(
+        ["=", ["*", ["gamma", 1], ["gamma", ["/", 3, 2]], ["pow", 2, 2]], ["*", 2, ["sqrt", PI], ["gamma", 2]]],
+        theorem("gamma_doubled", {"t": 1}, [above(1)], by(here())),
+    ),
+    "unit_beta": proved(
+        ["=", ["*", integral(ARCH), ["gamma", 3]], sq(["gamma", ["/", 3, 2]])],
+        theorem(
+            "unit_beta",
+            {"f": of("x", ARCH), "c": 1, "u": ["/", 1, 2], "v": ["/", 1, 2]},
+            [above(["/", 3, 2]), above(["/", 3, 2]), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "inverted": proved(
+        ["=", integral(["^", "x", -2], "x", 1, OO), integral(1)],
+        theorem(
+            "inverted",
+            {"f": of("x", ["^", "x", -2]), "g": of("x", 1), "s": 1},
+            [every(["y"], implies(have([">", ["+", 1, -1, ["/", 1, "y"]], 0], above(["/", 1, "y"]), ID)))],
+            by(here()),
+        ),
+    ),
+    "moved": proved(
+        ["=", ["*", 2, integral(sq(["+", ["*", 2, "x"], 1]))], integral(sq("x"), "x", 1, 3)],
+        theorem(
+            "moved",
+            {"f": of("x", sq(["+", ["*", 2, "x"], 1])), "g": of("x", sq("x")), "a": 2, "b": 1, "s": 0, "t": 1},
+            [implies(absurd([], [here(), "1/2"])), every(["y"], ID)],
+            by(here()),
+        ),
+    ),
+    "log_head": proved(
+        ["=", integral(["log", "x"]), minus(["log", 1], 1)],
+        theorem(
+            "log_head",
+            {"f": of("x", ["log", "x"]), "c": 1, "u": 0, "s": 1},
+            [above(1), above(1), every(["y"], implies(ID))],
+            by(here()),
+        ),
+    ),
+    "antiderivative_converges": proved(
+        ["=", ["diverges", ["cos", "x"], "x", 0, PI], 0],
+        theorem(
+            "antiderivative_converges",
+            {"f": of("x", ["cos", "x"]), "g": of("x", ["sin", "x"]), "s": 0, "t": PI},
+            [theorem("circle_number", {}, [], above(PI)), every(["y"], implies(ID))],
+            by(here()),
+        ),
     ),
     "gamma_values": proved(["=", sq(["gamma", ["/", 1, 2]]), PI], theorem("gamma_values", {}, [], by(here(1)))),
     "circle_number": proved([">", PI, 0], theorem("circle_number", {}, [], above(PI))),
@@ -706,6 +760,9 @@ WITHOUT_A_POINT = {
         "head_converges",
         "power_tail",
         "power_head",
+        "unit_beta",
+        "inverted",
+        "log_head",
     ),
     *(name for name in THEOREMS if name.startswith(("arctangent", "arcsine", "arccosine"))),
 }

@@ -166,6 +166,11 @@ def test_every_theorem_of_the_checker_is_proved_as_it_stands_there_or_has_a_reas
         ("shifted", "forall (f g : R -> R) (a : R), (forall x : R, f x = g (x + a)) -> "
          "integral_over_line (fun x => f x) = integral_over_line (fun x => g x) /\\ "
          "diverges_over_line (fun x => f x) = diverges_over_line (fun x => g x)"),
+        ("gaussian_wave", "forall (f g : R -> R) (a b c u v : R), polynomial_in_waves g -> a > 0 -> "
+         "(forall x : R, f x = Derive (fun x => exp (b * x - a * x ^ 2) * g x) x"
+         " + c * exp (b * x - a * x ^ 2) * cos (u * x + v)) -> integral_over_line (fun x => f x) ="
+         " c * exp ((b ^ 2 - u ^ 2) / (4 * a)) * cos (b * u / (2 * a) + v) * sqrt (PI / a) /\\ "
+         "diverges_over_line (fun x => f x) = 0"),
         ("congruence of two", "forall (f : R -> R -> R) (s t u v : R), s = t -> u = v -> f s u = f t v"),
     ],
 )  # fmt: skip

@@ -35,6 +35,8 @@ power_of_product(s, t, u): s > 0; t > 0 |- pow(s * t, u) == pow(s, u) * pow(t, u
 power_of_power(b, n, u): b > 0 |- pow(b**n, u) == pow(b, n * u) and pow(1, u) == 1
 power_inverse(b, u, t): b > 0; u != 0; pow(b, u) == t |- b == pow(t, 1/u)
 gamma(t): t > 0 |- gamma(t) > 0 and gamma(t + 1) == t * gamma(t)
+gamma_reflected(t): 0 < t; t < 1 |- gamma(t) * gamma(1 - t) * sin(pi * t) == pi
+gamma_doubled(t): t > 0 |- gamma(t) * gamma(t + 1/2) * pow(2, 2*t) == 2 * sqrt(pi) * gamma(2*t)
 gamma_values(): |- gamma(1) == 1 and gamma(1/2)**2 == pi and gamma(1/2) > 0
 circle_number(): |- pi > 0
 right_half(a): {QUADRANTS} |- cos(a) >= 0
@@ -53,6 +55,7 @@ constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
 antiderivative(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
 antiderivative_everywhere(f, g, s, t): forall(x, f(x) == diff(g(x), x)) |- integral(f(x), x, s, t) == g(t) - g(s)
+antiderivative_converges(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- diverges(f(x), x, s, t) == 0
 full_turn(f, a, b, c, u, r, s): a > 0; a**2 > b**2 + c**2; r >= 0; r**2 == a**2 - (b**2 + c**2); forall(x, implies(a + b * cos(x) + c * sin(x) > 0, f(x) == u/(a + b * cos(x) + c * sin(x)))) |- integral(f(x), x, s, s + 2*pi) == 2*pi*u/r
 exp_of_log(t): t > 0 |- exp(log(t)) == t
 log_of_one(): |- log(1) == 0
@@ -74,6 +77,10 @@ gaussian(f, g, a, b, c): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g
 gaussian_wave(f, g, a, b, c, u, v): a > 0; forall(x, f(x) == diff(exp(b * x - a * x**2) * g(x), x) + c * exp(b * x - a * x**2) * cos(u * x + v)) |- integral(f(x), {LINE}) == c * exp((b**2 - u**2)/(4 * a)) * cos(b * u/(2 * a) + v) * sqrt(pi/a) and diverges(f(x), {LINE}) == 0
 half_gaussian(f, g, a, c): a > 0; forall(x, implies(x > 0, f(x) == diff(exp(-(a * x**2)) * g(x), x) + c * exp(-(a * x**2)))) |- integral(f(x), {HALF}) == c/2 * sqrt(pi/a) - g(0) and diverges(f(x), {HALF}) == 0
 gamma_integral(f, c, u, a): a > 0; u > -1; forall(x, implies(x > 0, f(x) == c * pow(x, u) * exp(-(a * x)))) |- integral(f(x), {HALF}) == c * gamma(u + 1) * pow(a, -(u + 1)) and diverges(f(x), {HALF}) == 0
+unit_beta(f, c, u, v): u > -1; v > -1; forall(x, implies(x > 0 and x < 1, f(x) == c * pow(x, u) * pow(1 - x, v))) |- integral(f(x), x, 0, 1) * gamma(u + v + 2) == c * gamma(u + 1) * gamma(v + 1) and diverges(f(x), x, 0, 1) == 0
+inverted(f, g, s): forall(x, implies(x > 0 and x < 1, g(x) == f(s - 1 + 1/x)/x**2)) |- integral(f(x), x, s, oo) == integral(g(x), x, 0, 1) and diverges(f(x), x, s, oo) == diverges(g(x), x, 0, 1)
+moved(f, g, a, b, s, t): a != 0; forall(x, f(x) == g(a * x + b)) |- a * integral(f(x), x, s, t) == integral(g(x), x, a * s + b, a * t + b) and integral(g(x), x, a * s + b, a * t + b) == -integral(g(x), x, a * t + b, a * s + b)
+log_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == c * pow(x, u) * log(x))) |- integral(f(x), x, 0, s) == c * pow(s, u + 1) * (log(s)/(u + 1) - 1/(u + 1)**2) and diverges(f(x), x, 0, s) == 0
 power_tail(f, c, u, s): s > 0; u < -1; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u))) |- integral(f(x), x, s, oo) == -(c * pow(s, u + 1)/(u + 1)) and diverges(f(x), x, s, oo) == 0
 tail_converges(f, c, u, a, s): a > 0; s > 0; forall(x, implies(x > 0 and x > s, f(x) == c * pow(x, u) * exp(-(a * x)))) |- diverges(f(x), x, s, oo) == 0
 power_head(f, c, u, s): s > 0; u > -1; forall(x, implies(x > 0 and x < s, f(x) == c * pow(x, u))) |- integral(f(x), x, 0, s) == c * pow(s, u + 1)/(u + 1) and diverges(f(x), x, 0, s) == 0
@@ -101,6 +108,7 @@ SHOWN = (  # by premises, or beside them, integrands and addends are defined bet
     "antiderivative", "antiderivative_everywhere", "beta", "decaying", "gaussian", "gaussian_wave", "half_gaussian",
     "gamma_integral", "power_tail", "tail_converges", "power_head", "head_converges", "sum_of_integrals", "reflected",
     "even", "odd", "shifted", "scaled", "telescope", "telescoping_product", "sum_of_sums", "constant", "full_turn",
+    "unit_beta", "inverted", "moved", "log_head", "antiderivative_converges",
 )  # fmt: skip
 
 

@@ -192,6 +192,469 @@ Proof.
   field. repeat split; lra.
 Qed.
 
+(* What a Gaussian outweighs: polynomials in a letter and in sines and cosines *)
+
+Definition polynomial_in_waves : (R -> R) -> Prop :=
+  polynomial (fun f => f = (fun x => x) \/ exists p, polynomial_in_letter p /\
+    (f = (fun x => sin (p x)) \/ f = (fun x => cos (p x)))).
+
+Lemma letter_is_wave (f : R -> R) : polynomial_in_letter f -> polynomial_in_waves f.
+Proof.
+  intros P. induction P as [c | f E | f g _ F _ G | f g _ F _ G | f _ F | f c _ F | f n _ F].
+  - apply polynomial_constant.
+  - apply polynomial_atom. left. exact E.
+  - apply polynomial_sum; assumption.
+  - apply polynomial_product; assumption.
+  - apply polynomial_minus, F.
+  - apply polynomial_quotient, F.
+  - apply polynomial_power, F.
+Qed.
+
+Lemma wave_derivative (f : R -> R) :
+  polynomial_in_waves f -> exists d, polynomial_in_waves d /\ forall x, is_derive f x (d x).
+Proof.
+  apply polynomial_derivative. intros g [E | [p [P [E | E]]]]; rewrite E.
+  - exists (fun _ => 1). split; [apply polynomial_constant |]. intros x. apply @is_derive_id.
+  - destruct (letter_derivative p P) as [d [Q D]]. exists (fun x => d x * cos (p x)). split.
+    + apply polynomial_product; [apply letter_is_wave, Q |]. apply polynomial_atom. right. exists p. auto.
+    + intros x. apply (is_derive_comp sin p); [apply is_derive_sin | apply D].
+  - destruct (letter_derivative p P) as [d [Q D]]. exists (fun x => d x * - sin (p x)). split.
+    + apply polynomial_product; [apply letter_is_wave, Q |]. apply polynomial_minus, polynomial_atom. right. exists p. auto.
+    + intros x. apply (is_derive_comp cos p); [apply is_derive_cos | apply D].
+Qed.
+
+Lemma at_least_one (x : R) (n : nat) : 1 <= (1 + x ^ 2) ^ n.
+Proof. apply pow_R1_Rle. pose proof (pow2_ge_0 x). lra. Qed.
+
+Lemma wave_growth (f : R -> R) :
+  polynomial_in_waves f -> exists c n, 0 <= c /\ forall x, Rabs (f x) <= c * (1 + x ^ 2) ^ n.
+Proof.
+  intros P. induction P as [c | f E | f g _ [c [n [C F]]] _ [d [m [D G]]] | f g _ [c [n [C F]]] _ [d [m [D G]]]
+    | f _ [c [n [C F]]] | f k _ [c [n [C F]]] | f k _ [c [n [C F]]]].
+  - exists (Rabs c), O. split; [apply Rabs_pos |]. intros x. simpl. lra.
+  - destruct E as [E | [p [_ [E | E]]]]; rewrite E.
+    + exists 1, 1%nat. split; [lra |]. intros x. apply Rabs_le. simpl. pose proof (pow2_ge_0 (x - 1)).
+      pose proof (pow2_ge_0 (x + 1)). simpl in *. lra.
+    + exists 1, O. split; [lra |]. intros x. simpl. apply Rabs_le. pose proof (SIN_bound (p x)). lra.
+    + exists 1, O. split; [lra |]. intros x. simpl. apply Rabs_le. pose proof (COS_bound (p x)). lra.
+  - exists (c + d), (n + m)%nat. split; [lra |]. intros x. eapply Rle_trans; [apply Rabs_triang |].
+    rewrite pow_add, Rmult_plus_distr_r. pose proof (at_least_one x n). pose proof (at_least_one x m).
+    apply Rplus_le_compat.
+    + eapply Rle_trans; [apply F |]. apply Rmult_le_compat_l; [exact C |].
+      rewrite <- (Rmult_1_r ((1 + x ^ 2) ^ n)) at 1. apply Rmult_le_compat_l; lra.
+    + eapply Rle_trans; [apply G |]. apply Rmult_le_compat_l; [exact D |].
+      rewrite <- (Rmult_1_l ((1 + x ^ 2) ^ m)) at 1. apply Rmult_le_compat_r; lra.
+  - exists (c * d), (n + m)%nat. split; [apply Rmult_le_pos; assumption |]. intros x. rewrite Rabs_mult, pow_add.
+    replace (c * d * ((1 + x ^ 2) ^ n * (1 + x ^ 2) ^ m)) with ((c * (1 + x ^ 2) ^ n) * (d * (1 + x ^ 2) ^ m)) by ring.
+    apply Rmult_le_compat; [apply Rabs_pos | apply Rabs_pos | apply F | apply G].
+  - exists c, n. split; [exact C |]. intros x. rewrite Rabs_Ropp. apply F.
+  - exists (c * Rabs (/ k)), n. split; [apply Rmult_le_pos; [exact C | apply Rabs_pos] |]. intros x.
+    unfold Rdiv. rewrite Rabs_mult. replace (c * Rabs (/ k) * (1 + x ^ 2) ^ n) with (c * (1 + x ^ 2) ^ n * Rabs (/ k)) by ring.
+    apply Rmult_le_compat_r; [apply Rabs_pos | apply F].
+  - exists (c ^ k), (n * k)%nat. split; [apply pow_le, C |]. intros x. rewrite <- RPow_abs, pow_mult, <- Rpow_mult_distr.
+    apply pow_incr. split; [apply Rabs_pos | apply F].
+Qed.
+
+Lemma outweighed (n : nat) : forall k : R, 0 < k -> exists c, 0 < c /\ forall y, 0 <= y -> (1 + y) ^ n * exp (- (k * y)) <= c.
+Proof.
+  assert (B : forall k y, 0 < k -> 0 <= y -> (1 + y) * exp (- (k * y)) <= 1 + / k).
+  { intros k y K Y. rewrite exp_Ropp. pose proof (exp_pos (k * y)) as P. pose proof (exp_ineq1_le (k * y)) as L.
+    apply (Rmult_le_reg_r (exp (k * y))); [exact P |]. rewrite Rmult_assoc, Rinv_l by lra.
+    pose proof (Rinv_0_lt_compat k K) as I. apply (Rle_trans _ ((1 + / k) * (1 + k * y))).
+    - replace ((1 + / k) * (1 + k * y)) with (1 + y + (/ k + k * y)) by (field; lra). pose proof (Rmult_le_pos k y). lra.
+    - apply Rmult_le_compat_l; lra. }
+  induction n as [| n I]; intros k K.
+  - exists 1. split; [lra |]. intros y Y. simpl. rewrite Rmult_1_l, <- exp_0. pose proof (Rmult_le_pos k y).
+    destruct (Req_dec (k * y) 0) as [E | E]; [rewrite E, Ropp_0; lra |]. left. apply exp_increasing. lra.
+  - destruct (I (k / 2)) as [c [C H]]; [lra |]. exists ((1 + / (k / 2)) * c). split.
+    { apply Rmult_lt_0_compat; [| exact C]. pose proof (Rinv_0_lt_compat (k / 2)). lra. }
+    intros y Y. replace (exp (- (k * y))) with (exp (- (k / 2 * y)) * exp (- (k / 2 * y))).
+    2: { rewrite <- exp_plus. f_equal. field. }
+    simpl. replace ((1 + y) * (1 + y) ^ n * (exp (- (k / 2 * y)) * exp (- (k / 2 * y)))) with
+      ((1 + y) * exp (- (k / 2 * y)) * ((1 + y) ^ n * exp (- (k / 2 * y)))) by ring.
+    pose proof (exp_pos (- (k / 2 * y))). apply Rmult_le_compat.
+    + apply Rmult_le_pos; lra.
+    + apply Rmult_le_pos; [apply pow_le |]; lra.
+    + apply B; lra.
+    + apply H, Y.
+Qed.
+
+Lemma small (a b : R) (g : R -> R) :
+  a > 0 -> polynomial_in_waves g ->
+  exists c, 0 < c /\ forall x, Rabs (exp (b * x - a * x ^ 2) * g x) <= c * / (1 + x ^ 2).
+Proof.
+  intros A P. destruct (wave_growth g P) as [c [n [C G]]]. destruct (outweighed (S n) (a / 2)) as [d [D H]]; [lra |].
+  exists ((c + 1) * (exp (b ^ 2 / (2 * a)) * d)). split.
+  { apply Rmult_lt_0_compat; [lra |]. apply Rmult_lt_0_compat; [apply exp_pos | exact D]. }
+  intros x. pose proof (pow2_ge_0 x) as X. rewrite Rabs_mult, (Rabs_pos_eq (exp _)) by (left; apply exp_pos).
+  assert (E : exp (b * x - a * x ^ 2) <= exp (b ^ 2 / (2 * a)) * exp (- (a / 2 * x ^ 2))).
+  { rewrite <- exp_plus. pose proof (pow2_ge_0 (a * x - b)) as Q.
+    assert (L : b * x - a * x ^ 2 <= b ^ 2 / (2 * a) + - (a / 2 * x ^ 2)).
+    { apply (Rmult_le_reg_r (2 * a)); [lra |].
+      replace ((b ^ 2 / (2 * a) + - (a / 2 * x ^ 2)) * (2 * a)) with (b ^ 2 - a ^ 2 * x ^ 2) by (field; lra). nra. }
+    destruct L as [L | L]; [left; apply exp_increasing, L | rewrite L; lra]. }
+  apply (Rmult_le_reg_r (1 + x ^ 2)); [lra |].
+  replace ((c + 1) * (exp (b ^ 2 / (2 * a)) * d) * / (1 + x ^ 2) * (1 + x ^ 2)) with
+    ((c + 1) * (exp (b ^ 2 / (2 * a)) * d)) by (field; lra).
+  apply (Rle_trans _ ((exp (b ^ 2 / (2 * a)) * exp (- (a / 2 * x ^ 2))) * ((c + 1) * (1 + x ^ 2) ^ n) * (1 + x ^ 2))).
+  - apply Rmult_le_compat_r; [lra |]. apply Rmult_le_compat; [left; apply exp_pos | apply Rabs_pos | exact E |].
+    eapply Rle_trans; [apply G |]. pose proof (at_least_one x n). apply Rmult_le_compat_r; lra.
+  - pose proof (H (x ^ 2) X) as U. simpl in U.
+    replace (exp (b ^ 2 / (2 * a)) * exp (- (a / 2 * x ^ 2)) * ((c + 1) * (1 + x ^ 2) ^ n) * (1 + x ^ 2)) with
+      ((c + 1) * (exp (b ^ 2 / (2 * a)) * ((1 + x ^ 2) * (1 + x ^ 2) ^ n * exp (- (a / 2 * x ^ 2))))) by ring.
+    apply Rmult_le_compat_l; [lra |]. apply Rmult_le_compat_l; [left; apply exp_pos |]. exact U.
+Qed.
+
+Lemma far (c eps x : R) : 0 < c -> 0 < eps -> c / eps < Rabs x -> c * / (1 + x ^ 2) < eps.
+Proof.
+  intros C E L. pose proof (pow2_ge_0 x) as X. apply (Rmult_lt_reg_r (1 + x ^ 2)); [lra |].
+  rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply (Rmult_lt_compat_r eps) in L; [| exact E].
+  replace (c / eps * eps) with c in L by (field; lra). apply (Rlt_le_trans _ _ _ L). rewrite Rmult_comm.
+  apply Rmult_le_compat_l; [lra |]. unfold Rabs. destruct (Rcase_abs x); pose proof (pow2_ge_0 (x - 1));
+    pose proof (pow2_ge_0 (x + 1)); simpl in *; lra.
+Qed.
+
+Lemma vanishes_at_plus (f : R -> R) (c : R) :
+  0 < c -> (forall x, Rabs (f x) <= c * / (1 + x ^ 2)) -> filterlim f (Rbar_locally p_infty) (locally 0).
+Proof.
+  intros C H. apply filterlim_locally. intros eps. exists (c / eps). intros x L.
+  change (Rabs (f x - 0) < eps). rewrite Rminus_0_r. eapply Rle_lt_trans; [apply H |]. apply far; [exact C | apply eps |].
+  eapply Rlt_le_trans; [exact L | apply Rle_abs].
+Qed.
+
+Lemma vanishes_at_minus (f : R -> R) (c : R) :
+  0 < c -> (forall x, Rabs (f x) <= c * / (1 + x ^ 2)) -> filterlim f (Rbar_locally m_infty) (locally 0).
+Proof.
+  intros C H. apply filterlim_locally. intros eps. exists (- (c / eps)). intros x L.
+  change (Rabs (f x - 0) < eps). rewrite Rminus_0_r. eapply Rle_lt_trans; [apply H |]. apply far; [exact C | apply eps |].
+  rewrite <- Rabs_Ropp. eapply Rlt_le_trans; [| apply Rle_abs]. lra.
+Qed.
+
+Lemma by_ends (f : R -> R) (i : R -> R -> R) (value : R) :
+  (forall x y, is_RInt f x y (i x y)) ->
+  filterlim (fun xy => i (fst xy) (snd xy)) (filter_prod (Rbar_locally m_infty) (Rbar_locally p_infty)) (locally value) ->
+  over_line f value.
+Proof.
+  intros I L P N. apply L in N. unfold filtermapi. unfold filtermap in N. revert N. apply filter_imp.
+  intros [x y] H. exists (i x y). split; [apply I | exact H].
+Qed.
+
+Lemma primitive_over_line (g d : R -> R) (m p : R) :
+  (forall x, is_derive g x (d x)) -> (forall x, continuous d x) ->
+  filterlim g (Rbar_locally m_infty) (locally m) -> filterlim g (Rbar_locally p_infty) (locally p) ->
+  over_line d (p - m).
+Proof.
+  intros D C M P. apply (by_ends d (fun x y => minus (g y) (g x))).
+  - intros x y. apply (is_RInt_derive g d); intros t _; [apply D | apply C].
+  - unfold minus. apply (filterlim_comp_2 (F := filter_prod (Rbar_locally m_infty) (Rbar_locally p_infty))
+      (G := locally p) (H := locally (opp m))
+      (fun xy => g (snd xy)) (fun xy => opp (g (fst xy))) plus).
+    + apply (filterlim_comp _ _ _ snd g _ (Rbar_locally p_infty)); [apply filterlim_snd | exact P].
+    + apply (filterlim_comp _ _ _ (fun xy => g (fst xy)) opp _ (locally m)); [| apply @filterlim_opp].
+      apply (filterlim_comp _ _ _ fst g _ (Rbar_locally m_infty)); [apply filterlim_fst | exact M].
+    + apply @filterlim_plus.
+Qed.
+
+(* Gauss's integral: the square of the area and an integral with a parameter have opposite derivatives *)
+
+Definition bell (x : R) : R := exp (- x ^ 2).
+Definition area (x : R) : R := RInt bell 0 x.
+Definition rest (x : R) : R := RInt (fun t => exp (- (x ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2)) 0 1.
+
+Lemma bell_continuous (x : R) : continuous bell x.
+Proof. apply (ex_derive_continuous (V := R_NormedModule)). unfold bell. auto_derive. exact I. Qed.
+
+Lemma area_derivative (x : R) : is_derive area x (bell x).
+Proof.
+  apply (is_derive_RInt bell area 0 x); [| apply bell_continuous].
+  apply filter_forall. intros y. apply (RInt_correct bell 0 y), (ex_RInt_continuous bell). intros z _. apply bell_continuous.
+Qed.
+
+Lemma one_plus (t : R) : 0 < 1 + t ^ 2.
+Proof. pose proof (pow2_ge_0 t). lra. Qed.
+
+Lemma rest_continuous (x t : R) : continuous (fun t => exp (- (x ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2)) t.
+Proof. apply (ex_derive_continuous (V := R_NormedModule)). pose proof (one_plus t). auto_derive. simpl in *. lra. Qed.
+
+Lemma rest_slope (x t : R) :
+  is_derive (fun u => exp (- (u ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2)) x (- 2 * x * exp (- (x ^ 2 * (1 + t ^ 2)))).
+Proof. pose proof (one_plus t). auto_derive; [simpl in *; lra |]. simpl in *. field. lra. Qed.
+
+Lemma rest_derivative (x : R) : is_derive rest x (RInt (fun t => - 2 * x * exp (- (x ^ 2 * (1 + t ^ 2)))) 0 1).
+Proof.
+  replace (RInt (fun t => - 2 * x * exp (- (x ^ 2 * (1 + t ^ 2)))) 0 1) with
+    (RInt (fun t => Derive (fun u => exp (- (u ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2)) x) 0 1).
+  2: { apply RInt_ext. intros t _. apply is_derive_unique, rest_slope. }
+  apply (is_derive_RInt_param (fun u t => exp (- (u ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2))).
+  - apply filter_forall. intros y t _. eexists. apply rest_slope.
+  - intros t _. apply (continuity_2d_pt_ext (fun u v => - 2 * u * exp (- (u ^ 2 * (1 + v ^ 2))))).
+    { intros u v. symmetry. apply is_derive_unique, rest_slope. }
+    apply continuity_2d_pt_mult.
+    + apply continuity_2d_pt_mult; [apply continuity_2d_pt_const | apply continuity_2d_pt_id1].
+    + apply (continuity_1d_2d_pt_comp exp (fun u v => - (u ^ 2 * (1 + v ^ 2)))).
+      * apply derivable_continuous_pt, derivable_pt_exp.
+      * apply continuity_2d_pt_opp, continuity_2d_pt_mult.
+        -- apply (continuity_2d_pt_ext (fun u v => u * u)); [intros; simpl; ring |].
+           apply continuity_2d_pt_mult; apply continuity_2d_pt_id1.
+        -- apply (continuity_2d_pt_ext (fun u v => 1 + v * v)); [intros; simpl; ring |].
+           apply continuity_2d_pt_plus; [apply continuity_2d_pt_const |].
+           apply continuity_2d_pt_mult; apply continuity_2d_pt_id2.
+  - apply filter_forall. intros y. apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros t _. apply rest_continuous.
+Qed.
+
+Lemma area_and_rest (x : R) : 0 < x -> area x ^ 2 + rest x = PI / 4.
+Proof.
+  intros X. assert (S : forall x, RInt (fun t => - 2 * x * exp (- (x ^ 2 * (1 + t ^ 2)))) 0 1 = - (2 * area x * bell x)).
+  { intros y. apply is_RInt_unique.
+    replace (- (2 * area y * bell y)) with (scal (- 2 * bell y) (area y)) by (unfold scal; simpl; unfold mult; simpl; ring).
+    apply (is_RInt_ext (fun t => scal (- 2 * bell y) (scal y (bell (y * t + 0))))).
+    { intros t _. unfold bell, scal. simpl. unfold mult. simpl.
+      replace (- (y * (y * 1) * (1 + t * (t * 1)))) with (- (y * (y * 1)) + - ((y * t + 0) * ((y * t + 0) * 1))) by ring.
+      rewrite exp_plus. ring. }
+    apply @is_RInt_scal, (is_RInt_comp_lin bell y 0 0 1). rewrite Rmult_0_r, Rmult_1_r, !Rplus_0_r.
+    apply (RInt_correct bell 0 y), (ex_RInt_continuous (V := R_CompleteNormedModule)). intros z _. apply bell_continuous. }
+  assert (D : forall y, is_derive (fun z => area z ^ 2 + rest z) y 0).
+  { intros y. replace 0 with (plus (INR 2 * bell y * area y ^ 1) (- (2 * area y * bell y))) by (unfold plus; simpl; ring).
+    apply @is_derive_plus; [apply (is_derive_pow area 2), area_derivative | rewrite <- S; apply rest_derivative]. }
+  assert (Z : area 0 ^ 2 + rest 0 = PI / 4).
+  { unfold area, rest. rewrite RInt_point. unfold zero. simpl.
+    rewrite (RInt_ext _ (fun t => / (1 + t ^ 2))).
+    2: { intros t _. rewrite Rmult_0_l, Rmult_0_l, Ropp_0, exp_0. unfold Rdiv. rewrite Rmult_1_l. reflexivity. }
+    rewrite (is_RInt_unique _ 0 1 (minus (atan 1) (atan 0))).
+    - rewrite atan_1, atan_0. unfold minus, plus, opp. simpl. lra.
+    - apply (is_RInt_derive atan).
+      + intros t _. replace (/ (1 + t ^ 2)) with (/ (1 + t²)) by (unfold Rsqr; f_equal; ring). apply is_derive_atan.
+      + intros t _. apply (ex_derive_continuous (V := R_NormedModule)). pose proof (one_plus t). auto_derive. lra. }
+  rewrite <- Z. symmetry. apply (eq_is_derive (fun z => area z ^ 2 + rest z)); [intros t _; apply D | exact X].
+Qed.
+
+Lemma rest_small (x : R) : 0 <= rest x <= bell x.
+Proof.
+  assert (E : ex_RInt (fun t => exp (- (x ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2)) 0 1).
+  { apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros t _. apply rest_continuous. }
+  split.
+  - apply RInt_ge_0; [lra | exact E |]. intros t _. left. apply Rdiv_lt_0_compat; [apply exp_pos | apply one_plus].
+  - replace (bell x) with (RInt (fun _ => bell x) 0 1) by (rewrite RInt_const; unfold scal; simpl; unfold mult; simpl; ring).
+    apply RInt_le; [lra | exact E | apply ex_RInt_const |]. intros t _. pose proof (one_plus t) as P.
+    pose proof (pow2_ge_0 t). pose proof (pow2_ge_0 x). apply (Rmult_le_reg_r (1 + t ^ 2)); [exact P |].
+    replace (exp (- (x ^ 2 * (1 + t ^ 2))) / (1 + t ^ 2) * (1 + t ^ 2)) with (exp (- (x ^ 2 * (1 + t ^ 2)))) by (field; lra).
+    apply (Rle_trans _ (bell x * 1)).
+    + unfold bell. rewrite Rmult_1_r. assert (L : - (x ^ 2 * (1 + t ^ 2)) <= - x ^ 2) by (pose proof (Rmult_le_pos (x ^ 2) (t ^ 2)); lra).
+      destruct L as [L | L]; [left; apply exp_increasing, L | rewrite L; lra].
+    + apply Rmult_le_compat_l; [left; apply exp_pos | lra].
+Qed.
+
+Lemma bell_vanishes : filterlim bell (Rbar_locally p_infty) (locally 0).
+Proof.
+  destruct (small 1 0 (fun _ => 1)) as [c [C H]]; [lra | apply polynomial_constant |].
+  apply (vanishes_at_plus bell c C). intros x. eapply Rle_trans; [| apply H]. unfold bell.
+  replace (exp (0 * x - 1 * x ^ 2) * 1) with (exp (- x ^ 2)); [lra |]. rewrite Rmult_1_r. f_equal. ring.
+Qed.
+
+Lemma area_limit : filterlim area (Rbar_locally p_infty) (locally (sqrt PI / 2)).
+Proof.
+  replace (sqrt PI / 2) with (sqrt (PI / 4 - 0)).
+  2: { rewrite Rminus_0_r, sqrt_div_alt by lra. replace 4 with (2 ^ 2) by ring. rewrite sqrt_pow2 by lra. reflexivity. }
+  apply (filterlim_ext_loc (fun x => sqrt (PI / 4 - rest x))).
+  - exists 0. intros x L. rewrite <- (area_and_rest x L). replace (area x ^ 2 + rest x - rest x) with (area x ^ 2) by ring.
+    apply sqrt_pow2. apply RInt_ge_0; [lra | |].
+    + apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros z _. apply bell_continuous.
+    + intros t _. left. apply exp_pos.
+  - apply (filterlim_comp _ _ _ (fun x => PI / 4 - rest x) sqrt _ (locally (PI / 4 - 0))).
+    + apply (filterlim_comp _ _ _ rest (fun y => PI / 4 - y) _ (locally 0)).
+      * apply (filterlim_le_le (fun _ => 0) rest bell (Finite 0)).
+        -- apply filter_forall. intros x. apply rest_small.
+        -- apply filterlim_const.
+        -- apply bell_vanishes.
+      * apply (continuous_minus (fun _ => PI / 4) (fun y => y) 0); [apply continuous_const | apply continuous_id].
+    + apply continuous_sqrt.
+Qed.
+
+Lemma bell_area (x y : R) : is_RInt bell x y (area y - area x).
+Proof. apply (is_RInt_derive area bell); intros t _; [apply area_derivative | apply bell_continuous]. Qed.
+
+Lemma area_odd (x : R) : area (- x) = - area x.
+Proof.
+  assert (D : forall y, is_derive (fun z => area (- z) + area z) y 0).
+  { intros y. replace 0 with (plus (scal (-1) (bell (- y))) (bell y)).
+    - apply @is_derive_plus; [| apply area_derivative]. apply (is_derive_comp area Ropp y (bell (- y)) (-1)).
+      + apply area_derivative.
+      + auto_derive; [exact I | ring].
+    - unfold bell, plus, scal. simpl. unfold mult. simpl. replace (- y * (- y * 1)) with (y * (y * 1)) by ring. ring. }
+  assert (Z : area 0 = 0) by (unfold area; rewrite RInt_point; reflexivity).
+  assert (E : forall y z, y < z -> area (- y) + area y = area (- z) + area z).
+  { intros y z L. apply (eq_is_derive (fun z => area (- z) + area z)); [intros t _; apply D | exact L]. }
+  assert (area (- x) + area x = 0); [| lra].
+  destruct (Rtotal_order x 0) as [L | [L | L]].
+  - rewrite (E x 0 L), Ropp_0, Z. ring.
+  - rewrite L, Ropp_0, Z. ring.
+  - rewrite <- (E 0 x L), Ropp_0, Z. ring.
+Qed.
+
+Lemma area_limit_minus : filterlim area (Rbar_locally m_infty) (locally (- (sqrt PI / 2))).
+Proof.
+  apply (filterlim_ext (fun x => opp (area (opp x)))).
+  { intros x. unfold opp. simpl. rewrite area_odd. ring. }
+  apply (filterlim_comp _ _ _ (fun x => area (opp x)) opp _ (locally (sqrt PI / 2))); [| apply @filterlim_opp].
+  apply (filterlim_comp _ _ _ opp area _ (Rbar_locally p_infty)); [| apply area_limit].
+  apply (filterlim_Rbar_opp m_infty).
+Qed.
+
+(* Fourier's integral of a Gaussian, by its derivative in the frequency *)
+
+Section Wave.
+  Variables (a v : R).
+  Hypothesis A : a > 0.
+
+  Definition wave (u x : R) : R := exp (- (a * x ^ 2)) * cos (u * x + v).
+  Definition between (x y u : R) : R := RInt (wave u) x y.
+  Definition edge (u x : R) : R := exp (- (a * x ^ 2)) * sin (u * x + v) / (2 * a).
+
+  Lemma wave_continuous (u x : R) : continuous (wave u) x.
+  Proof. apply (ex_derive_continuous (V := R_NormedModule)). unfold wave. auto_derive. exact I. Qed.
+
+  Lemma wave_slope (u x : R) : is_derive (fun u => wave u x) u (- (x * (exp (- (a * x ^ 2)) * sin (u * x + v)))).
+  Proof. unfold wave. auto_derive; [exact I |]. simpl. ring. Qed.
+
+  Lemma between_derivative (x y u : R) :
+    is_derive (between x y) u (edge u y - edge u x - u / (2 * a) * between x y u).
+  Proof.
+    replace (edge u y - edge u x - u / (2 * a) * between x y u) with
+      (RInt (fun t => Derive (fun u => wave u t) u) x y).
+    - apply (is_derive_RInt_param wave x y u).
+      + apply filter_forall. intros w t _. eexists. apply wave_slope.
+      + intros t _. apply (continuity_2d_pt_ext (fun u x => - (x * (exp (- (a * x ^ 2)) * sin (u * x + v))))).
+        { intros w z. symmetry. apply is_derive_unique, wave_slope. }
+        apply continuity_2d_pt_opp, continuity_2d_pt_mult; [apply continuity_2d_pt_id2 |]. apply continuity_2d_pt_mult.
+        * apply (continuity_1d_2d_pt_comp (fun z => exp (- (a * z ^ 2))) (fun u x => x)); [| apply continuity_2d_pt_id2].
+          apply derivable_continuous_pt, ex_derive_Reals_0. auto_derive. exact I.
+        * apply (continuity_1d_2d_pt_comp sin (fun u x => u * x + v)).
+          -- apply derivable_continuous_pt, derivable_pt_sin.
+          -- apply continuity_2d_pt_plus; [| apply continuity_2d_pt_const].
+             apply continuity_2d_pt_mult; [apply continuity_2d_pt_id1 | apply continuity_2d_pt_id2].
+      + apply filter_forall. intros w. apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros t _. apply wave_continuous.
+    - apply is_RInt_unique.
+      apply (is_RInt_ext (fun t => minus (u / (2 * a) * wave u t - t * (exp (- (a * t ^ 2)) * sin (u * t + v))) (scal (u / (2 * a)) (wave u t)))).
+      + intros t _. transitivity (- (t * (exp (- (a * t ^ 2)) * sin (u * t + v)))); [| symmetry; apply is_derive_unique, wave_slope].
+        unfold minus, plus, opp, scal. simpl. unfold mult. simpl. ring.
+      + apply (is_RInt_minus (fun t => u / (2 * a) * wave u t - t * (exp (- (a * t ^ 2)) * sin (u * t + v))) (fun t => scal (u / (2 * a)) (wave u t)) x y (edge u y - edge u x)).
+        * apply (is_RInt_derive (edge u)).
+          -- intros t _. unfold edge, wave. auto_derive; [exact I |]. simpl. field. lra.
+          -- intros t _. apply (ex_derive_continuous (V := R_NormedModule)). unfold wave. auto_derive. exact I.
+        * apply @is_RInt_scal, (RInt_correct (wave u) x y).
+          apply (ex_RInt_continuous (V := R_CompleteNormedModule)). intros t _. apply wave_continuous.
+  Qed.
+
+  Lemma edge_small (u x : R) : Rabs (edge u x) <= exp (- (a * x ^ 2)) / (2 * a).
+  Proof.
+    unfold edge, Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra).
+    apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra |].
+    rewrite Rabs_mult, (Rabs_pos_eq (exp _)) by (left; apply exp_pos). rewrite <- (Rmult_1_r (exp _)) at 2.
+    apply Rmult_le_compat_l; [left; apply exp_pos |]. apply Rabs_le. pose proof (SIN_bound (u * x + v)). lra.
+  Qed.
+
+  Lemma between_near (x y u : R) :
+    Rabs (exp (u ^ 2 / (4 * a)) * between x y u - between x y 0) <=
+    Rabs u * exp (u ^ 2 / (4 * a)) * (exp (- (a * y ^ 2)) / (2 * a) + exp (- (a * x ^ 2)) / (2 * a)).
+  Proof.
+    pose (h := fun w => exp (w ^ 2 / (4 * a)) * between x y w).
+    assert (D : forall w : R, is_derive h w (exp (w ^ 2 / (4 * a)) * (edge w y - edge w x))).
+    { intros w. unfold h. replace (exp (w ^ 2 / (4 * a)) * (edge w y - edge w x)) with
+        (w / (2 * a) * exp (w ^ 2 / (4 * a)) * between x y w + exp (w ^ 2 / (4 * a)) * (edge w y - edge w x - w / (2 * a) * between x y w)) by ring.
+      assert (G : is_derive (fun w => exp (w ^ 2 / (4 * a))) w (w / (2 * a) * exp (w ^ 2 / (4 * a)))).
+      { auto_derive; [exact I |]. match goal with |- ?l = ?r => change (@eq R l r) end. simpl. replace (1 * ((1 + 1) * (w * 1)) * / (4 * a)) with (w / (2 * a)) by (field; lra). reflexivity. }
+      apply (is_derive_mult (fun w => exp (w ^ 2 / (4 * a))) (between x y) w _ _ G); [apply between_derivative | apply Rmult_comm]. }
+    destruct (MVT_gen h 0 u (fun w => exp (w ^ 2 / (4 * a)) * (edge w y - edge w x))) as [w [[L U] M]].
+    { intros w _. apply D. }
+    { intros w _. apply derivable_continuous_pt, ex_derive_Reals_0. eexists. apply D. }
+    replace (exp (u ^ 2 / (4 * a)) * between x y u - between x y 0) with (h u - h 0).
+    2: { unfold h. replace (0 ^ 2 / (4 * a)) with 0 by (field; lra). rewrite exp_0. ring. }
+    rewrite M, Rminus_0_r, !Rabs_mult, (Rabs_pos_eq (exp _)) by (left; apply exp_pos).
+    assert (Q : w ^ 2 <= u ^ 2).
+    { unfold Rmin, Rmax in *. destruct (Rle_dec 0 u); nra. }
+    assert (E : exp (w ^ 2 / (4 * a)) <= exp (u ^ 2 / (4 * a))).
+    { assert (L2 : w ^ 2 / (4 * a) <= u ^ 2 / (4 * a)) by (apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra | exact Q]).
+      destruct L2 as [L2 | L2]; [left; apply exp_increasing, L2 | rewrite L2; lra]. }
+    replace (Rabs u * exp (u ^ 2 / (4 * a)) * (exp (- (a * y ^ 2)) / (2 * a) + exp (- (a * x ^ 2)) / (2 * a))) with
+      (exp (u ^ 2 / (4 * a)) * (exp (- (a * y ^ 2)) / (2 * a) + exp (- (a * x ^ 2)) / (2 * a)) * Rabs u) by ring.
+    apply Rmult_le_compat_r; [apply Rabs_pos |]. apply Rmult_le_compat; [left; apply exp_pos | apply Rabs_pos | exact E |].
+    unfold Rminus. eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp. apply Rplus_le_compat; apply edge_small.
+  Qed.
+End Wave.
+
+Lemma wave_over_line (a u v : R) :
+  a > 0 -> over_line (wave a v u) (exp (- (u ^ 2 / (4 * a))) * (cos v * sqrt (PI / a))).
+Proof.
+  intros A. assert (S : 0 < sqrt a) by (apply sqrt_lt_R0; lra).
+  assert (SS : sqrt a * sqrt a = a) by (apply sqrt_sqrt; lra).
+  pose (k := exp (- (u ^ 2 / (4 * a)))).
+  assert (K : k * exp (u ^ 2 / (4 * a)) = 1) by (unfold k; rewrite <- exp_plus, Rplus_opp_l; apply exp_0).
+  pose (c := Rabs u * exp (u ^ 2 / (4 * a)) / (2 * a)).
+  pose (fall := fun x => exp (0 * x - a * x ^ 2) * c).
+  destruct (small a 0 (fun _ => c)) as [d [D H]]; [exact A | apply polynomial_constant |].
+  assert (Z : forall x y, between a v x y 0 = cos v / sqrt a * (area (sqrt a * y) - area (sqrt a * x))).
+  { intros x y. apply is_RInt_unique.
+    apply (is_RInt_ext (fun t => scal (cos v / sqrt a) (scal (sqrt a) (bell (sqrt a * t + 0))))).
+    - intros t _. unfold wave, bell, scal. simpl. unfold mult. simpl. rewrite Rmult_0_l, Rplus_0_l.
+      replace (- ((sqrt a * t + 0) * ((sqrt a * t + 0) * 1))) with (- (a * (t * (t * 1)))) by (rewrite <- SS at 1; ring).
+      field. lra.
+    - apply @is_RInt_scal, (is_RInt_comp_lin bell (sqrt a) 0 x y). rewrite !Rplus_0_r. apply bell_area. }
+  apply (by_ends (wave a v u) (fun x y => plus (scal (k * (cos v / sqrt a)) (plus (area (sqrt a * y)) (opp (area (sqrt a * x)))))
+    (between a v x y u - k * between a v x y 0))).
+  { intros x y. replace (plus _ _) with (between a v x y u).
+    - apply (RInt_correct (wave a v u) x y), (ex_RInt_continuous (V := R_CompleteNormedModule)). intros t _. apply wave_continuous.
+    - rewrite Z. unfold plus, opp, scal. simpl. unfold mult. simpl. ring. }
+  fold k. replace (k * (cos v * sqrt (PI / a))) with (plus (scal (k * (cos v / sqrt a)) (plus (sqrt PI / 2) (opp (- (sqrt PI / 2))))) 0).
+  2: { rewrite sqrt_div_alt by lra. unfold plus, opp, scal. simpl. unfold mult. simpl. field. lra. }
+  pose (F := filter_prod (Rbar_locally m_infty) (Rbar_locally p_infty)).
+  apply (filterlim_comp_2 (F := F) (G := locally (scal (k * (cos v / sqrt a)) (plus (sqrt PI / 2) (opp (- (sqrt PI / 2)))))) (H := locally 0)
+    (fun xy => scal (k * (cos v / sqrt a)) (plus (area (sqrt a * snd xy)) (opp (area (sqrt a * fst xy)))))
+    (fun xy => between a v (fst xy) (snd xy) u - k * between a v (fst xy) (snd xy) 0) plus).
+  - apply (filterlim_comp _ _ _ (fun xy => plus (area (sqrt a * snd xy)) (opp (area (sqrt a * fst xy)))) (scal (k * (cos v / sqrt a))) _
+      (locally (plus (sqrt PI / 2) (opp (- (sqrt PI / 2)))))); [| apply @filterlim_scal_r].
+    apply (filterlim_comp_2 (F := F) (G := locally (sqrt PI / 2)) (H := locally (opp (- (sqrt PI / 2))))
+      (fun xy => area (sqrt a * snd xy)) (fun xy => opp (area (sqrt a * fst xy))) plus).
+    + apply (filterlim_comp _ _ _ snd (fun y => area (sqrt a * y)) _ (Rbar_locally p_infty)); [apply filterlim_snd |].
+      apply (filterlim_comp _ _ _ (Rmult (sqrt a)) area _ (Rbar_locally p_infty)); [| apply area_limit].
+      intros P [M HM]. exists (M / sqrt a). intros x L. apply HM. apply (Rmult_lt_compat_l (sqrt a)) in L; [| exact S].
+      replace (sqrt a * (M / sqrt a)) with M in L by (field; lra). exact L.
+    + apply (filterlim_comp _ _ _ (fun xy => area (sqrt a * fst xy)) opp _ (locally (- (sqrt PI / 2)))); [| apply @filterlim_opp].
+      apply (filterlim_comp _ _ _ fst (fun y => area (sqrt a * y)) _ (Rbar_locally m_infty)); [apply filterlim_fst |].
+      apply (filterlim_comp _ _ _ (Rmult (sqrt a)) area _ (Rbar_locally m_infty)); [| apply area_limit_minus].
+      intros P [M HM]. exists (M / sqrt a). intros x L. apply HM. apply (Rmult_lt_compat_l (sqrt a)) in L; [| exact S].
+      replace (sqrt a * (M / sqrt a)) with M in L by (field; lra). exact L.
+    + apply @filterlim_plus.
+  - apply filterlim_locally. intros eps.
+    assert (E : 0 < eps / 2 / k) by (apply Rdiv_lt_0_compat; [pose proof (cond_pos eps); lra | apply exp_pos]).
+    assert (V : filterlim fall (Rbar_locally p_infty) (locally 0)) by exact (vanishes_at_plus fall d D H).
+    assert (W : filterlim fall (Rbar_locally m_infty) (locally 0)) by exact (vanishes_at_minus fall d D H).
+    pose proof (proj1 (filterlim_locally fall 0) V (mkposreal _ E)) as VE.
+    pose proof (proj1 (filterlim_locally fall 0) W (mkposreal _ E)) as WE.
+    apply (Filter_prod _ _ _ _ _ WE VE). intros x y X Y. simpl.
+    change (Rabs (fall x - 0) < eps / 2 / k) in X. change (Rabs (fall y - 0) < eps / 2 / k) in Y.
+    change (Rabs (between a v x y u - k * between a v x y 0 - 0) < eps). rewrite Rminus_0_r in *.
+    replace (between a v x y u - k * between a v x y 0) with
+      (k * (exp (u ^ 2 / (4 * a)) * between a v x y u - between a v x y 0))
+      by (rewrite Rmult_minus_distr_l, <- Rmult_assoc, K; ring).
+    rewrite Rabs_mult, (Rabs_pos_eq k) by (left; apply exp_pos).
+    apply (Rle_lt_trans _ (k * (fall y + fall x))).
+    + apply Rmult_le_compat_l; [left; apply exp_pos |]. eapply Rle_trans; [apply between_near, A |]. right.
+      unfold fall, c. replace (0 * y - a * y ^ 2) with (- (a * y ^ 2)) by ring. replace (0 * x - a * x ^ 2) with (- (a * x ^ 2)) by ring.
+      field. lra.
+    + pose proof (Rle_abs (fall x)). pose proof (Rle_abs (fall y)). assert (P : 0 < k) by apply exp_pos.
+      apply (Rlt_le_trans _ (k * (eps / 2 / k + eps / 2 / k))); [apply Rmult_lt_compat_l; lra |]. right. field. lra.
+  - apply @filterlim_plus.
+Qed.
+
+Lemma converged_over_line (f : R -> R) (value : R) :
+  over_line f value -> integral_over_line f = value /\ diverges_over_line f = 0.
+Proof.
+  intros H. unfold integral_over_line, diverges_over_line.
+  destruct (ClassicalDedekindReals.sig_not_dec (converges_over_line f)) as [_ | F].
+  - split; [apply is_RInt_gen_unique, H | reflexivity].
+  - exfalso. apply F. exists value. exact H.
+Qed.
+
 (* The theorems *)
 
 Theorem theorem_dichotomy :
@@ -492,6 +955,56 @@ Proof.
   intros f g a E. apply same_over_line. intros v. split.
   - apply (shifted_over_line g f (- a)). intros x. rewrite E. f_equal. ring.
   - apply (shifted_over_line f g a), E.
+Qed.
+
+Theorem theorem_gaussian_wave :
+  forall (f g : R -> R) (a b c u v : R),
+  polynomial_in_waves g ->
+  a > 0 ->
+  (forall x : R, f x = Derive (fun x => exp (b * x - a * x ^ 2) * g x) x + c * exp (b * x - a * x ^ 2) * cos (u * x + v)) ->
+  integral_over_line (fun x => f x) = c * exp ((b ^ 2 - u ^ 2) / (4 * a)) * cos (b * u / (2 * a) + v) * sqrt (PI / a) /\ diverges_over_line (fun x => f x) = 0.
+Proof.
+  intros f g a b c u v P A E. apply converged_over_line.
+  destruct (wave_derivative g P) as [d [Q G]]. destruct (wave_derivative d Q) as [e [_ D]].
+  pose (h := fun x => exp (b * x - a * x ^ 2) * g x).
+  pose (r := fun x => (b - 2 * a * x) * exp (b * x - a * x ^ 2) * g x + exp (b * x - a * x ^ 2) * d x).
+  assert (B : forall x : R, is_derive h x (r x)).
+  { intros x. apply (is_derive_mult (fun x => exp (b * x - a * x ^ 2)) g x); [| apply G | apply Rmult_comm].
+    auto_derive; [exact I |]. match goal with |- ?l = ?r => change (@eq R l r) end. simpl. replace (b * x + - (a * (x * (x * 1)))) with (b * x - a * (x * (x * 1))) by ring. ring. }
+  assert (C : forall x : R, continuous r x).
+  { intros x. apply (ex_derive_continuous (V := R_NormedModule)). unfold r. auto_derive.
+    repeat split; [exists (d x); apply G | exists (e x); apply D]. }
+  destruct (small a b g A P) as [k [K H]].
+  pose proof (primitive_over_line h r 0 0 B C (vanishes_at_minus h k K H) (vanishes_at_plus h k K H)) as L.
+  pose (m := b / (2 * a)).
+  assert (W : over_line (fun x => wave a (u * m + v) u (x - m)) (exp (- (u ^ 2 / (4 * a))) * (cos (u * m + v) * sqrt (PI / a)))).
+  { apply (shifted_over_line _ (wave a (u * m + v) u) (- m)); [reflexivity | apply wave_over_line, A]. }
+  replace (c * exp ((b ^ 2 - u ^ 2) / (4 * a)) * cos (b * u / (2 * a) + v) * sqrt (PI / a)) with
+    (plus (0 - 0) (scal (c * exp (b ^ 2 / (4 * a))) (exp (- (u ^ 2 / (4 * a))) * (cos (u * m + v) * sqrt (PI / a))))).
+  2: { replace (u * m + v) with (b * u / (2 * a) + v) by (unfold m; field; lra).
+       replace ((b ^ 2 - u ^ 2) / (4 * a)) with (b ^ 2 / (4 * a) + - (u ^ 2 / (4 * a))) by (field; lra).
+       rewrite exp_plus. unfold plus, scal. simpl. unfold mult. simpl. ring. }
+  apply (is_RInt_gen_ext (fun x => plus (r x) (scal (c * exp (b ^ 2 / (4 * a))) (wave a (u * m + v) u (x - m))))).
+  - apply filter_forall. intros xy x _. rewrite E. fold h. change (fun x => exp (b * x - a * x ^ 2) * g x) with h.
+    rewrite (is_derive_unique h x (r x) (B x)). unfold plus, scal, wave. simpl. unfold mult. simpl.
+    replace (u * (x - m) + (u * m + v)) with (u * x + v) by ring.
+    replace (b * x - a * (x * (x * 1))) with (b * (b * 1) / (4 * a) + - (a * ((x - m) * ((x - m) * 1)))) by (unfold m; field; lra).
+    rewrite exp_plus. ring.
+  - apply (is_RInt_gen_plus (V := R_NormedModule)); [exact L |]. apply (is_RInt_gen_scal (V := R_NormedModule)), W.
+Qed.
+
+Theorem theorem_gaussian :
+  forall (f g : R -> R) (a b c : R),
+  polynomial_in_waves g ->
+  a > 0 ->
+  (forall x : R, f x = Derive (fun x => exp (b * x - a * x ^ 2) * g x) x + c * exp (b * x - a * x ^ 2)) ->
+  integral_over_line (fun x => f x) = c * exp (b ^ 2 / (4 * a)) * sqrt (PI / a) /\ diverges_over_line (fun x => f x) = 0.
+Proof.
+  intros f g a b c P A E. replace (c * exp (b ^ 2 / (4 * a)) * sqrt (PI / a)) with
+    (c * exp ((b ^ 2 - 0 ^ 2) / (4 * a)) * cos (b * 0 / (2 * a) + 0) * sqrt (PI / a)).
+  - apply (theorem_gaussian_wave f g a b c 0 0 P A). intros x. rewrite E, Rmult_0_l, Rplus_0_l, cos_0, Rmult_1_r. reflexivity.
+  - replace (b * 0 / (2 * a) + 0) with 0 by (field; lra). rewrite cos_0, Rmult_1_r.
+    replace (b ^ 2 - 0 ^ 2) with (b ^ 2) by ring. reflexivity.
 Qed.
 
 Theorem theorem_sum_of_sums :

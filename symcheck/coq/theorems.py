@@ -27,15 +27,18 @@ UNSTATED = {  # theorems without a proof in Theorems.v
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",
     **dict.fromkeys(
-        ("antiderivative", "antiderivative_everywhere"), "how smooth an antiderivative is, is read off its term"
+        ("antiderivative", "antiderivative_everywhere", "antiderivative_converges"),
+        "how smooth an antiderivative is, is read off its term",
     ),
     **dict.fromkeys(
         (
             "decaying",
-            "gaussian",
-            "gaussian_wave",
             "half_gaussian",
             "gamma_integral",
+            "unit_beta",
+            "inverted",
+            "moved",
+            "log_head",
             "power_tail",
             "tail_converges",
             "power_head",
@@ -50,8 +53,10 @@ UNSTATED = {  # theorems without a proof in Theorems.v
         ),
         "an improper integral is not stated in Coq",
     ),
-    "gamma": "Euler's gamma function is not in Coq's libraries",
-    "gamma_values": "Euler's gamma function is not in Coq's libraries",
+    **dict.fromkeys(
+        ("gamma", "gamma_values", "gamma_reflected", "gamma_doubled"),
+        "Euler's gamma function is not in Coq's libraries",
+    ),
 }
 LEMMAS = {"principal_value": "below", "first_quadrant": "acute", "known_angle": "known"}  # of a function: atan_below
 LIKE = {
@@ -59,7 +64,14 @@ LIKE = {
     "arcsine": ("sine", "R1 L H"),
     "arccosine": ("cosine", "R1 L H"),
 }  # of an order
-OF_THEOREMS = ("telescope", "telescoping_product", "sum_of_sums", "shifted")  # of what has a form in theorems alone
+OF_THEOREMS = (
+    "telescope",
+    "telescoping_product",
+    "sum_of_sums",
+    "shifted",
+    "gaussian",
+    "gaussian_wave",
+)  # of what has a form in theorems alone
 MISSING = {  # those that no proof may apply
     **{name: reason for name, reason in UNSTATED.items() if name != "enclosure"},
     **dict.fromkeys(OF_THEOREMS, "a sum, a product or an integral without an end has no form in a claim"),
@@ -109,7 +121,8 @@ def statement(name: str) -> str:
     groups = groupby(stated.parameters, key=lambda parameter: kinds.get(parameter, "R"))
     bound = " ".join(f"({' '.join(own)} : {kind})" for kind, own in groups)
     smooth, *of = table.SMOOTH.get(name, ("",))
-    premises = [f"polynomial_in_{'circle' if of else 'letter'} {smooth}"] if smooth else []
+    kind = "circle" if of else "waves" if name in table.WAVES else "letter"
+    premises = [f"polynomial_in_{kind} {smooth}"] if smooth else []
     counted = [part for part in nodes(stated.conclusion) if part.tag in ("sum", "product")]
     premises += [f"whole {end}" for end in dict.fromkeys(end for part in counted for end in part.outside)]
     text = Printer(whole=("n", "k"), of_theorems=name in OF_THEOREMS).text

@@ -13,7 +13,7 @@ from symcheck.core.calculus import is_entire, letters, nodes, substituted
 from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import INFINITY, Binder, End, Formula, Node, Term, Value, mapped, node
 from symcheck.core.verdicts import SymcheckError
-from symcheck.question.improper import improper
+from symcheck.question.improper import improper, inverted
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.reading import from_sympy, to_sympy
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from sympy import Expr, Piecewise
 
 THEOREMS = {"integral": ("antiderivative", "antiderivative_everywhere"), "sum": ("telescope",)}
+CONVERGES = "antiderivative_converges"
 INDUCTIVE = {"sum": "telescope", "product": "telescoping_product"}
 # what SymPy raises for what it cannot do
 FAULTS = (ArithmeticError, ValueError, TypeError, AttributeError, NotImplementedError, RecursionError)
@@ -33,7 +34,7 @@ def hinted(problem: Problem) -> Problem:
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
     found = dict.fromkeys(each for tree in trees for each in _binders(tree))
     hints = [hint for each in found for hint in _hints(each)[1]]
-    hints += [hint for pair in permutations(found, 2) for hint in _scaled(*pair)]
+    hints += [hint for pair in permutations(found, 2) for hint in (*_scaled(*pair), *_moved(*pair))]
     hints += _claimed(problem.claim)
     return replace(problem, hints=(*problem.hints, *hints)) if hints else problem
 
@@ -104,8 +105,8 @@ def _hints(binder: Binder) -> tuple[Term, list[Applied[Term]]]:
     low, high = binder.outside
     at = [substituted(closed, {binder.letter: end}) for end in (high, low)]
     value = node("+", at[0], node("-", at[1])) if binder.tag == "integral" else at[0]
-    powers = any(part.tag == "pow" for part in nodes(binder.body))
-    return value, [*outer, *(_improper(binder) if powers else ()), *inner]
+    endless = any(part.tag in ("pow", "log") for part in nodes(binder.body))  # at an end, perhaps
+    return value, [*outer, *(_improper(binder) if endless else ()), *inner]
 
 
 def _kinks(binder: Binder) -> list[tuple[Value, Term, Term]]:
@@ -174,15 +175,44 @@ def _positive(tree: Term) -> Expr:
     return found.subs({symbol: sympy.Symbol(symbol.name, positive=True) for symbol in found.free_symbols})
 
 
+def _moved(one: Binder, other: Binder) -> Iterator[Applied[Term]]:
+    """How one integral between two ends is another one, of which the letter is a linear function."""
+    if one.tag != "integral" or other.tag != "integral" or not (_is_finite(one) and _is_finite(other)):
+        return
+    import sympy
+
+    with suppress(SymcheckError, OutOfTime, *FAULTS), limited(SECONDS):
+        s, t, low, high = map(to_sympy, (*one.outside, *other.outside))
+        for first, last in ((low, high), (high, low)):
+            a = sympy.cancel((last - first) / (t - s))
+            b = sympy.expand(first - a * s)
+            if a.is_finite is not False and (a, b) != (1, 0):
+                lambdas = ((one.letter,), one.body), ((other.letter,), other.body)
+                yield Applied("moved", (from_sympy(a), from_sympy(b), *one.outside), lambdas)
+
+
 @lru_cache(KEPT)
 def _improper(binder: Binder) -> list[Applied[Term]]:
     import sympy  # noqa: F401 (an import that is interrupted by the limit would leave it broken)
 
-    try:
-        with limited(SECONDS):
-            return improper(binder.body, binder.letter, *binder.outside) if binder.tag == "integral" else []
-    except (SymcheckError, OutOfTime, *FAULTS):
+    if binder.tag != "integral":
         return []
+    for way in (improper, _inverted):
+        with suppress(SymcheckError, OutOfTime, *FAULTS), limited(SECONDS):
+            return way(binder.body, binder.letter, *binder.outside)
+    return []
+
+
+def _inverted(body: Term, x: str, low: Term, high: Term) -> list[Applied[Term]]:
+    """An integral to infinity as one from 0 to 1, with the theorems that say what that is."""
+    if high != INFINITY or isinstance(low, End):
+        return []
+    hints, inside = inverted(body, x, low)
+    there = node("integral", inside, x, 0, 1)
+    assert isinstance(there, Binder)
+    hints += _hints(there)[1]
+    primitives = [hint for hint in hints if hint.theorem.startswith("antiderivative")][:1]
+    return [*hints, *(replace(hint, theorem=CONVERGES) for hint in primitives)]
 
 
 @lru_cache(KEPT)

@@ -137,7 +137,7 @@ def ratio(expr: Expr, x: Symbol) -> Expr:
 
 
 def _sum_alone(claim: Formula) -> tuple[Binder, Term] | None:
-    """A sum that is one side of an equation, with the other side; signs and factors are brought there."""
+    """A sum that is one side of an equation, with the other side; signs, factors and addends are brought there."""
     if not isinstance(claim, Relation) or claim.tag != "=":
         return None
     for side, other in (claim.terms, claim.terms[::-1]):
@@ -146,13 +146,18 @@ def _sum_alone(claim: Formula) -> tuple[Binder, Term] | None:
         match side:
             case Binder(tag="sum"):
                 return side, other
-            case Node(tag="-", outside=(Binder(tag="sum") as total,)):
-                return total, node("-", other)
+            case Node(tag="-", outside=(inner,)) if any(part.tag == "sum" for part in nodes(inner)):
+                return _sum_alone(node("=", inner, node("-", other)))
             case Node(tag="*", outside=factors):
                 sums = [part for part in factors if isinstance(part, Binder) and part.tag == "sum"]
                 rest = [part for part in factors if part not in sums]
                 if len(sums) == 1 and rest and not any(part.tag == "sum" for part in nodes(*rest)):
                     return sums[0], node("/", other, node("*", *rest) if rest[1:] else rest[0])
+            case Node(tag="+", outside=addends):
+                own = [part for part in addends if any(inner.tag == "sum" for inner in nodes(part))]
+                beside = [node("-", part) for part in addends if part not in own]
+                if len(own) == 1:
+                    return _sum_alone(node("=", own[0], node("+", other, *beside)))
     return None
 
 
@@ -225,20 +230,20 @@ def _steps(problem: Problem, s: _Sum, first: int) -> tuple[Problem, ...]:
     valued = [
         (each, given)
         for claim, given in stated
-        for each in dict.fromkeys(part for whole in domain(claim, divisors=True) for part in _factors(whole))
+        for each in dict.fromkeys(part for whole in domain(claim, divisors=True) for part in not_zero(whole))
         if letters(each) & {s.n, k}
     ]
     return tuple(replace(problem, claim=claim, hypotheses=tuple(given)) for claim, given in (*stated, *valued))
 
 
-def _factors(condition: Formula) -> Iterator[Formula]:
+def not_zero(condition: Formula) -> Iterator[Formula]:
     """The conditions that no factor of a divisor vanishes; a gamma function is positive where it has a value."""
     match condition:
         case Node(tag="!=", outside=(Node(tag="*", outside=factors), 0)):
             for factor in factors:
-                yield from _factors(node("!=", factor, 0))
+                yield from not_zero(node("!=", factor, 0))
         case Node(tag="!=", outside=(Node(tag="^", outside=(base, int())), 0)):
-            yield from _factors(node("!=", base, 0))
+            yield from not_zero(node("!=", base, 0))
         case Node(tag="!=", outside=(Node(tag="gamma" | "pow"), 0)):
             pass
         case _:

@@ -60,19 +60,48 @@ def _hints(body: Term, x: str, low: Term, high: Term) -> Hints:
 
 
 def _head(body: Term, x: str, high: Term) -> Applied[Term]:
-    """What a power says of the integral from zero, or that it converges beside what is smooth."""
+    """What a power says of the integral from zero, alone, by a logarithm, or by one of 1 - x; or that it converges."""
     import sympy
 
     expr, symbol = _symbols(body, x)
+    f = ((x,), body)
+    factors = sympy.Mul.make_args(sympy.powsimp(expr))
+    if sympy.log(symbol) in factors:
+        c, u = _power(expr / sympy.log(symbol), symbol)
+        return Applied("log_head", (from_sympy(c), from_sympy(u), high), (f,))
+    if high == 1 and (beta := _beta(to_sympy(body), symbol)):
+        return Applied("unit_beta", tuple(map(from_sympy, beta)), (f,))
     try:
         c, u = _power(expr, symbol)
-        return Applied("power_head", (from_sympy(c), from_sympy(u), high), (((x,), body),))
+        return Applied("power_head", (from_sympy(c), from_sympy(u), high), (f,))
     except SymcheckError:
-        factors = sympy.Mul.make_args(sympy.powsimp(expr))
         powers = [factor for factor in factors if factor.as_base_exp()[0] == symbol]
         rest = sympy.Mul(*(factor for factor in factors if factor not in powers))
         u = sympy.expand(sum(power.as_base_exp()[1] for power in powers))
-        return Applied("head_converges", (from_sympy(u), high), (((x,), body), ((x,), from_sympy(rest))))
+        return Applied("head_converges", (from_sympy(u), high), (f, ((x,), from_sympy(rest))))
+
+
+def _beta(expr: Expr, x: Symbol) -> tuple[Expr, Expr, Expr] | None:
+    """(c, u, v) with c x^u (1 - x)^v, if it is that."""
+    import sympy
+
+    c, factors = sympy.powsimp(expr).as_independent(x, as_Add=False)
+    exponents = {x: sympy.Integer(0), 1 - x: sympy.Integer(0)}
+    for base, exponent in (factor.as_base_exp() for factor in sympy.Mul.make_args(factors)):
+        if base not in exponents or exponent.has(x):
+            return None
+        exponents[base] += exponent
+    return (c, *map(sympy.expand, exponents.values())) if exponents[1 - x] != 0 else None
+
+
+def inverted(body: Term, x: str, low: Term) -> tuple[Hints, Term]:
+    """The theorem that takes an integral to infinity to one from 0 to 1, and the integrand of that."""
+    import sympy
+
+    place = sympy.Symbol(x, positive=True)
+    there = to_sympy(body).subs(sympy.Symbol(x, real=True), to_sympy(low) - 1 + 1 / place) / place**2
+    inside = from_sympy(sympy.factor(sympy.together(there)))
+    return [Applied("inverted", (low,), (((x,), body), ((x,), inside)))], inside
 
 
 def _symbols(body: Term, x: str) -> tuple[Expr, Symbol]:

@@ -17,7 +17,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, PI, Binder, Formula, Malformed, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
-from symcheck.question.hypergeometric import plainly, ratio, worked_out
+from symcheck.question.hypergeometric import not_zero, plainly, ratio, worked_out
 from symcheck.reading import from_sympy, to_sympy
 from symcheck.reading.functions import applied
 
@@ -120,7 +120,7 @@ def _summed(body: Term, letter: str, low: int) -> tuple[Term, list[Formula]]:
         if base.below != 0:
             claims.append(node("<", node("^", from_sympy(sympy.sympify(base.below)), 2), 1))
     stated = node("=", powers.without(body), worked_out(right))
-    valued = [each for each in domain(stated, divisors=True) if letter in letters(each)]
+    valued = [each for whole in domain(stated, divisors=True) for each in not_zero(whole) if letter in letters(each)]
     return worked_out(value), [*valued, stated, *claims]
 
 

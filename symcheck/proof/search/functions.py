@@ -51,6 +51,7 @@ MAX_POWER_SUM = 8  # of an index: the sums that people print have at most the fo
 HALF_LINE = (0, INFINITY)
 WHOLE_LINE = (MINUS_INFINITY, INFINITY)
 
+_HALF = Fraction(1, 2)
 STEPS = range(2, 9)  # between gamma functions: in printed formulas hardly more
 
 
@@ -219,9 +220,14 @@ def _gamma(tree: Node, others: Sequence[Node]) -> Iterator[Instance]:
     number = number_of(t)
     if number is not None and number > 1:
         yield applied("gamma", number_term(number - 1))
-    elif number in (1, Fraction(1, 2)):
+    elif number in (1, _HALF):
         yield applied("gamma_values")
+    doubled = number is None and canonical(node("*", 2, t)) in [canonical(gamma.terms[0]) for gamma in others]
     for (other,) in (gamma.terms for gamma in others):
+        if number is None and number_of(node("+", t, other)) == 1:
+            yield applied("gamma_reflected", t)
+        if doubled and number_of(node("+", other, node("-", t))) == _HALF:
+            yield applied("gamma_doubled", t)
         if number is None and number_of(node("+", other, node("-", t))) == 1:
             yield applied("gamma", t)
         ahead = number_of(node("+", t, node("-", other))) if number is None else None

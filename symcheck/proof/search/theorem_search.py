@@ -200,15 +200,18 @@ class _Search:
                 return self.prove_here(formula, _not_divided_by(formula, known))
         return prove_order(formula, known) or order_of_numbers(formula, known.ring.definitions)
 
-    def _conclusion(self, formula: Formula, known: Knowledge, letter: str = "") -> Step | None:
+    def _conclusion(
+        self, formula: Formula, known: Knowledge, letter: str = "", shown: frozenset[Term] = frozenset()
+    ) -> Step | None:
         """What a premise says of a bound variable, under an assumption perhaps, where theorems may speak of that.
 
-        With a letter, only what it divides by that contains this letter is shown not to be zero.
+        With a letter, only what it divides by that contains this letter is shown not to be zero, but for what is shown.
         """
-        for divisor in dict.fromkeys(map(divided_by, nodes(formula))):
+        met = (part for each in map(divided_by, nodes(formula)) for part in (each, *_fractions(each)))
+        for divisor in dict.fromkeys(part for part in met if part not in shown):
             positive = node(">", divisor, 0)
             if letter in {"", *letters(divisor)} and (why := _shown_here(divisor, known)) is not None:
-                then = self._conclusion(formula, known.assume(positive), letter)
+                then = self._conclusion(formula, known.assume(positive), letter, shown | {divisor})
                 return None if then is None else Have(positive, why, then)
         again = formula.tag != "="  # of an equation this has been tried
         return self._premise(formula, known) or (self._with_inner(formula, known) if again else None)
@@ -240,14 +243,27 @@ class _Search:
         return None
 
 
+def _fractions(divisor: Term) -> Iterator[Term]:
+    """The factors of a divisor in which something is divided: each of them has to be shown not to be zero."""
+    match divisor:
+        case Value(tag="*", terms=factors):
+            yield from (each for factor in factors for each in (factor, *_fractions(factor)) if _divides(each))
+        case Value(tag="^", terms=(base, _)) if _divides(base):
+            yield base
+
+
+def _divides(term: Term) -> bool:
+    return any(part.tag == "/" for part in nodes(term))
+
+
 def _shown_here(divisor: Term, known: Knowledge) -> Step | None:
     """Why a divisor is positive, if its form does not say so."""
     known_here = letters(divisor) and variables(divisor) <= {*known.ring.names}
     if not known_here or Knowledge(known.ring).sign(divisor)[0]:
         return None
     value = known.ring.ratio(divisor)
-    if value.den or known.nonzero(value.num) is not None:
-        return None
+    if not value.den and known.nonzero(value.num) is not None:
+        return None  # for the checker a fraction is not its numerator
     return prove_order(node(">", divisor, 0), known)
 
 
