@@ -48,22 +48,19 @@ OF_ARRAYS = """def of_arrays({inputs}, out):
                 whole = of_few
             elif less < size <= more:
                 whole = of_many
-            elif 0 < size <= few and out is None:
-                try:
-                    return one_by_one(({values},), {first}.shape)
-                except UNDEFINED:
-                    return of_one_shape(({values},), out)
             else:
-                return of_one_shape(({values},), out)
-            try:
-                if out is None:
-                    return whole({values})
-                given = apart(out, {first}.shape, KIND, {outputs}, ({arrays},))
-                if given:
-                    whole({values}, *given)
-                    return {handed}
-            except UNDEFINED:
-                pass
+                whole = of_handful if 0 < size <= few else None
+            if whole:
+                try:
+                    if out is None:
+                        return whole({values})
+                    given = apart(out, {first}.shape, KIND, {outputs}, ({arrays},))
+                    if given:
+                        whole({values}, {into})
+                        {copies}
+                        return {handed}
+                except UNDEFINED:
+                    pass
             return of_one_shape(({values},), out)
         found = known.get({every_shape}) if out is None else None
         if found:
@@ -107,17 +104,19 @@ def of_numbers(kinds: Sequence[type], outputs: int, space: Space) -> Callable[..
     return _made(OF_NUMBERS, space, inputs=_inputs(kinds), body=body)
 
 
-def of_arrays(kinds: Sequence[type], dtype: np.dtype[Any], outputs: int, space: Space) -> Callable[..., Any]:
+def of_arrays(kinds: Sequence[type], dtype: np.dtype[Any], order: Sequence[int], space: Space) -> Callable[..., Any]:
     """What arrays of one type with numbers beside them go through, which keeps what it learns in `space`.
 
-    `of_one_shape` of the space is for arrays of one shape whose function is not known yet, or that are large;
-    `of_shapes` for arrays that broadcast, and those without dimensions; `others` for arrays of another type.
+    Of the space `of_handful` is for a handful of points, `of_one_shape` for arrays of one shape whose function is not
+    known yet, or that are large, `of_shapes` for arrays that broadcast, and those without dimensions, and `others` for
+    arrays of another type. `order` says of each output which of the distinct results it is.
     """
     inputs = _inputs(kinds)
     arrays = [x for x, kind in zip(inputs, kinds, strict=True) if kind is ndarray]
     shapes = [f"{x}.shape" for x in arrays]
     beginning = {"few": 0, "most": 0, "less": 0, "more": 0, "apart": _apart, "KIND": dtype}
     space |= beginning
+    firsts = [order.index(k) for k in order]
     return _made(
         OF_ARRAYS,
         space,
@@ -128,8 +127,10 @@ def of_arrays(kinds: Sequence[type], dtype: np.dtype[Any], outputs: int, space: 
         every_shape=f"({', '.join(shapes)},)",
         first=arrays[0],
         arrays=arrays,
-        outputs=str(outputs),
-        handed="given[0]" if outputs == 1 else "given",
+        outputs=str(len(order)),
+        into=[f"given[{n}]" for n, first in enumerate(firsts) if n == first],
+        copies="; ".join(f"given[{n}][...] = given[{first}]" for n, first in enumerate(firsts) if n != first) or "pass",
+        handed="given[0]" if len(order) == 1 else "given",
     )
 
 
@@ -163,6 +164,7 @@ def _apart(
         if type(each) is not ndarray or each.dtype is not dtype or each.shape != shape or not each.flags.owndata:
             return None
     for x in arrays:
-        if x.base is not None or id(x) in places:
+        owner = x if x.base is None else x.base
+        if type(owner) is not ndarray or owner.base is not None or id(owner) in places:
             return None
     return given

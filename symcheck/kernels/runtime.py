@@ -146,7 +146,7 @@ class Ways:
         return found
 
     def _new_way(self, kinds: tuple[type, ...]) -> Callable[..., Any]:
-        numbers, outputs = {*kinds} - {ndarray}, len(self.said.outputs)
+        numbers = {*kinds} - {ndarray}
 
         def others(*inputs_and_out: Any) -> Any:
             return self._of_any_types(inputs_and_out[:-1], inputs_and_out[-1])
@@ -154,16 +154,16 @@ class Ways:
         if not numbers <= NUMBERS:
             return others
         if ndarray not in kinds:
-            return calling.of_numbers(kinds, outputs, {"formula": self.formula, "others": others})
+            return calling.of_numbers(kinds, len(self.said.outputs), {"formula": self.formula, "others": others})
         patterns: tuple[Pattern, ...] = tuple([1 if kind is ndarray else None for kind in kinds])
         found: Callable[..., Any] = others
         dtypes: Sequence[Any] = (SINGLE, DOUBLE) if numbers <= PLAIN else (DOUBLE,)
         for dtype in dtypes:
-            one_by_one = partial(self._one_by_one, dtype=dtype, given=None)
-            space: dict[str, Any] = {"others": found, "one_by_one": one_by_one, "known": {}}
+            space: dict[str, Any] = {"others": found, "known": {}}
+            space["of_handful"] = partial(self._of_handful, kinds.index(ndarray), dtype)
             space["of_one_shape"] = partial(self._of_one_shape, space, patterns, dtype)
             space["of_shapes"] = partial(self._of_shapes, space["known"], dtype)
-            found = calling.of_arrays(kinds, dtype, outputs, space)
+            found = calling.of_arrays(kinds, dtype, self.order, space)
         return found
 
     def traced(self, many: bool = False) -> Trace:
@@ -209,6 +209,13 @@ class Ways:
             space.update(of_few=found.whole, few=found.handful, most=SMALL if alone else FEW)
         given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
         return self._computed(found, values, shape, dtype, given, one_by_one=True)
+
+    def _of_handful(self, first: int, dtype: DType, *values_and_given: Any) -> Results:
+        """The results at a handful of points in arrays of one shape, of which one has the place `first`."""
+        count = len(self.said.arguments)
+        values, given = values_and_given[:count], values_and_given[count:]
+        every = [given[k] for k in self.order] if given else None
+        return self._one_by_one(values, values[first].shape, dtype, every)
 
     def _of_shapes(self, known: dict[Any, Any], dtype: DType, values: Sequence[Any], out: Out) -> Results:
         """The results of arrays that broadcast and floats; their function is kept for later calls with such shapes."""
