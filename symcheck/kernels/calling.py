@@ -21,6 +21,9 @@ from numpy.typing import NDArray
 UNDEFINED: tuple[type[Exception], ...] = (ValueError, ZeroDivisionError, OverflowError)
 PLAIN = frozenset({float, int})
 NUMBERS = PLAIN | {np.float64, np.int64, np.int32}
+LIBRARIES = frozenset(
+    {"cupy", "jax", "jaxlib", "torch"}
+)  # whose types of arrays do not all have what the standard asks
 CALL = """def call({inputs}, out=None):
     if out is None and float is {types}:
         try:
@@ -72,6 +75,15 @@ OF_ARRAYS = """def of_arrays({inputs}, out):
     return others({inputs}, out)
 """
 Space = dict[str, Any]
+
+
+def is_foreign(kind: type) -> bool:
+    """Whether it is a type of arrays of another library of the array API standard: JAX, PyTorch, CuPy and others."""
+    if issubclass(kind, (ndarray, np.generic)):
+        return False
+    return hasattr(kind, "__array_namespace__") or any(
+        x.__module__.partition(".")[0] in LIBRARIES for x in kind.__mro__
+    )
 
 
 def call_of(name: str, names: Sequence[str], space: Space) -> Any:

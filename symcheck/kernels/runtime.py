@@ -147,6 +147,8 @@ class Ways:
 
     def _new_way(self, kinds: tuple[type, ...]) -> Callable[..., Any]:
         numbers = {*kinds} - {ndarray}
+        if any(map(calling.is_foreign, numbers)):
+            return self._of_library
 
         def others(*inputs_and_out: Any) -> Any:
             return self._of_any_types(inputs_and_out[:-1], inputs_and_out[-1])
@@ -193,6 +195,18 @@ class Ways:
         fit. NumPy's warnings are the caller's. `many` computes few points as many are, to the last bit.
         """
         return self._of_any_types(inputs, out, many) if many else self.call(*inputs, out=out)
+
+    def _of_library(self, *inputs_and_out: Any) -> Any:
+        """The results of arrays of another library of the array API standard, by that library."""
+        if inputs_and_out[-1] is not None:
+            raise ValueError(f"{self.said.name}: out= is for NumPy's arrays; leave it out")
+        return self._in_libraries(*inputs_and_out[:-1])
+
+    @cached_property
+    def _in_libraries(self) -> Any:
+        from symcheck.kernels.engines import in_libraries
+
+        return in_libraries(self.call)
 
     def _of_one_shape(
         self, space: dict[str, Any], patterns: tuple[Pattern, ...], dtype: DType, values: Sequence[Any], out: Out
