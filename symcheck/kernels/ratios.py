@@ -17,8 +17,8 @@ TINY = 2.0**-100  # below it log(1 + x) and exp(x) - 1 are x
 STIRLING = tuple(p / q for p, q in ((1, 12), (-1, 360), (1, 1260), (-1, 1680), (1, 1188), (-691, 360360), (1, 156)))
 NEXT = -3617 / 122400  # the next term of the series
 HALF = tuple((2.0 ** (-1 - 2 * n) - 2) * c for n, c in enumerate((*STIRLING, NEXT)))
-# Between these neither Gamma nor powers overflow, and their quotients are of more digits than the series (measured: 13
-# against 17 ulp) in a tenth of the time.
+# Between these neither Gamma nor powers overflow, and their quotients have more digits than the series (measured: 10
+# ulp against 32) in a tenth of the time; what x + h loses by rounding is made good by its slope, log(x + h).
 LOW, HIGH = 2.0**-40, 20.0
 SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
 
@@ -98,7 +98,9 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
         x = min(x, 1 / TINY)  # beyond, the ratio is 1
         y = x + h
         if LOW <= x <= HIGH and LOW <= y <= HIGH:
-            return math.gamma(y) / (math.gamma(x) * math.pow(x, h))
+            own = y - x
+            lost = (x - (y - own)) + (h - own)  # x + h less y, exactly
+            return math.gamma(y) / (math.gamma(x) * math.pow(x, h)) * (1.0 + lost * math.log(y))
         if min(x, y) >= SHIFT:
             return math.exp(_logarithm_of_floats(x, h))
         moved = x + SHIFT
@@ -110,7 +112,12 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
     least, most = np.minimum(x, y).ravel(), np.maximum(x, y).ravel()
     if y.size and np.minimum.reduce(least) >= LOW and np.maximum.reduce(most) <= HIGH:
         gamma, root = _gamma(), h.ndim == 0 and h == 0.5
-        return np.divide(gamma(y), gamma(x) * (np.sqrt(x) if root else np.power(x, h)), out)
+        value = gamma(y) / (gamma(x) * (np.sqrt(x) if root else np.power(x, h)))
+        own = y - x
+        lost = (x - (y - own)) + (h - own)
+        lost *= np.log(y)
+        lost += 1.0
+        return np.multiply(value, lost, out)
     own = ARRAYS[y.dtype]
     both = np.empty((2, *y.shape), y.dtype)  # x and x + h: half as many calls
     np.minimum(x, 1 / own.tiny, out=both[0])
