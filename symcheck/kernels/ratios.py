@@ -19,7 +19,7 @@ NEXT = -3617 / 122400  # the next term of the series
 HALF = tuple((2.0 ** (-1 - 2 * n) - 2) * c for n, c in enumerate((*STIRLING, NEXT)))
 # Between these neither Gamma nor powers overflow, and their quotients have more digits than the series (measured: 10
 # ulp against 32) in a tenth of the time; what x + h loses by rounding is made good by its slope, log(x + h).
-LOW, HIGH = 2.0**-40, 20.0
+LOW, HIGH = 2.0**-12, 64.0
 SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
 
 
