@@ -202,7 +202,7 @@ def test_out_is_for_arrays_of_numpy() -> None:
 
 def test_arrays_of_other_libraries_need_array_api_compat_and_say_so(monkeypatch: pytest.MonkeyPatch) -> None:
     array = strict_array([0.3])
-    monkeypatch.setattr("symcheck.kernels.engines.find_spec", lambda name: None)
+    monkeypatch.setattr("symcheck.kernels.libraries.find_spec", lambda name: None)
     vars(mirer2009.equal_moment_pitch.ways).pop("_in_libraries", None)
     with pytest.raises(ImportError, match=r"need array-api-compat: .* -m pip install 'symcheck\[arrays\]'"):
         mirer2009.equal_moment_pitch(array, 2.0, 3.0)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
+from itertools import combinations
 from math import isfinite
 from types import CodeType, FunctionType
 from typing import Any
@@ -162,6 +163,21 @@ def _inputs(kinds: Sequence[type]) -> list[str]:
 def _values(kinds: Sequence[type]) -> list[str]:
     """The arguments, with numbers as floats."""
     return [f"x{k}" if kind in (float, ndarray) else f"float(x{k})" for k, kind in enumerate(kinds)]
+
+
+def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
+    """The arrays of `out`; ValueError if they are not as many as the outputs, or do not fit."""
+    results = list(out) if isinstance(out, (tuple, list)) else [out]
+    if len(results) != outputs:
+        raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")
+    for each in results:
+        if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
+            found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
+            raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
+    own = outputs == 1 or (len({*map(id, results)}) == outputs and all(x.flags.owndata for x in results))
+    if not own and any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
+        raise ValueError("two arrays of out share memory; each output needs memory of its own")
+    return results
 
 
 def _apart(

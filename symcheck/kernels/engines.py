@@ -27,8 +27,8 @@ from platformdirs import user_cache_path
 
 from symcheck.core.extras import installing
 from symcheck.core.verdicts import SymcheckError
-from symcheck.kernels.calling import NUMBERS, is_foreign
-from symcheck.kernels.runtime import DOUBLE, Array, Ways, fitting
+from symcheck.kernels.calling import NUMBERS, fitting
+from symcheck.kernels.runtime import DOUBLE, Array, Ways
 from symcheck.kernels.specification import KernelFunction
 
 ENGINES = ("numpy", "numba", "c")
@@ -103,39 +103,6 @@ def _by_numba(module: ModuleType, kernels: Mapping[str, KernelFunction]) -> dict
         own: Any = getattr(found, name)
         own.__doc__, own.specification, own.ways = kernel.__doc__, kernel.specification, kernel.ways
     return {name: getattr(found, name) for name in kernels}
-
-
-# --- libraries of arrays
-
-
-def in_libraries(kernel: KernelFunction) -> Any:
-    """The function of a kernel for arrays of any library of the array API standard, which can be traced.
-
-    ImportError, which says how to install it, without array-api-compat.
-    """
-    if not find_spec("array_api_compat"):
-        raise ImportError(
-            f"arrays of other libraries than NumPy need array-api-compat: {installing('arrays')}",
-            name="array_api_compat",
-        )
-    from symcheck.kernels.codegen import array_target, traced
-
-    name, paper = kernel.specification.name, kernel.specification.paper
-    text = array_target.files(paper, {name: traced.compiled(kernel)})[f"{paper}.py"]
-    space: dict[str, Any] = {"__name__": f"symcheck_arrays_{paper}"}
-    exec(compile(text, f"<{name} in libraries>", "exec"), space)  # our own text
-    function = space[name]
-
-    def call(*inputs: Any) -> Any:
-        library = space["array_namespace"](*(x for x in inputs if is_foreign(type(x))))
-        return function(*(library.asarray(x) if isinstance(x, np.ndarray) and x.ndim else _number(x) for x in inputs))
-
-    return call
-
-
-def _number(x: Any) -> Any:
-    """NumPy's numbers, and arrays without dimensions, as Python's."""
-    return x.item() if isinstance(x, (np.ndarray, np.generic)) else x
 
 
 # --- C

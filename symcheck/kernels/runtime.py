@@ -19,7 +19,7 @@ import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property, lru_cache, partial, update_wrapper
 from inspect import cleandoc
-from itertools import combinations, product, repeat
+from itertools import product, repeat
 from math import isfinite, prod
 from typing import Any
 
@@ -28,7 +28,7 @@ from numpy import array, ndarray
 from numpy.typing import NDArray
 
 from symcheck.kernels import calling
-from symcheck.kernels.calling import NUMBERS, PLAIN, UNDEFINED
+from symcheck.kernels.calling import NUMBERS, PLAIN, UNDEFINED, fitting
 from symcheck.kernels.documentation import numpy_docstring
 from symcheck.kernels.quantities import in_units, is_quantity, with_units
 from symcheck.kernels.specification import Argument, KernelFunction, Output, Specification
@@ -43,7 +43,6 @@ __all__ = [
     "Array",
     "Output",
     "Values",
-    "fitting",
     "for_arrays",
     "kernel",
 ]
@@ -204,7 +203,7 @@ class Ways:
 
     @cached_property
     def _in_libraries(self) -> Any:
-        from symcheck.kernels.engines import in_libraries
+        from symcheck.kernels.libraries import in_libraries
 
         return in_libraries(self.call)
 
@@ -469,21 +468,6 @@ def _apart(values: Sequence[Any], given: Sequence[Array]) -> list[Any]:
 
 def _share(x: Array, y: Array) -> bool:
     return x is y or (not (x.flags.owndata and y.flags.owndata) and np.may_share_memory(x, y))
-
-
-def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
-    """The arrays of `out`; ValueError if they are not as many as the outputs, or do not fit."""
-    results = list(out) if isinstance(out, (tuple, list)) else [out]
-    if len(results) != outputs:
-        raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")
-    for each in results:
-        if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
-            found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
-            raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
-    own = outputs == 1 or (len({*map(id, results)}) == outputs and all(x.flags.owndata for x in results))
-    if not own and any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
-        raise ValueError("two arrays of out share memory; each output needs memory of its own")
-    return results
 
 
 def _run(

@@ -141,7 +141,6 @@ noise_intensities = Kernel(
 )
 
 
-
 def _drift_by_factors() -> dict[str, Any]:
     """Fourth powers of a sine and cosine by their squares, as cos^2 + 2 sin^2 is 1 + sin^2: fewer operations."""
     letters = {x.name: x for each in derivation.drift_and_diffusion().values() for x in each.free_symbols}
