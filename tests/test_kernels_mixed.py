@@ -210,3 +210,13 @@ def test_ratios_of_gamma_functions_have_their_digits_where_they_are_quotients() 
         exact = [mp.gammaprod([mp.mpf(a) + mp.mpf(b)], [a]) / mp.mpf(a) ** b for a, b in zip(x, h, strict=True)]
         for found in (gamma_ratio(x, h), [gamma_ratio(float(a), float(b)) for a, b in zip(x, h, strict=True)]):
             assert max(abs(mp.mpf(float(y)) / right - 1) for y, right in zip(found, exact, strict=True)) < 16 * 2**-52
+
+
+def test_the_bits_of_a_ratio_of_gamma_functions_do_not_depend_on_its_neighbours() -> None:
+    x = np.geomspace(1e-8, 1e8, 200)
+    for h in (np.array(0.5), np.array(2.25), np.linspace(0.1, 3, 200)):
+        whole = gamma_ratio(x, h)
+        halves = [
+            gamma_ratio(x[part], h[part] if h.ndim else h) for part in (slice(0, 90), slice(90, 110), slice(110, 200))
+        ]
+        np.testing.assert_array_equal(np.concatenate(halves), whole)

@@ -109,15 +109,30 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
         below = other * (other + 7.0) * (other + 12.0) * (other + 15.0) * (y + 4.0)
         return math.exp(_logarithm_of_floats(moved, h)) * (math.pow(moved / x, h) * above / below)
     y = x + h
-    least, most = np.minimum(x, y).ravel(), np.maximum(x, y).ravel()
-    if y.size and np.minimum.reduce(least) >= LOW and np.maximum.reduce(most) <= HIGH:
-        gamma, root = _gamma(), h.ndim == 0 and h == 0.5
-        value = gamma(y) / (gamma(x) * (np.sqrt(x) if root else np.power(x, h)))
-        own = y - x
-        lost = (x - (y - own)) + (h - own)
-        lost *= np.log(y)
-        lost += 1.0
-        return np.multiply(value, lost, out)
+    least, most = np.minimum(x, y), np.maximum(x, y)
+    if y.size and np.minimum.reduce(least.ravel()) >= LOW and np.maximum.reduce(most.ravel()) <= HIGH:
+        return _quotient(x, y, h, out)
+    ordinary = (least >= LOW) & (most <= HIGH)
+    if not ordinary.any():
+        return _by_series(x, y, h, out)
+    # Each point as if it were alone, so that its bits do not depend on its neighbours.
+    quotient = _quotient(np.where(ordinary, x, 1), np.where(ordinary, y, 1), h, None)
+    return np.positive(np.where(ordinary, quotient, _by_series(x, y, h)), out)
+
+
+def _quotient(x: Any, y: Any, h: Any, out: Any) -> Any:
+    """gamma_ratio(x, h) where neither Gamma nor the power leaves the range of doubles; y is x + h, rounded."""
+    gamma, root = _gamma(), h.ndim == 0 and h == 0.5
+    value = gamma(y) / (gamma(x) * (np.sqrt(x) if root else np.power(x, h)))
+    own = y - x
+    lost = (x - (y - own)) + (h - own)
+    lost *= np.log(y)
+    lost += 1.0
+    return np.multiply(value, lost, out)
+
+
+def _by_series(x: Any, y: Any, h: Any, out: Any = None) -> Any:
+    """gamma_ratio(x, h) of any arguments; y has the shape of the result."""
     own = ARRAYS[y.dtype]
     both = np.empty((2, *y.shape), y.dtype)  # x and x + h: half as many calls
     np.minimum(x, 1 / own.tiny, out=both[0])
