@@ -168,6 +168,7 @@ def noise_intensities(a, psi, Omega, k, varepsilon, g_11, g_12, g_21, g_22, g_13
     ulp=8,
     condition="These are sums with zeros inside the domain: the ulp are those of the largest addend.",
     claims={"3.1.2": "5273a157bf0d", "3.2.1": "3ac5751244d0"},
+    forms="a15545b5622e",
 )
 def drift_coefficients(
     a, psi, Omega, k, varepsilon, d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33, g_11, g_12, g_21, g_22,
@@ -189,40 +190,35 @@ def drift_coefficients(
     ...     0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95)]
     ['2.29849', '13.7819', '-0.0707478']
     """
+    cos_psi = cos(psi)
     sin_psi = sin(psi)
     t1 = Omega / k
-    cos_psi = cos(psi)
     t2 = 1.0 / a
     g_21_squared = g_21 * g_21
     sin_psi_squared = sin_psi * sin_psi
     g_22_squared = g_22 * g_22
     cos_psi_squared = cos_psi * cos_psi
-    t3 = 2.0 * cos_psi_squared
-    t4 = cos_psi * sin_psi
-    t5 = 2.0 * t4
+    t3 = cos_psi * sin_psi
     g_11_squared = g_11 * g_11
     g_12_squared = g_12 * g_12
-    t6 = sin_psi_squared * t3
-    t7 = (1.0 / 2.0) * g_11_squared
-    t9 = sin_psi * (cos_psi * cos_psi_squared)
-    t11 = cos_psi * (sin_psi * sin_psi_squared)
-    t12 = (1.0 / 2.0) * g_12_squared
-    t24 = g_11_squared * t6 + (g_12_squared * (sin_psi_squared * sin_psi_squared) + (d_12 * t5 + d_21 * t5))
-    t28 = (
-        g_12_squared * t6 + (cos_psi_squared * cos_psi_squared * g_11_squared + t24) - d_11 * t3 - 2.0 * (d_22 *
-        sin_psi_squared)
+    t17 = (
+        (1.0 + cos_psi_squared) * (g_12_squared * sin_psi_squared) + (1.0 + sin_psi_squared) * (cos_psi_squared *
+        g_11_squared)
     )
-    t41 = (
+    t20 = 2.0 * ((d_12 + d_21) * t3) + t17 - 2.0 * (cos_psi_squared * d_11) - 2.0 * (d_22 * sin_psi_squared)
+    t33 = (
         (1.0 / 2.0) * (t2 * (g_21_squared * sin_psi_squared + cos_psi_squared * g_22_squared)) + ((1.0 / 2.0) * (a *
-        t28) + d_23 * (sin_psi * t1))
+        t20) + t1 * (d_23 * sin_psi - cos_psi * d_13))
     )
-    t62 = t7 * t9 + ((d_13 * sin_psi + cos_psi * d_23) * (t1 * t2) + (d_11 * t4 + cos_psi_squared * d_21))
-    t66 = t4 * (g_21_squared - g_22_squared) / (a * a) + (t12 * t9 + t62) - d_12 * sin_psi_squared - d_22 * t4
-    t79 = (1.0 / 2.0) * (Omega * (g_13 * g_13)) + (d_32 * sin_psi - cos_psi * d_31) * (a * k) - Omega * d_33
-    K_1 = (t41 - d_13 * (cos_psi * t1)) * varepsilon
-    K_2 = (t66 - t11 * t7 - t11 * t12) * varepsilon
-    K_3 = t79 * varepsilon
-    return K_1, K_2, K_3
+    t49 = (
+        (g_21_squared - g_22_squared) / (a * a) + (d_11 + (1.0 / 2.0) * ((g_11_squared + g_12_squared) *
+        (cos_psi_squared - sin_psi_squared)))
+    )
+    t53 = t3 * (t49 - d_22) + (cos_psi_squared * d_21 + (d_13 * sin_psi + cos_psi * d_23) * (t1 * t2))
+    t65 = (Omega * ((1.0 / 2.0) * (g_13 * g_13) - d_33) + (d_32 * sin_psi - cos_psi * d_31) * (a * k)) * varepsilon
+    K_1 = t33 * varepsilon
+    K_2 = (t53 - d_12 * sin_psi_squared) * varepsilon
+    return K_1, K_2, t65
 
 
 @kernel(

@@ -536,8 +536,8 @@ def test_numbers_without_arrays_become_arrays() -> None:
         d="t5",
     )
     space: dict[str, Any] = {}
-    exec(array_target.HEAD.format(key="", mark="", names="") + array_target.HELPERS["full"], space)
-    exec(array_target.source("f", written), space)
+    text = array_target.source("f", written)
+    exec("\n".join([array_target.HEAD.format(key="", mark="", names=""), *array_target.helpers(text), text]), space)
     x = np.array([1.0, 2.0])
     results = space["f"](x, x[:, None])
     assert {r.shape for r in results} == {(2, 2)}

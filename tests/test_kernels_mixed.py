@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 from kernel_reference import Case, cases, random_points
+from mpmath import mp
 
 from symcheck.generated import ignatov2005, poloskov2004
-from symcheck.kernels.runtime import BLOCK, DOUBLE, SMALL, Array
+from symcheck.kernels.ratios import gamma_ratio
+from symcheck.kernels.runtime import BLOCK, DOUBLE, KEPT, SMALL, Array
 
 CASES = cases()
 SHAPES = ((7,), (5, 3), (SMALL + 5,), (2, BLOCK + 3), (0,), (3, 0))
@@ -159,3 +161,62 @@ def test_a_value_has_the_shape_of_what_it_depends_on() -> None:
     assert found.prelude is not None
     assert {x.shape for x in found.prelude(rows, columns, columns)} == {(3, 1), (4,)}
     np.testing.assert_allclose(case.function(rows, columns, columns)[3], np.broadcast_to(np.sin(columns), (3, 4)))
+
+
+def test_out_that_shares_memory_with_an_argument_in_any_way_is_written_last() -> None:
+    a, b = np.linspace(0.1, 1.4, 300), np.linspace(0.3, 1.2, 300)
+    expected = ignatov2005.face_distances_of_four_wheels(a, b)
+    whole = np.empty(300)
+    for shared in (whole, whole[:], np.frombuffer(memoryview(whole)), whole.reshape(3, 100).reshape(-1)):
+        shared[:] = a
+        results = whole, np.empty(300), np.empty(300)
+        found = ignatov2005.face_distances_of_four_wheels(shared, b, out=results)
+        for one, other, given in zip(found, expected, results, strict=True):
+            assert one is given
+            np.testing.assert_array_equal(one, other)
+    backwards = a[::-1].copy()
+    results = backwards, np.empty(300), np.empty(300)
+    found = ignatov2005.face_distances_of_four_wheels(backwards[::-1], b, out=results)
+    np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize("size", [1, 2, 100, 300, SMALL + 1])
+def test_out_has_what_is_computed_without_it(size: int) -> None:
+    for case in CASES.values():
+        columns = points(case, (size,))
+        out = [np.empty(size) for _ in case.kernel.outputs]
+        with np.errstate(all="ignore"):
+            given, expected = case.function(*columns, out=out), case.function(*columns)
+        for one, other, own in zip(leaves(given), leaves(expected), out, strict=True):
+            assert one is own
+            np.testing.assert_array_equal(one, other, err_msg=case.id)
+
+
+def test_what_is_prepared_for_shapes_has_a_limit_and_values_all_the_same() -> None:
+    volume = ignatov2005.volume_of_four_wheels
+    for rows in range(1, KEPT + 20):
+        column = np.linspace(0.2, 1.2, rows)[:, None]
+        found = volume(column, np.array([0.4, 0.5]))
+        np.testing.assert_allclose(found[:, 1], volume(column[:, 0], 0.5), rtol=1e-13)
+    kept = volume.ways.call.__globals__["of_arrays"].__globals__["known"]
+    assert len(kept) <= KEPT
+
+
+def test_ratios_of_gamma_functions_have_their_digits_where_they_are_quotients() -> None:
+    rng = np.random.default_rng(3)
+    x, share = rng.uniform(0.1, 63, 300), rng.uniform(0, 1, 300)
+    h = 0.1 + 62 * share - x
+    with mp.workdps(40):
+        exact = [mp.gammaprod([mp.mpf(a) + mp.mpf(b)], [a]) / mp.mpf(a) ** b for a, b in zip(x, h, strict=True)]
+        for found in (gamma_ratio(x, h), [gamma_ratio(float(a), float(b)) for a, b in zip(x, h, strict=True)]):
+            assert max(abs(mp.mpf(float(y)) / right - 1) for y, right in zip(found, exact, strict=True)) < 16 * 2**-52
+
+
+def test_the_bits_of_a_ratio_of_gamma_functions_do_not_depend_on_its_neighbours() -> None:
+    x = np.geomspace(1e-8, 1e8, 200)
+    for h in (np.array(0.5), np.array(2.25), np.linspace(0.1, 3, 200)):
+        whole = gamma_ratio(x, h)
+        halves = [
+            gamma_ratio(x[part], h[part] if h.ndim else h) for part in (slice(0, 90), slice(90, 110), slice(110, 200))
+        ]
+        np.testing.assert_array_equal(np.concatenate(halves), whole)

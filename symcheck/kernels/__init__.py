@@ -4,6 +4,7 @@ from symcheck.kernels.loading import GENERATED, find, folder, load, of_paper
 
 __all__ = [
     "GENERATED",
+    "calling",
     "codegen",
     "find",
     "folder",

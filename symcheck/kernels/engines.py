@@ -27,7 +27,8 @@ from platformdirs import user_cache_path
 
 from symcheck.core.extras import installing
 from symcheck.core.verdicts import SymcheckError
-from symcheck.kernels.runtime import DOUBLE, NUMBERS, Array, Ways, fitting
+from symcheck.kernels.calling import NUMBERS, fitting
+from symcheck.kernels.runtime import DOUBLE, Array, Ways
 from symcheck.kernels.specification import KernelFunction
 
 ENGINES = ("numpy", "numba", "c")

@@ -10,28 +10,25 @@ alone.
 Decision: one thread for a call. Reason: an operation on a piece takes microseconds, and two threads that ask for the
 interpreter's lock that often wait for one another longer than they compute (measured: 0 to 20 % gained, except where
 sines prevail). Callers share large work among processes or threads by themselves; each thread has its own registers.
-
-Decision: the test for floats is written out for each number of arguments. Reason: a loop over `*arguments` takes
-70 ns, and many a formula takes 100.
 """
 
 from __future__ import annotations
 
 import re
-import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache, cached_property, lru_cache, update_wrapper
+from functools import cached_property, lru_cache, partial, update_wrapper
 from inspect import cleandoc
-from itertools import combinations, product, repeat
+from itertools import product, repeat
 from math import isfinite, prod
-from types import CodeType, FunctionType
 from typing import Any
 
 import numpy as np
 from numpy import array, ndarray
 from numpy.typing import NDArray
 
+from symcheck.kernels import calling
+from symcheck.kernels.calling import NUMBERS, PLAIN, UNDEFINED, fitting
 from symcheck.kernels.documentation import numpy_docstring
 from symcheck.kernels.quantities import in_units, is_quantity, with_units
 from symcheck.kernels.specification import Argument, KernelFunction, Output, Specification
@@ -46,7 +43,6 @@ __all__ = [
     "Array",
     "Output",
     "Values",
-    "fitting",
     "for_arrays",
     "kernel",
 ]
@@ -55,10 +51,8 @@ BLOCK = 8192  # elements: 64 kB of doubles
 DOUBLE, SINGLE = np.dtype(np.float64), np.dtype(np.float32)
 LINE = 64  # bytes of a cache line: registers that begin on one are read twice as fast
 SMALL = 12288  # elements: up to here a second piece costs more time than it saves
+KEPT = 256  # shapes that a mix of arguments is prepared for
 FEW = 200  # elements: up to here sines and cosines cost no more than the tangents that replace them beyond
-
-# What `math` raises where NumPy gives infinity or NaN, and warns.
-UNDEFINED: tuple[type[Exception], ...] = (ValueError, ZeroDivisionError, OverflowError)
 
 Array = NDArray[np.float64]
 Values = float | NDArray[np.float64 | np.float32 | np.int64 | np.int32]
@@ -67,27 +61,7 @@ Out = Array | Sequence[Array] | None
 Results = Any  # an array or a number, or a tuple of them
 Block = Callable[..., Any]
 Formula = Callable[..., float | tuple[float, ...]]
-PLAIN = frozenset({float, int})
-NUMBERS = PLAIN | {np.float64, np.int64, np.int32}
 IN_DEGREES = re.compile(r"(arc)?deg|arcmin|arcsec|°|rpm", re.IGNORECASE)  # as pint and CF conventions spell them
-CALL = """def call({inputs}, out=None):
-    if out is None:
-        if float is {types}:
-            try:
-                return formula({inputs})
-            except UNDEFINED:
-                pass
-        elif ndarray is {types} and DOUBLE is {dtypes} and () != {shapes}:
-            if few < x0.size <= most:
-                return whole({inputs})
-            return of_one_shape({inputs})
-        elif float64 is {types}:
-            try:
-                return {of_doubles}
-            except UNDEFINED:
-                pass
-    return of_anything(({inputs},), out)
-"""
 _local = threading.local()
 
 
@@ -142,34 +116,6 @@ def for_arrays(function: KernelFunction) -> Callable[[Formula], Formula]:
     return decorated
 
 
-class _Mix:
-    """What is known of arguments by their types.
-
-    known       whether all are doubles, whole numbers or arrays
-    quantities  whether some are quantities of pint
-    plain       whether the numbers are Python's
-    first       which is the first array, None if all are numbers or not all are known
-    rest        which others are arrays
-    weak        whether they leave single precision single
-    patterns    of arrays of one shape
-    plans       those of arrays of one shape, once there are any, by their type and whether points are many
-    """
-
-    __slots__ = ("first", "known", "patterns", "plain", "plans", "quantities", "rest", "weak")
-
-    def __init__(self, kinds: tuple[type, ...]) -> None:
-        numbers = {*kinds} - {ndarray}
-        arrays = [k for k, kind in enumerate(kinds) if kind is ndarray]
-        self.known = numbers <= NUMBERS
-        self.quantities = not self.known and any(map(is_quantity, numbers))
-        self.weak = numbers <= PLAIN
-        self.plain = numbers <= {float} if arrays else self.weak
-        self.first = arrays[0] if arrays and self.known else None
-        self.rest = arrays[1:]
-        self.patterns: tuple[Pattern, ...] = tuple([1 if kind is ndarray else None for kind in kinds])
-        self.plans: dict[tuple[Any, ...], Plan] = {}
-
-
 class Ways:
     """The ways in which a kernel runs.
 
@@ -183,24 +129,43 @@ class Ways:
         self.said = said
         self._traces: dict[Formula, Trace] = {}
         self._plans: dict[tuple[Any, ...], Plan] = {}
-        self._mixes: dict[tuple[type, ...], _Mix] = {}
+        self._ways: dict[tuple[type, ...], Callable[..., Any]] = {}
         names = [argument.name for argument in said.arguments]
-        self._space: dict[str, Any] = {
-            "DOUBLE": DOUBLE,
-            "UNDEFINED": UNDEFINED,
-            "doubles": _doubles,
-            "few": sys.maxsize,  # until `whole` is there
-            "float64": np.float64,
-            "formula": formula,
-            "most": 0,
-            "ndarray": ndarray,
-            "of_anything": self.of_anything,
-            "of_one_shape": self.of_one_shape,
-        }
-        code = _call(len(names), not formula.__code__.co_names).replace(
-            co_varnames=(*names, "out"), co_name=said.name, co_qualname=said.name
-        )
-        self.call: Any = FunctionType(code, self._space, said.name, (None,))
+
+        def of_arrays(*inputs_and_out: Any) -> Any:
+            call.__globals__["of_arrays"] = found = self._way((ndarray,) * len(names))
+            return found(*inputs_and_out)
+
+        space = {"formula": formula, "of_arrays": of_arrays, "ways": self._ways, "way": self._way}
+        self.call = call = calling.call_of(said.name, names, space)
+
+    def _way(self, kinds: tuple[type, ...]) -> Callable[..., Any]:
+        """What arguments of these types go through; the first time."""
+        self._ways[kinds] = found = self._new_way(kinds)
+        return found
+
+    def _new_way(self, kinds: tuple[type, ...]) -> Callable[..., Any]:
+        numbers = {*kinds} - {ndarray}
+        if any(map(calling.is_foreign, numbers)):
+            return self._of_library
+
+        def others(*inputs_and_out: Any) -> Any:
+            return self._of_any_types(inputs_and_out[:-1], inputs_and_out[-1])
+
+        if not numbers <= NUMBERS:
+            return others
+        if ndarray not in kinds:
+            return calling.of_numbers(kinds, len(self.said.outputs), {"formula": self.formula, "others": others})
+        patterns: tuple[Pattern, ...] = tuple([1 if kind is ndarray else None for kind in kinds])
+        found: Callable[..., Any] = others
+        dtypes: Sequence[Any] = (SINGLE, DOUBLE) if numbers <= PLAIN else (DOUBLE,)
+        for dtype in dtypes:
+            space: dict[str, Any] = {"others": found, "known": {}}
+            space["of_handful"] = partial(self._of_handful, kinds.index(ndarray), dtype)
+            space["of_one_shape"] = partial(self._of_one_shape, space, patterns, dtype)
+            space["of_shapes"] = partial(self._of_shapes, space["known"], dtype)
+            found = calling.of_arrays(kinds, dtype, self.order, space)
+        return found
 
     def traced(self, many: bool = False) -> Trace:
         """The operations for few points, or for many."""
@@ -222,82 +187,65 @@ class Ways:
             self._plans[key] = plan(self.traced(many), patterns, full, dtype, self.said.name)
         return self._plans[key]
 
-    def of_one_shape(self, *inputs: Array) -> Results:
-        """The results of arrays of doubles of one shape."""
-        space, size, full = self._space, inputs[0].size, (1,) * len(inputs)
-        if "whole" not in space:
-            found = self.plan(False, full, 1, DOUBLE)
-            most = SMALL if self.many is self.formula else FEW
-            space.update(whole=found.whole, few=found.handful, most=most)
-            if found.handful < size <= most:
-                return found.whole(*inputs)
-        if 0 < size <= space["few"]:
-            try:
-                return self._one_by_one(inputs, inputs[0].shape, DOUBLE, None)
-            except UNDEFINED:
-                return space["whole"](*inputs)
-        found = self.plan(True, full, 1, DOUBLE)
-        if size <= SMALL:
-            return found.whole(*inputs)
-        return self._in_pieces(found, inputs, inputs[0].shape, DOUBLE, None)
-
     def of_anything(self, inputs: Sequence[Any], out: Out = None, many: bool = False) -> Results:
         """The results of anything that broadcasts: arrays of the broadcast shape, or numbers of numbers.
 
         Results that are the same are one array. float32 if all arrays are, else float64. ValueError if `out` does not
         fit. NumPy's warnings are the caller's. `many` computes few points as many are, to the last bit.
         """
-        mix = self._mixes.get(kinds := tuple(map(type, inputs))) or self._mix(kinds)
-        if mix.first is None:
-            if mix.known and out is None and not many:
-                try:
-                    return self._of_numbers(inputs, plain=mix.plain)
-                except UNDEFINED:
-                    pass
-            if mix.quantities:
-                return self._of_quantities(inputs, out, many)
-            return self._of_any_types(inputs, out, many)
-        first = inputs[mix.first]
-        shape, dtype, alike = first.shape, first.dtype, True
-        if (dtype is not DOUBLE and (dtype is not SINGLE or not mix.weak)) or not shape:
-            return self._of_any_types(inputs, out, many)
-        for k in mix.rest:
-            x = inputs[k]
-            if x.dtype is not dtype:
-                return self._of_any_types(inputs, out, many)
-            if (own := x.shape) != shape:
-                if not own:
-                    return self._of_any_types(inputs, out, many)
-                alike = False
-        if not mix.plain:
-            inputs = [x if type(x) is ndarray else float(x) for x in inputs]
-        size = first.size if alike else 0
-        found = mix.plans.get((dtype, many or size > FEW)) if alike else None
-        if found is None:
-            patterns, full = mix.patterns, 1
-            if not alike:
-                shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in inputs]))
-                size = prod(shape)
-            found = self.plan(many or size > FEW, patterns, full, dtype)
-            if alike:
-                mix.plans[dtype, many or size > FEW] = found
+        return self._of_any_types(inputs, out, many) if many else self.call(*inputs, out=out)
+
+    def _of_library(self, *inputs_and_out: Any) -> Any:
+        """The results of arrays of another library of the array API standard, by that library."""
+        if inputs_and_out[-1] is not None:
+            raise ValueError(f"{self.said.name}: out= is for NumPy's arrays; leave it out")
+        return self._in_libraries(*inputs_and_out[:-1])
+
+    @cached_property
+    def _in_libraries(self) -> Any:
+        from symcheck.kernels.libraries import in_libraries
+
+        return in_libraries(self.call)
+
+    def _of_one_shape(
+        self, space: dict[str, Any], patterns: tuple[Pattern, ...], dtype: DType, values: Sequence[Any], out: Out
+    ) -> Results:
+        """The results of arrays of one shape and floats; their function is kept for later calls of such a mix."""
+        first = values[patterns.index(1)]
+        size, shape = first.size, first.shape
+        many = size > FEW and dtype is DOUBLE and self.many is not self.formula
+        found = self.plan(many, patterns, 1, dtype)
+        if many:
+            space.update(of_many=found.whole, less=max(FEW, found.handful), more=SMALL)
+        elif size:
+            alone = dtype is SINGLE or self.many is self.formula
+            space.update(of_few=found.whole, few=found.handful, most=SMALL if alone else FEW)
         given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
-        if given is None and not found.uneven and found.handful < size <= SMALL:
-            try:
-                return found.whole(*inputs)
-            except UNDEFINED:  # in what only numbers have part in
-                return self._of_whole_arrays(inputs, shape, dtype, None, many)
-        return self._computed(found, inputs, shape, dtype, given, one_by_one=alike and not many)
+        return self._computed(found, values, shape, dtype, given, one_by_one=True)
 
-    def _mix(self, kinds: tuple[type, ...]) -> _Mix:
-        """What is known of arguments of these types; the first time."""
-        self._mixes[kinds] = mix = _Mix(kinds)
-        return mix
+    def _of_handful(self, first: int, dtype: DType, *values_and_given: Any) -> Results:
+        """The results at a handful of points in arrays of one shape, of which one has the place `first`."""
+        count = len(self.said.arguments)
+        values, given = values_and_given[:count], values_and_given[count:]
+        every = [given[k] for k in self.order] if given else None
+        return self._one_by_one(values, values[first].shape, dtype, every)
 
-    def _of_numbers(self, inputs: Sequence[Any], plain: bool) -> Results:
-        """The results at one point of numbers of several types; OverflowError where NumPy is to warn."""
-        found: Any = self.formula(*map(float, inputs))
-        return found if plain else _doubles(found)
+    def _of_shapes(self, known: dict[Any, Any], dtype: DType, values: Sequence[Any], out: Out) -> Results:
+        """The results of arrays that broadcast and floats; their function is kept for later calls with such shapes."""
+        shapes = tuple([x.shape for x in values if type(x) is ndarray])
+        if () in shapes:
+            return self._of_any_types(values, out)
+        shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in values]))
+        size, alike = prod(shape), {*patterns} <= {None, full}
+        found = self.plan(size > FEW, patterns, full, dtype)
+        if 0 < size <= SMALL and len(known) < KEPT:
+            known[shapes] = found.whole
+            if alike and size <= found.handful:
+                known[shapes] = lambda *values: self._one_by_one(values, shape, dtype, None)
+            elif found.uneven:
+                known[shapes] = lambda *values: self._at_once(found, values, shape, dtype, None)
+        given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
+        return self._computed(found, values, shape, dtype, given, one_by_one=alike)
 
     def _of_quantities(self, inputs: Sequence[Any], out: Out, many: bool) -> Any:
         """The results with their units, of quantities in any units of the same dimensions."""
@@ -306,7 +254,9 @@ class Ways:
             raise ValueError(f"{self.said.name}: out= is for plain arrays, which keep no unit; leave it out")
         return with_units(self.said, self.of_anything(values, many=many), registry)
 
-    def _of_any_types(self, inputs: Sequence[Any], out: Out, many: bool) -> Results:
+    def _of_any_types(self, inputs: Sequence[Any], out: Out, many: bool = False) -> Results:
+        if any(map(is_quantity, map(type, inputs))):
+            return self._of_quantities(inputs, out, many)
         self._refuse_what_would_be_lost(inputs)
         dtype: DType = np.result_type(*inputs)
         if dtype != np.float32:
@@ -416,7 +366,8 @@ class Ways:
             return _one_or_tuple(_put(several, given))
         whole = [*several]
         for places in found.uneven:
-            x = _filled(several[places[0]], shape, dtype)
+            x = np.empty(shape, dtype)
+            x[...] = several[places[0]]
             for place in places:
                 whole[place] = x
         return _one_or_tuple(whole)
@@ -462,36 +413,6 @@ class Ways:
             whole = [_filled(x, shape, dtype) for x in values]
             return self._at_once(found, whole, shape, dtype, given)
         return self._in_pieces(found, [array(x, dtype) if type(x) is float else x for x in values], shape, dtype, given)
-
-
-@cache
-def _call(count: int, arithmetic: bool) -> CodeType:
-    """The code of a call with so many arguments, whose names are replaced.
-
-    arithmetic  whether the formula calls no function: then it takes NumPy's numbers as they are, in less time
-    """
-    inputs = [f"x{k}" for k in range(count)]
-    types, dtypes, shapes = (
-        form.join(text.format(x) for x in inputs)
-        for form, text in ((" is ", "type({})"), (" is ", "{}.dtype"), (" == ", "{}.shape"))
-    )
-    space: dict[str, Any] = {}
-    floats = ", ".join(inputs if arithmetic else (f"float({x})" for x in inputs))
-    of_doubles = f"formula({floats})" if arithmetic else f"doubles(formula({floats}))"
-    exec(CALL.format(inputs=", ".join(inputs), of_doubles=of_doubles, types=types, dtypes=dtypes, shapes=shapes), space)
-    code: CodeType = space["call"].__code__
-    return code
-
-
-def _doubles(found: Any) -> Any:
-    """The results of a formula as NumPy's; OverflowError where NumPy is to warn."""
-    if type(found) is float:
-        if not isfinite(found):
-            raise OverflowError
-        return np.float64(found)
-    if not isfinite(sum(found)):
-        raise OverflowError
-    return tuple([np.float64(x) for x in found])
 
 
 def _one_or_tuple(results: Sequence[Any]) -> Any:
@@ -547,21 +468,6 @@ def _apart(values: Sequence[Any], given: Sequence[Array]) -> list[Any]:
 
 def _share(x: Array, y: Array) -> bool:
     return x is y or (not (x.flags.owndata and y.flags.owndata) and np.may_share_memory(x, y))
-
-
-def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[Any]:
-    """The arrays of `out`; ValueError if they are not as many as the outputs, or do not fit."""
-    results = list(out) if isinstance(out, (tuple, list)) else [out]
-    if len(results) != outputs:
-        raise ValueError(f"out has {len(results)} arrays; this kernel has {outputs} outputs")
-    for each in results:
-        if not isinstance(each, np.ndarray) or each.shape != shape or each.dtype != dtype:
-            found = f"{each.shape} {each.dtype}" if isinstance(each, np.ndarray) else type(each).__name__
-            raise ValueError(f"out is {found}; an array of shape {shape} and type {dtype} is needed")
-    own = outputs == 1 or (len({*map(id, results)}) == outputs and all(x.flags.owndata for x in results))
-    if not own and any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
-        raise ValueError("two arrays of out share memory; each output needs memory of its own")
-    return results
 
 
 def _run(

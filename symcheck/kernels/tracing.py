@@ -140,8 +140,13 @@ def plan(traced: Trace, patterns: Sequence[Pattern], full: int, kind: dtype[Any]
     numbers = [place for place in values if writing.patterns[place] is None and whole_shape]
     even = [place for place in values if writing.patterns[place] == full]
     own = [f"o{place}=None" for place in even] + [f"r{k}=None" for k in range(registers)]
+    shape = [f"shape = {whole_shape}.shape"] if numbers else []
     uneven = [held[place] for place in values if place not in even]
-    filling = [f"o{place} = filled(o{place}, {whole_shape}, {held[place]})" for place in numbers]
+    filling = shape + [
+        line
+        for place in numbers
+        for line in (f"if o{place} is None: o{place} = empty(shape, KIND)", f"o{place}.fill({held[place]})")
+    ]
     into = [place for place in values if place in (*even, *numbers)]
     rows = [f"o{place}=None" for place in into] + own[len(even) :]
     results = [f"o{place}" if place in into else held[place] for place in traced.outputs]
@@ -166,17 +171,9 @@ def plan(traced: Trace, patterns: Sequence[Pattern], full: int, kind: dtype[Any]
     )
 
 
-def _filled(given: Any, like: Any, value: float) -> Any:
-    """An array full of a number."""
-    if given is None:
-        given = empty(like.shape, like.dtype)
-    given.fill(value)
-    return given
-
-
 def _names(traced: Trace, kind: dtype[Any]) -> dict[str, Any]:
     """What the texts of a plan call: functions of arrays by their names, those of floats with `of_` before them."""
-    found: dict[str, Any] = {"filled": _filled}
+    found: dict[str, Any] = {"empty": empty, "KIND": kind}
     found["number"] = array if kind == np.float64 else partial(array, dtype=kind)
     for function in {step.function for step in traced.steps}:
         found[function] = getattr(ratios if function in RATIOS else np, function)

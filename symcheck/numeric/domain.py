@@ -10,12 +10,13 @@ import re
 from collections.abc import Callable, Collection
 from importlib import import_module
 from types import ModuleType
-from typing import Protocol, TypeAlias, TypeVar, cast
+from typing import Any, Protocol, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.core.extras import installing
+from symcheck.kernels.calling import is_foreign
 from symcheck.kernels.quantities import is_quantity
 
 Array = NDArray[np.float64]
@@ -49,7 +50,7 @@ MAX_CHARACTERS = 100  # characters of a value in an error, which stays on one li
 def real(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
     """The value as an array of finite doubles with these last axes."""
     array = doubles(name, value, shape)
-    require(np.isfinite(array), name, array, "be finite")
+    require(np.isfinite(array) if is_numpy(array) else array - array == 0, name, array, "be finite")
     return array
 
 
@@ -60,6 +61,8 @@ def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
             f"{name} is a masked array, whose mask would be lost; pass its filled() or compressed() values"
         )
     in_radians(name, value)
+    if is_foreign(type(value)):
+        return _of_shape(name, cast("Array", value), shape)
     try:
         array = np.asarray(value)
         if array.dtype.kind not in "iuf":
@@ -67,9 +70,13 @@ def doubles(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
         array = array.astype(np.float64, copy=False)
     except (TypeError, ValueError):
         raise ValueError(f"{name} = {shortened(value)} is not an array of real numbers") from None
+    return _of_shape(name, array, shape)
+
+
+def _of_shape(name: str, array: Array, shape: Shape) -> Array:
     last = array.shape[array.ndim - len(shape) :]
     if last != shape and (len(last) < len(shape) or any(map(_differs, shape, last))):
-        raise ValueError(f"{name} has shape {array.shape}; its last axes must be ({_words(shape)})")
+        raise ValueError(f"{name} has shape {tuple(array.shape)}; its last axes must be ({_words(shape)})")
     return array
 
 
@@ -92,7 +99,7 @@ def in_radians(name: object, value: object) -> None:
 
 def moderate(name: str, array: Array, least: float = 0.0, most: float = GREATEST, source: str = "") -> Array:
     """The array, if all absolute values are between these two."""
-    size = np.abs(array)
+    size = abs(array)
     bounds = f"lie between {least:g} and {most:g}" if least else f"be at most {most:g} either way"
     require((size >= least) & (size <= most), name, array, f"{bounds}; take another unit", source)
     return array
@@ -101,7 +108,7 @@ def moderate(name: str, array: Array, least: float = 0.0, most: float = GREATEST
 def momentum(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
     """As `real`, of at most 1e302 N m s either way."""
     array = doubles(name, value, shape)
-    if np.count_nonzero(np.abs(array) <= GREATEST) == array.size:
+    if is_numpy(array) and np.count_nonzero(np.abs(array) <= GREATEST) == array.size:
         return array
     return moderate(name, real(name, value, shape))
 
@@ -109,7 +116,7 @@ def momentum(name: str, value: ArrayLike, shape: Shape = ()) -> Array:
 def coefficient(name: str, value: ArrayLike, source: str) -> Array:
     """As `positive`, so near to 1 that a quotient of two squares is a double."""
     array = doubles(name, value)
-    if np.count_nonzero((array >= 1 / LARGEST) & (array <= LARGEST)) == array.size:
+    if is_numpy(array) and np.count_nonzero((array >= 1 / LARGEST) & (array <= LARGEST)) == array.size:
         return array
     return moderate(name, positive(name, value, source), 1 / LARGEST, LARGEST)
 
@@ -172,6 +179,34 @@ def acute(name: str, angle: ArrayLike) -> Array:
     return array
 
 
+# --- arrays of other libraries
+
+
+def is_numpy(value: object) -> bool:
+    """Whether it is an array of NumPy; others are of a library of the array API standard, such as JAX or PyTorch."""
+    return isinstance(value, np.ndarray | np.generic)
+
+
+def in_one_library(*arrays: Array) -> list[Array]:
+    """The arrays; those of NumPy are put into the library of the others, if there are others."""
+    if all(map(is_numpy, arrays)):
+        return [*arrays]
+    from array_api_compat import array_namespace
+
+    library: Any = array_namespace(*(x for x in arrays if not is_numpy(x)))
+    return [library.asarray(x) if is_numpy(x) else x for x in arrays]
+
+
+def values_of(array: object) -> Array | None:
+    """The numbers of an array as NumPy's; None while another library traces a function, as it has none then."""
+    if is_numpy(array):
+        return cast("Array", array)
+    try:
+        return np.asarray(getattr(array, "detach", lambda: array)())
+    except Exception:  # of any kind: each library has its own
+        return None
+
+
 # --- bodies and axes
 
 
@@ -199,10 +234,13 @@ def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:
 def orthonormal_axes(axes: Orientation) -> Array:
     """Three orthonormal axes as rows, shape (..., 3, 3); of a rotation, those into which it turns others."""
     array = real("axes", rows_of(axes), (3, 3))
+    known = values_of(array)
+    if known is None:
+        return array
     with np.errstate(over="ignore", invalid="ignore"):
-        products = array @ array.swapaxes(-1, -2)
+        products = known @ known.swapaxes(-1, -2)
     holds = (np.abs(products - np.eye(3)) <= TOLERANCE).all(axis=(-1, -2))
-    require(holds, "axes", array, f"have orthonormal rows, to {TOLERANCE:g}", "mirer2009:2.7")
+    require(holds, "axes", known, f"have orthonormal rows, to {TOLERANCE:g}", "mirer2009:2.7")
     return array
 
 
@@ -215,13 +253,16 @@ def rows_of(axes: object) -> ArrayLike:
 def unit_axes(axes: Orientation, source: str, count: int | None = None) -> Array:
     """Unit vectors as rows, shape (..., count, 3)."""
     array = doubles("axes", rows_of(axes), (count, 3))
-    square = np.einsum("...k,...k->...", array, array)
+    known = values_of(array)
+    if known is None:
+        return array
+    square = np.einsum("...k,...k->...", known, known)
     square -= 1
     np.abs(square, out=square)
     require(
         square <= TOLERANCE,
         "axes",
-        array,
+        known,
         f"be finite and have the length 1, to {TOLERANCE:g}; divide it by its length in double precision",
         source,
     )
@@ -247,25 +288,27 @@ def equatorial(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> tuple[Arr
     noise = coefficient("alpha", alpha, "(3.5); without multiplicative noise the density is Rayleigh's, B.10")
     additive = coefficient("beta", beta, "4.0.3; without additive noise nothing is stationary, B.11")
     dissipation = coefficient("gamma", gamma, "1.1.7")
+    noise, additive, dissipation = in_one_library(noise, additive, dissipation)
     require(2 * dissipation > noise, "gamma", dissipation, "satisfy 4 gamma^2 > alpha^2", "4.0.3")
     return noise, additive, dissipation
 
 
 def axial(k: ArrayLike, g_13: ArrayLike, g_23: ArrayLike, d_33: ArrayLike) -> tuple[Array, Array, Array, Array]:
     """k, g_13, g_23, d_33, for which the frequency has a stationary density."""
-    return (
+    ratio, noise, additive, dissipation = in_one_library(
         coefficient("k", k, "(1.1)"),
         coefficient("g_13", g_13, "(3.5); without multiplicative noise the density is normal"),
         coefficient("g_23", g_23, "4.0.5; without additive noise nothing is stationary"),
         coefficient("d_33", d_33, "4.0.5"),
     )
+    return ratio, noise, additive, dissipation
 
 
 def within(name: str, value: Array, unit: Array, words: str) -> Array:
     """The value in a unit, of which it has no more than squares allow; `words` say what the unit is."""
     with np.errstate(over="ignore"):
         quotient = value / unit
-    require(np.abs(quotient) <= FARTHEST, name, value, f"be at most about {FARTHEST:g} {words}")
+    require(abs(quotient) <= FARTHEST, name, value, f"be at most about {FARTHEST:g} {words}")
     return quotient
 
 
@@ -275,7 +318,7 @@ def within(name: str, value: Array, unit: Array, words: str) -> Array:
 def common_shape(**arrays: Array) -> tuple[int, ...]:
     """The shape to which the arrays broadcast."""
     try:
-        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
+        return np.broadcast_shapes(*(tuple(array.shape) for array in arrays.values()))
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
         raise ValueError(f"the leading axes of {shapes} must broadcast to one shape") from None
@@ -287,14 +330,21 @@ def one_of(name: str, value: object, choices: Collection[object]) -> None:
 
 
 def evaluated(what: str, function: Callable[..., Array], *values: Array) -> Array:
-    """What the function gives, if that is finite."""
+    """What the function gives, if that is finite; what another library gives is as it comes out."""
+    if not all(map(is_numpy, values)):
+        return function(*values)
     with np.errstate(all="ignore"):
         return finite(what, function(*values))
 
 
 def finite(what: str, result: Result) -> Result:
     """A result that has not left the range of doubles."""
-    require(np.isfinite(result), what, result, "be a finite double; take arguments of moderate size in other units")
+    require(
+        np.isfinite(result) if is_numpy(result) else True,
+        what,
+        result,
+        "be a finite double; take arguments of moderate size in other units",
+    )
     return result
 
 
@@ -311,8 +361,11 @@ def engine_module(engine: str, module: str) -> ModuleType:
 
 
 def power_of_two(size: Array) -> Array:
-    """The greatest power of two that is at most `size`, not negative: to divide by it rounds nothing; 1/2 for 0."""
-    return np.asarray(np.ldexp(1.0, np.frexp(size)[1] - 1))
+    """The greatest power of two that is at most `size`, not negative: to divide by it rounds nothing; 1/2 for 0.
+
+    Of arrays of other libraries it is 1: they are computed in the units that they have.
+    """
+    return np.ldexp(1.0, np.frexp(size)[1] - 1) if is_numpy(size) else cast("Array", 1.0)
 
 
 # --- wording of errors
@@ -320,6 +373,11 @@ def power_of_two(size: Array) -> Array:
 
 def require(holds: Truth, name: str, value: object, condition: str, source: str = "") -> None:
     """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
+    if is_foreign(type(holds)):
+        known, value = values_of(holds), values_of(value)
+        if known is None:
+            return
+        holds = cast("Truth", known)
     if np.count_nonzero(holds) == holds.size if isinstance(holds, np.ndarray) else holds:  # all() takes twice as long
         return
     shape, array = np.shape(holds), np.asarray(value)

@@ -100,6 +100,15 @@ HELPERS = {
     logarithm = (moved + (h - 0.5)) * xp.log1p(h / moved) - h + (stirling(xp, moved + h) - stirling(xp, moved))
     return xp.exp(logarithm) * xp.where(small, ((near + {SHIFT}.0) / near) ** step * (above / under), 1.0)
 ''',
+    "root": '''def root(xp, x):
+    """The square root of x, with the derivative 0 at 0.
+
+    A root of a product or quotient that is 0 by one argument stays 0 whatever the others are: so their derivatives are
+    0, and not infinity times 0.
+    """
+    zero = x == 0.0
+    return xp.where(zero, 0.0, xp.sqrt(xp.where(zero, 1.0, x)))
+''',
     "stirling": f'''def stirling(xp, x):
     """log Gamma(x) less (x - 1/2) log x - x + log(2 pi)/2, for large x."""
     inverse = 1.0 / x
@@ -164,6 +173,8 @@ def _call(operation: Operation, operands: list[str]) -> str:
     function, inside = operation.function, ", ".join(operands)
     if function in HELPERS:
         return f"{function}(xp, {inside})"
+    if function == "sqrt":
+        return f"root(xp, {inside})"
     if function in (*UNARY, "power"):
         return f"xp.{STANDARD.get(function, function)}({inside})"
     raise SymcheckError(f"the array target knows no function {function}; add it to HELPERS, or to STANDARD")

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from symcheck.kernels.runtime import fitting
+from symcheck.kernels.calling import fitting
 
 DOUBLE = np.dtype(np.float64)
 PIECE = 4096  # points that are copied at once

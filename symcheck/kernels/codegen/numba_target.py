@@ -18,14 +18,14 @@ from types import FunctionType, ModuleType
 import numpy as np
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.kernels import runtime
+from symcheck.kernels import calling
+from symcheck.kernels.calling import fitting
 from symcheck.kernels.codegen import numba_calls, numba_functions
 from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import number
 from symcheck.kernels.codegen.program import INFIX, Operation, Program, distinct, order_of
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.documentation import KIND, calls, out_of
-from symcheck.kernels.runtime import fitting
 
 SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio"}  # the same for numbers and in loops
 LIBRARY = {"arctan": "atan"}  # what `math` calls otherwise
@@ -119,7 +119,7 @@ def files(key: str, kernels: Mapping[str, CompiledKernel]) -> dict[str, str]:
     texts = [source(name, compiled) for name, compiled in kernels.items()]
     called = {operation.function for compiled in kernels.values() for operation in compiled.pointwise.operations}
     mathematics = _functions(called | {BUILT_ON[name] for name in called & {*BUILT_ON}})
-    functions = [_defined(runtime)[fitting.__name__], *_defined(numba_calls).values()]
+    functions = [_defined(calling)[fitting.__name__], *_defined(numba_calls).values()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
     arrays = max(len(compiled.kernel.arguments) + len(compiled.kernel.outputs) for compiled in kernels.values())
     constants = "\n".join([f"ARRAYS = {arrays}", f"BLOCK = {BLOCK}", *_constants([*mathematics, *functions])])

@@ -7,19 +7,21 @@ vectors and matrices are in principal axes; leading axes of all arguments broadc
 from __future__ import annotations
 
 from itertools import chain
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
-from symcheck.numeric.arrays import eigensystem, letters, of_one_shape
+from symcheck.numeric.arrays import eigensystem, letters, of_one_shape, stacked
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     Array,
     Orientation,
     evaluated,
     finite,
+    in_one_library,
+    is_numpy,
     not_negative,
     orthonormal_axes,
     positive,
@@ -105,7 +107,7 @@ def gains_in_proportion(ratio: ArrayLike, moments: ArrayLike, axes: Orientation)
     [0.2, 0.3, 0.4]
     """
     values = _ratio(ratio), *letters(principal_moments(moments)), *letters(orthonormal_axes(axes), axes=2)
-    return evaluated("a gain", lambda *x: np.stack(mirer2009.gains_in_proportion(*x), axis=-1), *values)
+    return evaluated("a gain", lambda *x: stacked(mirer2009.gains_in_proportion(*x)), *values)
 
 
 @gufunc("(i),(i,k)->(k,column)", column=3)
@@ -139,9 +141,7 @@ def damping_matrix(gains: ArrayLike, axes: Orientation) -> Array:
     [[1.8, 2.4, 0.0], [2.4, 3.2, 0.0], [0.0, 0.0, 0.0]]
     """
     values = letters(_gains(gains)), letters(unit_axes(axes, "mirer2009:1.0.2", 3), axes=2)
-    return evaluated("the matrix", lambda *x: np.stack(mirer2009.damping_matrix(*x), axis=-1), *chain(*values))[
-        ..., ROWS
-    ]
+    return evaluated("the matrix", _symmetric, *chain(*values))
 
 
 @gufunc("(i,j)->(i),(i,j)")
@@ -211,7 +211,7 @@ def characteristic_coefficients(moments: ArrayLike, gains: ArrayLike, axes: Orie
     """
     arguments = letters(principal_moments(moments)), letters(_gains(gains)), letters(orthonormal_axes(axes), axes=2)
     coefficients = mirer2009.characteristic_coefficients
-    return evaluated("a coefficient", lambda *x: np.stack(coefficients(*x), axis=-1), *chain(*arguments))
+    return evaluated("a coefficient", lambda *x: stacked(coefficients(*x)), *chain(*arguments))
 
 
 @gufunc("(i),(i,j)->(i)")
@@ -385,10 +385,27 @@ def stability_degree_in_pitch(ratio: ArrayLike, moments: ArrayLike, pitch: Array
     [1.0, 0.666666666667, 1.0]
     """
     first, _, third = letters(principal_moments(moments))
-    arguments = of_one_shape(_ratio(ratio), first, third, real("pitch", pitch))
+    arguments = of_one_shape(*in_one_library(_ratio(ratio), first, third, real("pitch", pitch)))
+    if not all(map(is_numpy, arguments)):
+        return _degree_in_library(*arguments)
     with np.errstate(divide="ignore", over="ignore"):  # principal axes: the infinite quotient is meant, and gives k
         degree: Array = mirer2009.stability_degree_in_pitch(*arguments)
     return degree
+
+
+def _degree_in_library(ratio: Array, first: Array, third: Array, pitch: Array) -> Array:
+    """The stability degree in pitch, with derivatives also where it is the ratio: no quotient is formed there."""
+    from array_api_compat import array_namespace
+
+    library: Any = array_namespace(ratio, first, third, pitch)
+    principal = (pitch == 0) | (first == third)
+    apart = [library.where(principal, y, x) for x, y in ((first, 1.0), (third, 2.0), (pitch, 0.5))]
+    return cast("Array", library.where(principal, ratio, mirer2009.stability_degree_in_pitch(ratio, *apart)))
+
+
+def _symmetric(*values: Array) -> Array:
+    entries = mirer2009.damping_matrix(*values)
+    return stacked([entries[k] for k in chain(*ROWS)], 3, 3)
 
 
 def _ratio(value: ArrayLike, name: str = "ratio") -> Array:

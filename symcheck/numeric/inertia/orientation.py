@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
-from symcheck.numeric.arrays import letters, results
+from symcheck.numeric.arrays import letters, results, stacked
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import Array, Orientation, orthonormal_axes, principal_moments, real, require
 
@@ -67,8 +67,7 @@ def direction_cosines(pitch: ArrayLike, yaw: ArrayLike, roll: ArrayLike) -> Arra
     [[0.0, 0.0, 1.0], [0.0, 1.0, -0.0], [-1.0, 0.0, 0.0]]
     """
     angles = real("pitch", pitch), real("yaw", yaw), real("roll", roll)
-    cosines = np.stack(mirer2009.direction_cosines(*angles), axis=-1)
-    return cosines.reshape(*cosines.shape[:-1], 3, 3)
+    return stacked(mirer2009.direction_cosines(*angles), 3, 3)
 
 
 @gufunc("(i,k)->(),(),()")

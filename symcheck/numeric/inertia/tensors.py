@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symcheck.generated import mirer2009
-from symcheck.numeric.arrays import eigensystem, letters, results
+from symcheck.numeric.arrays import eigensystem, letters, results, stacked
 from symcheck.numeric.chunked import gufunc
 from symcheck.numeric.domain import (
     ROUNDING,
@@ -246,7 +246,7 @@ def axial_moments(moments: ArrayLike, axes: Orientation) -> Array:
     >>> axial_moments([2, 3, 4], [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]]).round(12).tolist()
     [2.64, 2.36, 4.0]
     """
-    return np.stack(mirer2009.axial_moments(*_arguments(moments, axes)), axis=-1)
+    return stacked(mirer2009.axial_moments(*_arguments(moments, axes)))
 
 
 @gufunc("(k),(i,k)->(i)")
@@ -277,7 +277,7 @@ def second_order_moments(moments: ArrayLike, axes: Orientation) -> Array:
     >>> second_order_moments([2, 3, 4], np.eye(3)).tolist()
     [12.0, 8.0, 6.0]
     """
-    return np.stack(mirer2009.second_order_moments(*_arguments(moments, axes)), axis=-1)
+    return stacked(mirer2009.second_order_moments(*_arguments(moments, axes)))
 
 
 @gufunc("(k),(i,k)->(),(),(),(),()")

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from symcheck.generated import esenkov2006
 from symcheck.numeric.arrays import results
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, common_shape, exact, finite, number, positive, real, require
+from symcheck.numeric.domain import Array, common_shape, exact, finite, in_one_library, number, positive, real, require
 from symcheck.numeric.liquid.body import Body, checked_body
 from symcheck.numeric.liquid.spectrum import EPSILON, growth_rate, stability
 
@@ -129,7 +129,7 @@ def boundary_of_stability(
     [0.25, 0.0]
     """
     whole, carried, spin = positive("A", A, "1.35"), positive("E_1", E_1, "1.35"), positive("omega_0", omega_0, "1.35")
-    ratio = real("b_1", b_1)
+    whole, carried, spin, ratio = in_one_library(whole, carried, spin, real("b_1", b_1))
     common_shape(A=whole, E_1=carried, b_1=ratio, omega_0=spin)
     require(carried < whole, "E_1", carried, "be less than A, as the liquid is a part of the body", "B.25")
     require(
@@ -139,7 +139,7 @@ def boundary_of_stability(
         upper, lower = esenkov2006.boundary_of_stability(whole, carried, ratio)
         width = esenkov2006.width_of_the_unstable_interval(whole, carried, ratio)
         at_upper, at_lower = esenkov2006.critical_frequencies(whole, carried, ratio, spin)
-        rate = np.abs(esenkov2006.greatest_growth_rate(whole, carried, ratio, spin))
+        rate = abs(esenkov2006.greatest_growth_rate(whole, carried, ratio, spin))
     parts = results(lower, upper, width, at_lower, at_upper, rate)
     return BoundaryOfStability(*(finite("a result", part) for part in parts))
 

@@ -79,7 +79,7 @@ def mode_inertia(a_n: ArrayLike, chi_n: ArrayLike, N_n: ArrayLike) -> Array:
     """
     moment, coupling, norm = real("a_n", a_n), real("chi_n", chi_n), positive("N_n", N_n, "B.1")
     common_shape(a_n=moment, chi_n=coupling, N_n=norm)
-    carried = np.asarray(evaluated("E_n", esenkov2006.mode_inertia, moment, coupling, norm))
+    carried = evaluated("E_n", esenkov2006.mode_inertia, moment, coupling, norm)
     require(carried > 0, "E_n = a_n chi_n / N_n^2", carried, "be positive, as the mode carries inertia", "B.1")
     return carried
 

@@ -20,6 +20,7 @@ from symcheck.numeric.domain import (
     Array,
     equatorial,
     evaluated,
+    in_one_library,
     not_negative,
     power_of_two,
     probability,
@@ -162,7 +163,8 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     >>> moment_of_amplitude([0, 1], 1.0, 3**0.5 / 2, 1.5).round(4).tolist()
     [1.0, 0.6375]
     """
-    power, (noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), equatorial(alpha, beta, gamma)
+    given = not_negative("m", m, "4.0.9, 4.0.11"), *equatorial(alpha, beta, gamma)
+    power, noise, additive, dissipation = in_one_library(*given)
     with np.errstate(over="ignore"):
         finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
     require(finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9")

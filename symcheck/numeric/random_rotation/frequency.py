@@ -23,6 +23,7 @@ from symcheck.numeric.domain import (
     Array,
     axial,
     evaluated,
+    in_one_library,
     not_negative,
     power_of_two,
     probability,
@@ -171,7 +172,8 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
     >>> moment_of_frequency([0, 1, 2], 0.6, 1.0, 1.0, 1.5).round(4).tolist()
     [1.0, 0.382, 0.36]
     """
-    power, (ratio, noise, additive, dissipation) = not_negative("m", m, "4.0.9, 4.0.11"), axial(k, g_13, g_23, d_33)
+    given = not_negative("m", m, "4.0.9, 4.0.11"), *axial(k, g_13, g_23, d_33)
+    power, ratio, noise, additive, dissipation = in_one_library(*given)
     finite = 2 * dissipation > power * noise**2
     require(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
     return evaluated("moment of Omega", poloskov2004.moment_of_frequency, power, ratio, noise, additive, dissipation)
@@ -302,6 +304,6 @@ def _scaled(k: Array, g_13: Array, g_23: Array, d_33: Array) -> tuple[Array, tup
 
     The law is the same, squares of all parameters are doubles, and powers of two round nothing.
     """
-    size, own = power_of_two(np.sqrt(d_33)), power_of_two(k)
+    size, own = power_of_two(d_33**0.5), power_of_two(k)
     noise = power_of_two(g_23 / size)
     return own * noise, (k / own, g_13 / size, g_23 / size / noise, d_33 / size / size)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from symcheck.numeric.compiled import compiled
 from symcheck.numeric.domain import Array
 
-LANES = 16  # the pairs of a set are filled up to a multiple of these, so that loops are all vector instructions
+LANES = 8  # the pairs of a set are filled up to a multiple of these, so that loops are all vector instructions
 
 
 def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -43,10 +43,11 @@ def _fill(
 def _cross(axes: Array, s: int, x: Array, y: Array, z: Array) -> None:
     pair = 0
     for i in range(axes.shape[1]):
+        u, v, w = axes[s, i, 0], axes[s, i, 1], axes[s, i, 2]  # read once, as what is written may be it
         for j in range(i + 1, axes.shape[1]):
-            x[pair] = axes[s, i, 1] * axes[s, j, 2] - axes[s, i, 2] * axes[s, j, 1]
-            y[pair] = axes[s, i, 2] * axes[s, j, 0] - axes[s, i, 0] * axes[s, j, 2]
-            z[pair] = axes[s, i, 0] * axes[s, j, 1] - axes[s, i, 1] * axes[s, j, 0]
+            x[pair] = v * axes[s, j, 2] - w * axes[s, j, 1]
+            y[pair] = w * axes[s, j, 0] - u * axes[s, j, 2]
+            z[pair] = u * axes[s, j, 1] - v * axes[s, j, 0]
             pair += 1
 
 

@@ -140,6 +140,24 @@ noise_intensities = Kernel(
     condition="In squares the last place of a sine or cosine counts twice.",
 )
 
+
+def _drift_by_factors() -> dict[str, Any]:
+    """Fourth powers of a sine and cosine by their squares, as cos^2 + 2 sin^2 is 1 + sin^2: fewer operations."""
+    letters = {x.name: x for each in derivation.drift_and_diffusion().values() for x in each.free_symbols}
+    a, psi, frequency, k, small = (letters[each.name] for each in (A, PSI, OMEGA, K, SMALL))
+    d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33 = (letters[each.name] for each in FULL)
+    g_11, g_12, g_21, g_22, g_13 = (letters[each.name] for each in (*EQUATORIAL_NOISE, *_noise("13")))
+    s, c, spin = sp.sin(psi), sp.cos(psi), frequency / k
+    multiplicative = g_11**2 * c**2 * (1 + s**2) + g_12**2 * s**2 * (1 + c**2)
+    along = 2 * s * c * (d_12 + d_21) - 2 * d_11 * c**2 - 2 * d_22 * s**2 + multiplicative
+    turning = (g_11**2 + g_12**2) * (c**2 - s**2) / 2 + (g_21**2 - g_22**2) / a**2 + d_11 - d_22
+    return {
+        "K_1": small * (spin * (d_23 * s - d_13 * c) + (a * along + (g_21**2 * s**2 + g_22**2 * c**2) / a) / 2),
+        "K_2": small * (spin * (d_13 * s + d_23 * c) / a + d_21 * c**2 - d_12 * s**2 + s * c * turning),
+        "K_3": small * (frequency * (g_13**2 / 2 - d_33) + a * k * (d_32 * s - d_31 * c)),
+    }
+
+
 drift_coefficients = Kernel(
     says="Drift coefficients of the Fokker-Planck-Kolmogorov equation for amplitude, phase and frequency.",
     arguments=(A, PSI, OMEGA, K, SMALL, *FULL, *EQUATORIAL_NOISE, *_noise("13")),
@@ -149,6 +167,7 @@ drift_coefficients = Kernel(
         Output("K_3", "drift of Omega", "rad/s^2"),
     ),
     derived=derivation.drift_and_diffusion,
+    accurate=_drift_by_factors,
     claims=("3.1.2", "3.2.1"),
     ulp=8,
     scale=_addends(derivation.coefficients, "K_1", "K_2", "K_3"),
