@@ -254,6 +254,7 @@ _ALONE = re.compile(
 _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
+_LABELS = "derivatives, or letters with a label? write them as fractions"
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
@@ -273,7 +274,7 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
     if "_ t" in text or "_ { t" in text:
         rates = {*_RATE_BELOW.findall(text)} & {*_PLACE_BELOW.findall(text)}
-        yield from ((letter, "derivatives, or letters with a label? write them as fractions") for letter in rates)
+        yield from ((letter, _LABELS) for letter in rates)
     if " ) = " in text and not _RATES.search(text):
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
@@ -302,6 +303,9 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
     found = doubted(formulas)
     for text in formulas:
         found |= dict(_doubted(text))
+    for letter in [letter for letter, doubt in found.items() if doubt == _LABELS]:
+        if any(re.search(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =", text) for text in formulas):
+            del found[letter]  # it is said of what it is a function
     integrated = [each for formula in formulas if r"\int " in formula for each in _ALONE.findall(formula)]
     if integrated:
         toks = [text for formula in formulas for text in tex.texts(formula)]

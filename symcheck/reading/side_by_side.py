@@ -125,6 +125,7 @@ def _abbreviated(several: Sequence[str], runs: Collection[str]) -> Iterator[str]
             yield run
     for small in (False, True):
         pairs = [run for run in several if len(run) == 2 and (run.islower() if small else run.isupper())]
+        pairs = [run for run in pairs if run[0] != "d"]  # no differentials
         others = {letter for run in runs if run not in pairs for letter in run}
         for run in pairs:
             alike = [x for x in pairs if x != run and (x[1] == run[1] if small else {*x} & {*run})]
