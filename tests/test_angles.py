@@ -11,6 +11,7 @@ from functools import cache
 from typing import Any
 
 import pytest
+from sampling import every
 
 from symcheck.audit.checked import reason as check
 from symcheck.checker.theorems import NAMES, instance
@@ -99,7 +100,7 @@ def test_three_distances_have_that_order_nowhere_else(order: tuple[int, ...]) ->
     assert decided(claim, *OPEN)[0].verdict is Verdict.PROVED
 
 
-@pytest.mark.parametrize("order", CELLS)
+@pytest.mark.parametrize("order", every(3, CELLS))
 def test_another_order_of_three_distances_is_refuted(order: tuple[int, ...]) -> None:
     assert decided(chain(D, order[::-1]), *CELLS[order])[0].verdict is Verdict.REFUTED
     assert decided(chain(D, order[:2], "<"), *CELLS[order])[0].verdict is Verdict.REFUTED
@@ -112,13 +113,13 @@ def test_four_distances_have_their_order(number: int) -> None:
     assert decided(rf"{order} \Leftrightarrow {where}", QUADRANT)[0].verdict is Verdict.PROVED
 
 
-@pytest.mark.parametrize("number", range(13))
+@pytest.mark.parametrize("number", every(4, range(13)))
 def test_the_order_of_a_neighbouring_row_is_refuted(number: int) -> None:
     for other in {max(number - 1, 0), min(number + 1, 12)} - {number}:
         assert decided(row(other)[0], row(number)[1])[0].verdict is Verdict.REFUTED
 
 
-@pytest.mark.parametrize("number", range(0, 13, 2))
+@pytest.mark.parametrize("number", every(4, range(0, 13, 2)))
 def test_an_order_does_not_hold_at_the_end_of_its_interval(number: int) -> None:
     order, where = row(number)
     ends = [k for k in ((number - 1) // 2, number // 2) if 0 <= k < 6]

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from click.testing import CliRunner
 from msgspec import structs
+from sampling import every
 from warm_cache import warm_cache
 
 from symcheck.checker.__main__ import main
@@ -114,7 +115,7 @@ def shown(page: Page) -> list[str]:
     return page.locator("#rows li:visible > a").all_text_contents()  # of rows that are not drawn yet, too
 
 
-@pytest.mark.parametrize("place", VIEWS)
+@pytest.mark.parametrize("place", every(3, VIEWS))
 @pytest.mark.parametrize("size", [pytest.param(WIDE, marks=pytest.mark.slow), NARROW], ids=["wide", "narrow"])
 def test_nothing_reaches_beyond_the_window(opened: Callable[..., Page], place: str, size: dict[str, int]) -> None:
     page = opened(place, viewport=size)
@@ -122,7 +123,7 @@ def test_nothing_reaches_beyond_the_window(opened: Callable[..., Page], place: s
 
 
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.slow)])
-@pytest.mark.parametrize("place", VIEWS)
+@pytest.mark.parametrize("place", every(3, VIEWS))
 def test_there_is_no_obstacle_for_anybody(opened: Callable[..., Page], place: str, scheme: str) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
@@ -264,6 +265,7 @@ def test_a_claim_says_what_its_letters_mean(opened: Callable[..., Page]) -> None
     assert any("principal central moments of inertia, kg m" in each for each in said)
 
 
+@pytest.mark.slow
 def test_every_view_has_one_heading_of_the_first_level(opened: Callable[..., Page]) -> None:
     for place in VIEWS:
         page = opened(place)
