@@ -104,6 +104,11 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
             (3, "3.1", "", "f = 2"),
         ],
     ),
+    "a product that goes on in the next row": (
+        "a.tex",
+        "\\begin{align} a &= b \\nonumber \\\\ & (c + d) \\\\ e &= f, \\\\ & g \\end{align}",
+        [(1, "", "", "a = b (c + d)"), (1, "", "", "e = f"), (1, "", "", "g")],
+    ),
     "arrows before what follows": (
         "a.tex",
         "\\begin{align} a + 1 &= b \\\\ \\Rightarrow \\quad a &= b - 1 \\\\ &\\therefore b = a + 1 \\end{align}\n"

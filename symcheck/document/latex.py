@@ -503,6 +503,8 @@ def _continues(before: Sequence[Tok], row: Sequence[Tok]) -> bool:
         return True
     empty = printed[0] == "&"
     related = any(text in RELATIONS for text in own)
+    if empty and not related and last not in (",", ";", ".") and any(tok.text in RELATIONS for tok in before):
+        return True  # a factor
     return (own[0] in BINARY or own[0] in (")", "]", r"\right")) and (empty or not related)
 
 
