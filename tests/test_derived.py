@@ -208,6 +208,23 @@ def test_a_wrong_link_behind_a_right_one_is_found_by_what_the_words_name(tmp_pat
     assert [each.place for each in look(tmp_path / "wrong.md").findings] == ["line 9"]
 
 
+# transforms, of which no counterexample can be a proof: functions are not only so at one point
+TRANSFORMS = r"""Taking Laplace transforms:
+$$s J \Omega(s) = T(s)$$
+$$s \Sigma(s) = \frac{1}{4} \Omega(s)$$
+Eliminating $\Omega(s)$:
+$$\Sigma(s) = \frac{1}{4 s} \Omega(s) = \frac{1}{4 s} \cdot \frac{T(s)}{s J}$$
+$$G(s) = \frac{\Sigma(s)}{T(s)} = \frac{1}{4 J s^2}$$
+"""
+
+
+def test_functions_that_do_not_agree_are_told_without_a_point(tmp_path: Path) -> None:
+    (tmp_path / "plant.md").write_text(TRANSFORMS, encoding="utf-8")
+    assert not look(tmp_path / "plant.md").findings
+    (tmp_path / "wrong.md").write_text(TRANSFORMS.replace(r"{T(s)}{s J}", r"{T(s)}{s^2 J}"), encoding="utf-8")
+    assert [(each.place, each.point) for each in look(tmp_path / "wrong.md").findings] == [("line 5", {})]
+
+
 def test_a_wrong_link_of_a_chain_of_derivatives_is_found(tmp_path: Path) -> None:
     assert {*verdicts(begun(tmp_path, CHAIN, "chain.md")).values()} <= {"proved", "undecided"}
     (tmp_path / "wrong.md").write_text(CHAIN.replace(r"\frac{2}{r^3}", r"\frac{2}{r^2}"), encoding="utf-8")

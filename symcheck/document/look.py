@@ -26,6 +26,7 @@ from symcheck.document.units import Told
 from symcheck.document.work import Progress, Work, proved_of, undecided
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.question import Answer, Status
+from symcheck.question.ask import REFUSED
 from symcheck.question.measured import LIMIT
 
 # what distinguishes two refusals of one kind: the place, and what is printed there
@@ -299,7 +300,8 @@ def _derived(
 
 def _fails(answer: Answer) -> bool:
     """Is something refuted, or is nothing known against the points at which it fails?"""
-    return answer.verdict is Status.REFUTED or answer.reason == UNSETTLED
+    open_ = answer.reason == UNSETTLED or answer.reason.startswith(REFUSED)
+    return answer.verdict is Status.REFUTED or (answer.verdict is Status.UNDECIDED and open_)
 
 
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:
