@@ -210,18 +210,18 @@ def test_a_wrong_link_behind_a_right_one_is_found_by_what_the_words_name(tmp_pat
 
 # transforms, of which no counterexample can be a proof: functions are not only so at one point
 TRANSFORMS = r"""Taking Laplace transforms:
-$$s J \Omega(s) = T(s)$$
+$$s I_{zz} \Omega(s) = T(s)$$
 $$s \Sigma(s) = \frac{1}{4} \Omega(s)$$
 Eliminating $\Omega(s)$:
-$$\Sigma(s) = \frac{1}{4 s} \Omega(s) = \frac{1}{4 s} \cdot \frac{T(s)}{s J}$$
-$$G(s) = \frac{\Sigma(s)}{T(s)} = \frac{1}{4 J s^2}$$
+$$\Sigma(s) = \frac{1}{4 s} \Omega(s) = \frac{1}{4 s} \cdot \frac{T(s)}{s I_{zz}}$$
+$$G(s) = \frac{\Sigma(s)}{T(s)} = \frac{1}{4 I_{zz} s^2}$$
 """
 
 
 def test_functions_that_do_not_agree_are_told_without_a_point(tmp_path: Path) -> None:
     (tmp_path / "plant.md").write_text(TRANSFORMS, encoding="utf-8")
     assert not look(tmp_path / "plant.md").findings
-    (tmp_path / "wrong.md").write_text(TRANSFORMS.replace(r"{T(s)}{s J}", r"{T(s)}{s^2 J}"), encoding="utf-8")
+    (tmp_path / "wrong.md").write_text(TRANSFORMS.replace(r"{T(s)}{s I_{zz}}", r"{T(s)}{s^2 I_{zz}}"), encoding="utf-8")
     assert [(each.place, each.point) for each in look(tmp_path / "wrong.md").findings] == [("line 5", {})]
 
 
