@@ -10,10 +10,11 @@ import pytest
 from test_new import _apart, begun, verdicts  # noqa: F401
 
 from symcheck import decide, look
-from symcheck.document.checks import MOST_CONDITIONS
+from symcheck.document.checks import MOST_CONDITIONS, Checks
 from symcheck.document.paper import Document
 from symcheck.document.points import Found, compared, slips
 from symcheck.document.printed import Printed
+from symcheck.document.sources import source
 from symcheck.proof.search.number_points import _places
 
 LETTERS = (("e", "scalar"),)
@@ -206,6 +207,13 @@ def test_a_wrong_link_behind_a_right_one_is_found_by_what_the_words_name(tmp_pat
     assert not look(tmp_path / "orbit.md").findings
     (tmp_path / "wrong.md").write_text(VELOCITY.replace(r"\frac{2}{r} -", r"\frac{1}{r} -"), encoding="utf-8")
     assert [each.place for each in look(tmp_path / "wrong.md").findings] == ["line 9"]
+
+
+def test_a_number_that_stands_twice_means_the_last_one_before_the_words(tmp_path: Path) -> None:
+    text = "$$a = b \\tag{1}$$\n\n$$c = d \\tag{1}$$\n\nBy (1) it is\n\n$$2 c = 2 d$$\n\n$$e = f \\tag{1}$$\n"
+    (tmp_path / "paper.md").write_text(text, encoding="utf-8")
+    formulas = source(tmp_path / "paper.md").formulas
+    assert Checks(formulas, [], []).named(2, formulas[2].before) == ({"1"}, [1])
 
 
 # transforms, of which no counterexample can be a proof: functions are not only so at one point

@@ -7,7 +7,7 @@ import signal
 from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import chain, islice
 from typing import Any, Generic, Protocol, TypeVar
 
 from symcheck.core.interrupts import withheld
@@ -81,9 +81,10 @@ class Pool:
     preload: tuple[str, ...] = ()
 
     def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
-        waiting = list(tasks)
-        with replace(self, jobs=max(1, min(self.jobs, len(waiting)))).kept() as workers:
-            yield from workers.map(function, waiting, timeout)
+        waiting = iter(tasks)
+        first = [*islice(waiting, self.jobs)]  # no more workers than tasks
+        with replace(self, jobs=max(1, len(first))).kept() as workers:
+            yield from workers.map(function, chain(first, waiting), timeout)
 
     @contextmanager
     def kept(self) -> Iterator[Executor]:

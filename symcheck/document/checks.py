@@ -222,11 +222,17 @@ class Checks:
     def named(self, k: int, words: str) -> tuple[set[str], list[int]]:
         """The labels and numbers in words near a formula, and the formulas before it that have these."""
         names = [next(filter(None, found.groups())) for found in REFERENCE.finditer(words)]
-        return {*names}, [*dict.fromkeys(self._places[name] for name in names if self._places.get(name, k) < k)]
+        before = {name: max((m for m in self._places.get(name, ()) if m < k), default=-1) for name in names}
+        return {*names}, [*dict.fromkeys(m for m in before.values() if m >= 0)]
 
     @cached_property
-    def _places(self) -> dict[str, int]:
-        return {name: m for m, each in enumerate(self.formulas) for name in (each.label, each.number) if name}
+    def _places(self) -> dict[str, list[int]]:
+        """The formulas with a label or a number, which chapters may begin anew."""
+        found: dict[str, list[int]] = {}
+        for m, each in enumerate(self.formulas):
+            for name in filter(None, (each.label, each.number)):
+                found.setdefault(name, []).append(m)
+        return found
 
     def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""

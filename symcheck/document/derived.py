@@ -8,7 +8,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
 from symcheck.document.checks import REFERRING, Checks, Definition, Place, Question
 from symcheck.document.points import Found, compared, idle, slips
@@ -19,8 +18,6 @@ from symcheck.question import Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
 
-K = TypeVar("K")
-T = TypeVar("T")
 MOST_SOURCES = 5  # equations from which one follows; derivations of the audited documents take four
 MOST_SETS = 60  # that are looked for, of which the smallest and nearest are asked
 FAR = 12  # formulas before and behind one with which it is compared, if nothing before it says whether it holds
@@ -107,11 +104,12 @@ def _with_what_it_takes(question: Question, found: Found) -> Question:
     for n in range(len(question.sources)):
         where = question.where[:n] + question.where[n + 1 :]
         sources = question.sources[:n] + question.sources[n + 1 :]
-        less: Question | None = replace(question, where=where, sources=sources)
-        if less and not found.holds:
-            less = _without_idle(less)
-        points = compared(less.relation, less.where, less.letters, further=found.holds) if less else None
-        if less and points is not None and points.holds == found.holds and points.bound:
+        fewer = replace(question, where=where, sources=sources)
+        less = fewer if found.holds else _without_idle(fewer)
+        if less is None:
+            continue
+        points = compared(less.relation, less.where, less.letters, further=found.holds)
+        if points is not None and points.holds == found.holds and points.bound:
             return _with_what_it_takes(less, found)
     return question
 
@@ -128,15 +126,12 @@ def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found |
     holding, done, count = list[frozenset[str]](), set[frozenset[str]](), 0
     for question in questions:
         least = _without_idle(question)
-        if least is None:
-            yield question, None
-            continue
-        where = frozenset(least.where)
+        where = frozenset(least.where if least else question.where)
         if any(each <= where for each in holding):
             continue
-        points = compared(least.relation, least.where, least.letters)
-        if points is None:  # to prove it, rates may be needed
-            yield question, points
+        points = compared(least.relation, least.where, least.letters) if least else None
+        if least is None or points is None:  # to prove it, rates may be needed
+            yield question, None
             count += 1
         elif points.bound and where not in done:
             yield least, points

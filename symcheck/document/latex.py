@@ -269,7 +269,7 @@ class Scanner:
         plain = _without_words(body)
         for k, tok in enumerate(plain):
             before = plain[k - 1].text if k else ""
-            closes = bool(opened) and opened[-1].text == "["  # as in [a \\times], a matrix
+            closes = bool(opened) and opened[-1].text == "["  # as in [a \times], a matrix
             mirrored = tok.text == "]" and before in BEFORE and not closes  # as in ]a, b[
             if tok.text == "[" and opened and opened[-1].text == "]":
                 opened.pop()

@@ -279,9 +279,9 @@ def _derived(
     settled = holding | following
     ends = [*accumulate((COMPARING, EXPLAINING, PROVING), initial=time.perf_counter())][1:]
     own, rest = sought(sets, [k for k in range(len(checks.formulas)) if k not in settled], work, ends[0])
-    known_ = [question.places for question in shown if question.number not in holding]
-    known_ += [((k, each.link.latex),) for k in holding for each in sets.usable[k]]
-    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], known_, work, ends[1])
+    granted = [question.places for question in shown if question.number not in holding]
+    granted += [((k, each.link.latex),) for k in holding for each in sets.usable[k]]
+    wrong, unlike = blamed(sets, [each for every in own.values() for each in every], granted, work, ends[1])
     own, more = with_proofs(own, work, ends[2])
     rest += more
     left = f"{rest} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"

@@ -230,8 +230,8 @@ def _is_called(tree: Tree) -> TypeGuard[Call]:
 
 def _is_pair_in_braces(tree: object) -> bool:
     """Is this `{f, g}`, which may be the bracket of both, and hardly a set of numbers?"""
-    pair = isinstance(tree, Tuple) and tree.kind == "{}" and len(tree.items) == 2
-    return isinstance(tree, Tuple) and pair and all(isinstance(part, Name | Call) for part in tree.items)
+    pair = tree.items if isinstance(tree, Tuple) and tree.kind == "{}" else ()
+    return len(pair) == 2 and all(isinstance(part, Name | Call) for part in pair)
 
 
 def _is_commutator(tree: object) -> bool:
