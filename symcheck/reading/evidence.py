@@ -272,9 +272,6 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
-    if "_ t" in text or "_ { t" in text:
-        rates = {*_RATE_BELOW.findall(text)} & {*_PLACE_BELOW.findall(text)}
-        yield from ((letter, _LABELS) for letter in rates)
     if " ) = " in text and not _RATES.search(text):
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
@@ -303,9 +300,10 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
     found = doubted(formulas)
     for text in formulas:
         found |= dict(_doubted(text))
-    for letter in [letter for letter, doubt in found.items() if doubt == _LABELS]:
-        if any(re.search(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =", text) for text in formulas):
-            del found[letter]  # it is said of what it is a function
+    for letter in {x for text in formulas for x in {*_RATE_BELOW.findall(text)} & {*_PLACE_BELOW.findall(text)}}:
+        said = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =")  # of what it is a function
+        if not any(map(said.search, formulas)):
+            found.setdefault(letter, _LABELS)
     integrated = [each for formula in formulas if r"\int " in formula for each in _ALONE.findall(formula)]
     if integrated:
         toks = [text for formula in formulas for text in tex.texts(formula)]
