@@ -10,10 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain
+from typing import NamedTuple
 
 from symcheck.audit.context import Context
-from symcheck.audit.judge import problems, units
+from symcheck.audit.judge import judge, units
 from symcheck.audit.obligation import obligation_of
+from symcheck.checker import check
 from symcheck.core.calculus import functions, letters, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Assertion
@@ -25,6 +27,10 @@ from symcheck.core.words import term as words
 from symcheck.dimensions import CONSISTENT, Known, Scale, dimensions, inferred
 from symcheck.dimensions.general import general, plain
 from symcheck.dimensions.rules import Rules, is_base, ratio
+from symcheck.proof import certificate as certificate_of
+from symcheck.proof.rules.proof import Proof
+from symcheck.proof.search.carried import carried
+from symcheck.proof.search.methods import whole_proof
 from symcheck.question.answer import General
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.measured import known_of
@@ -65,13 +71,23 @@ def of_relation(id: str, decide: Decide) -> General | None:
     with suppress(SymcheckError, OutOfTime), limited(LIMIT):
         for unit in units(context):
             if unit.letter == place.link:
-                every = problems(context, unit, item.item.statement.given)
-                return _proved(every, measures(context.notation), scales(context.notation), decide)
+                found = judge(context, unit, item.item.statement.given)
+                if found.verdict is not Verdict.PROVED:
+                    return None
+                printed = dict(zip(found.problems, found.outcomes, strict=True))
+                known = measures(context.notation), scales(context.notation)
+                return _proved(found.concrete, *known, decide, lambda problem: printed[problem].proof)
     return None
 
 
-def _proved(every: Sequence[Problem], known: Known, ones: Sequence[Scale], decide: Decide) -> General | None:
-    """The general forms of problems, if all of them are proved."""
+def _proved(
+    every: Sequence[Problem],
+    known: Known,
+    ones: Sequence[Scale],
+    decide: Decide,
+    proof_of: Callable[[Problem], Proof | None] = whole_proof,
+) -> General | None:
+    """The general forms of problems, if all of them are proved: by themselves, or by the proof of what is printed."""
     if len(ones) != 1:
         return None
     made, forms = list[Certificate](), list[Formula]()
@@ -79,15 +95,33 @@ def _proved(every: Sequence[Problem], known: Known, ones: Sequence[Scale], decid
         form = _general(each, known, ones[0])
         if form is None:
             return None
-        verdict, certificate, _ = decide(form)
-        if certificate is None or verdict is not Verdict.PROVED:
+        verdict, certificate, _ = decide(form.problem)
+        if verdict is not Verdict.PROVED:
+            certificate = _carried(proof_of(each), each, form)
+        if certificate is None:
             return None
         made.append(certificate)
-        forms.append(form.claim)
+        forms.append(form.problem.claim)
     return General("; ".join(words(form) for form in forms), tuple(made))
 
 
-def _general(problem: Problem, known: Known, scale: Scale) -> Problem | None:
+class _Form(NamedTuple):
+    """What is to be proved in general, and what the letters of what is printed are in its letters."""
+
+    problem: Problem
+    mean: Mapping[str, Term]
+
+
+def _carried(proof: Proof | None, printed: Problem, form: _Form) -> Certificate | None:
+    """The certificate by the proof of what is printed, if the checker accepts it."""
+    outcome = None if proof is None else carried(proof, printed, form.mean, form.problem)
+    if outcome is None:
+        return None
+    made = certificate_of(form.problem, outcome)
+    return made if check(made) is None else None
+
+
+def _general(problem: Problem, known: Known, scale: Scale) -> _Form | None:
     """The problem for any value of the quantity; None if it takes no power of it, or nobody knows which."""
     one = plain(scale.letter)
     defined = dict(problem.definitions)
@@ -109,7 +143,7 @@ def _general(problem: Problem, known: Known, scale: Scale) -> Problem | None:
     if powers is None:
         return None
     smaller: dict[str, Term] = {x: _times(one, -k, x) for x, k in powers.items() if k}
-    return Problem(
+    whole = Problem(
         problem.id,
         claim,
         tuple((name, _times(one, powers[name], substituted(value, smaller))) for name, value in problem.definitions),
@@ -118,6 +152,7 @@ def _general(problem: Problem, known: Known, scale: Scale) -> Problem | None:
             (f"{one} > 0", (node(">", one, 0),)),
         ),
     )
+    return _Form(whole, {x: term for x, term in smaller.items() if x not in defined})
 
 
 def _powers(names: Iterable[str], forms: Known, scale: Scale) -> dict[str, int] | None:

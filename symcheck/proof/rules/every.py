@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import ClassVar, Self
 
+from symcheck.core.terms import Term
 from symcheck.proof.rules.step import Step
 
 
@@ -15,3 +17,6 @@ class Every(Step):
     rule: ClassVar[str] = "every"
     letters: tuple[str, ...]
     then: Step
+
+    def at(self, mean: Mapping[str, Term]) -> Self:
+        return replace(self, then=self.then.at({x: term for x, term in mean.items() if x not in self.letters}))

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import ClassVar, Self
 
+from symcheck.core.calculus import substituted
 from symcheck.core.terms import Formula, Node, Term
 from symcheck.proof.algebra.facts import Assumed, Axiom, Fact, Nonzero, Reference, Signed
 from symcheck.proof.algebra.knowledge import Knowledge
@@ -86,6 +87,11 @@ class Step:
         return self.mapped(change)
 
 
+    def at(self, mean: Mapping[str, Term]) -> Self:
+        """The proof of the same about other terms: of x + 1 in the place of x, for instance. See `Whole.at`."""
+        return replace(self, **{name: _at(getattr(self, name), mean) for name in self.__match_args__})
+
+
 Prove = Callable[[Formula, Knowledge], Step | None]
 Search = Callable[[Formula, Knowledge, Place], Step | None]  # from knowledge that grew at a place
 Attempt = tuple[Step | None, bool]  # a proof, and whether the search at this place is over
@@ -104,6 +110,11 @@ class Whole(Step):
         assert isinstance(own, dict)
         named = {"atoms": self.atoms, "positive": self.positive}
         return own | {name: part for name, part in named.items() if part}
+
+    def at(self, mean: Mapping[str, Term]) -> Whole:
+        """The same about other terms: its polynomials stay as they are, and letters in them stand for these terms."""
+        atoms = {x: substituted(term, mean) for x, term in self.atoms.items()}
+        return Whole(self.step.at(mean), {**mean, **atoms}, tuple(substituted(t, mean) for t in self.positive))
 
 
 def _parts(step: object) -> Iterator[object]:
@@ -141,8 +152,24 @@ def _changed(part: object, change: Callable[[Reference], Reference]) -> object:
             return change(part)
         case Cofactor():
             return Cofactor(change(part.fact), part.factors)
-        case tuple() if not isinstance(part, Node):
+        case tuple() if type(part) is tuple:
             return tuple(_changed(inner, change) for inner in part)
+    return part
+
+
+def _at(part: object, mean: Mapping[str, Term]) -> object:
+    """A part of a proof about other terms."""
+    match part:
+        case Step():
+            return part.at(mean)
+        case Signed():
+            return replace(part, term=substituted(part.term, mean))
+        case Node() | str():
+            return substituted(part, mean)
+        case Mapping():
+            return {name: _at(each, mean) for name, each in part.items()}
+        case tuple() if type(part) is tuple:
+            return tuple(_at(each, mean) for each in part)
     return part
 
 

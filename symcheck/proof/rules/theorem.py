@@ -52,6 +52,12 @@ class Instance(NamedTuple):
             raise Unsupported(str(error)) from error
         return Said([_opened(premise, self.letter) for premise in premises], _opened(conclusion, self.letter))
 
+    def at(self, mean: Mapping[str, Term]) -> Instance:
+        """The theorem applied to other terms; its letter is new there, too."""
+        given = tuple((parameter, _at(argument, mean)) for parameter, argument in self.given)
+        numbers = tuple((letter, substituted(number, mean)) for letter, number in self.numbers)
+        return self._replace(given=given, numbers=numbers)
+
     def step(self, premises: Sequence[Step], then: Step) -> Theorem:
         """The step of a proof: proofs of the premises, and the rest with one fact more."""
         stated = theorems.theorem(self.name).premises if self.name in theorems.NAMES else ()
@@ -86,6 +92,10 @@ class Theorem(Step):
             **({"numbers": dict(numbers)} if name == ENCLOSURE else {}),
         }
 
+    def at(self, mean: Mapping[str, Term]) -> Theorem:
+        own = {x: term for x, term in mean.items() if x != self.instance.letter}
+        return Theorem(self.instance.at(own), tuple(each.at(mean) for each in self.premises), self.then.at(own))
+
     def speaks_of(self, definitions: Mapping[str, Term]) -> Iterable[Term]:
         premises, conclusion = self.instance.said(definitions)
         return [side for formula in (*premises, conclusion) for side in sides(formula)]
@@ -118,6 +128,13 @@ def congruence(s: Term, t: Term) -> Instance:
 def enclosure(term: Term, digits: int, numbers: Mapping[str, Term]) -> Instance:
     """That a number lies between two decimals, where letters are these numbers."""
     return Instance(ENCLOSURE, (("t", term), ("digits", digits)), "", tuple(numbers.items()))
+
+
+def _at(argument: Term | Lambda, mean: Mapping[str, Term]) -> Term | Lambda:
+    if isinstance(argument, int | str | Node):
+        return substituted(argument, mean)
+    own, body = argument
+    return own, substituted(body, {x: term for x, term in mean.items() if x not in own})
 
 
 def _unfolded(argument: Term | Lambda, definitions: Mapping[str, Term]) -> Term | Lambda:
