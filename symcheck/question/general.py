@@ -74,9 +74,9 @@ def of_relation(id: str, decide: Decide) -> General | None:
                 found = judge(context, unit, item.item.statement.given)
                 if found.verdict is not Verdict.PROVED:
                     return None
-                printed = dict(zip(found.problems, found.outcomes, strict=True))
+                printed = {problem: o.proof for problem, o in zip(found.problems, found.outcomes, strict=True)}
                 known = measures(context.notation), scales(context.notation)
-                return _proved(found.concrete, *known, decide, lambda problem: printed[problem].proof)
+                return _proved(found.concrete, *known, decide, printed.get)
     return None
 
 
@@ -91,8 +91,10 @@ def _proved(
     if len(ones) != 1:
         return None
     made, forms = list[Certificate](), list[Formula]()
-    for each in every:
-        form = _general(each, known, ones[0])
+    meant = [_general(each, known, ones[0]) for each in every]
+    if all(form is None or form.problem.claim == each.claim for form, each in zip(meant, every, strict=True)):
+        return None
+    for each, form in zip(every, meant, strict=True):
         if form is None:
             return None
         verdict, certificate, _ = decide(form.problem)
@@ -132,7 +134,7 @@ def _general(problem: Problem, known: Known, scale: Scale) -> _Form | None:
     rules = Rules(known)
     rules.state(problem.claim)
     claim = next(iter(general([problem.claim], rules, scale)), None)
-    if claim is None or claim == problem.claim:
+    if claim is None:
         return None
     forms = {**known, one: scale.form}
     for each in (claim, *assumed, *(node("=", name, value) for name, value in problem.definitions)):

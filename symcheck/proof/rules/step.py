@@ -86,7 +86,6 @@ class Step:
 
         return self.mapped(change)
 
-
     def at(self, mean: Mapping[str, Term]) -> Self:
         """The proof of the same about other terms: of x + 1 in the place of x, for instance. See `Whole.at`."""
         return replace(self, **{name: _at(getattr(self, name), mean) for name in self.__match_args__})
@@ -108,7 +107,10 @@ class Whole(Step):
     def json(self) -> object:
         own = self.step.json()
         assert isinstance(own, dict)
-        named = {"atoms": self.atoms, "positive": self.positive}
+        named = {
+            "atoms": {**self.atoms, **own.get("atoms", {})},
+            "positive": (*self.positive, *own.get("positive", ())),
+        }
         return own | {name: part for name, part in named.items() if part}
 
     def at(self, mean: Mapping[str, Term]) -> Whole:

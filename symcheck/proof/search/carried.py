@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, replace
 from symcheck.core.calculus import substituted
 from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Form, Outcome, Problem
-from symcheck.core.terms import Formula, Term, node
+from symcheck.core.terms import RELATIONS, Formula, Term, node
 from symcheck.proof.algebra.facts import Assumed, Hypothesis, Reference
+from symcheck.proof.algebra.flint import fraction
 from symcheck.proof.algebra.forms import term_of
 from symcheck.proof.algebra.knowledge import ORDERS, ring_of
 from symcheck.proof.algebra.polynomial import alone
@@ -17,7 +18,7 @@ from symcheck.proof.rules.each import Each
 from symcheck.proof.rules.have import Have
 from symcheck.proof.rules.implies import Implies
 from symcheck.proof.rules.proof import Proof
-from symcheck.proof.rules.step import Step, Whole
+from symcheck.proof.rules.step import Step, Whole, mentioned
 from symcheck.proof.search.decide import prove, proved
 from symcheck.proof.search.methods import LIMITS, find_witnesses
 
@@ -52,30 +53,37 @@ def carried(proof: Proof, stated: Problem, mean: Mapping[str, Term], wanted: Pro
     whole = proof.step if isinstance(proof.step, Whole) else Whole(proof.step)
     with alone(wanted):
         try:
-            carrier = _Carrier(wanted, meant, whole)
+            nonzero = dict.fromkeys(substituted(term, meant) for term in proof.nonzero)
+            carrier = _Carrier(wanted, meant, whole, nonzero)
             step = carrier.carry(stated.claim, whole.step, wanted.claim, 0)
+            mentioned(step or whole, now)  # a theorem may say nothing of the other terms
         except LIMITS:
             return None
     if step is None:
         return None
-    nonzero = tuple(substituted(term, meant) for term in proof.nonzero)
-    points = find_witnesses(wanted, nonzero)
+    divisors = tuple(carrier.nonzero)
+    points = find_witnesses(wanted, divisors)
     if points is None:
         return None
-    return proved(wanted, Proof(Whole(step), proof.given | frozenset(carrier.given), nonzero, tuple(points)))
+    return proved(wanted, Proof(Whole(step), proof.given | frozenset(carrier.given), divisors, tuple(points)))
 
 
 @dataclass
 class _Carrier:
-    """Carries the parts of a proof; `given` are further hypotheses that are used."""
+    """Carries the parts of a proof; `given` are hypotheses that are used besides, `nonzero` what is divided by."""
 
     wanted: Problem
     mean: Mapping[str, Term]
     whole: Whole
+    nonzero: dict[Term, None]
     given: set[Hypothesis] = field(default_factory=set)
 
     def carry(self, stated: Formula, proof: Step, goal: Formula, depth: int) -> Step | None:
         """The proof of a goal where so many facts are assumed, to which the proof of what is stated refers."""
+        about = substituted(stated, self.mean)
+        own = Whole(proof, self.whole.atoms, self.whole.positive).at(self.mean)
+        if about == goal:
+            return own
         if stated.tag != goal.tag:
             return None
         match proof:
@@ -83,18 +91,12 @@ class _Carrier:
                 return self._each(_directions(stated), parts, _directions(goal), depth)
             case Implies(then) if stated.tag == "=>":
                 return self._implication(stated, then, goal, depth)
-        about = substituted(stated, self.mean)
-        own = Whole(proof, self.whole.atoms, self.whole.positive).at(self.mean)
-        if about == goal:
-            return own
         facts, goals = conjuncts(about), conjuncts(goal)
-        count = len(facts)
-        then = [
-            self._follows(fact, depth + k, part, depth + count)
-            for k, (fact, part) in enumerate(zip(facts, goals, strict=True))
-        ]
-        proofs = tuple(step for step in then if step is not None)
-        if len(proofs) < len(then):
+        if any(fact.tag not in RELATIONS for fact in facts):
+            return None
+        pairs = enumerate(zip(facts, goals, strict=True), depth)
+        found = [self._follows(fact, number, part, depth + len(facts)) for number, (fact, part) in pairs]
+        if (proofs := _all(found)) is None:
             return None
         return Have(about, own, Each(proofs) if goal.tag == "and" else proofs[0])
 
@@ -103,9 +105,8 @@ class _Carrier:
     ) -> Each | None:
         """Part by part."""
         every = zip(stated, parts, goals, strict=True)
-        found = [self.carry(part, proof, goal, depth) for part, proof, goal in every]
-        proofs = tuple(step for step in found if step is not None)
-        return Each(proofs) if len(proofs) == len(found) else None
+        proofs = _all([self.carry(part, proof, goal, depth) for part, proof, goal in every])
+        return None if proofs is None else Each(proofs)
 
     def _implication(self, stated: Formula, then: Step, goal: Formula, depth: int) -> Implies | None:
         """Under the premises of the goal those of the statement hold; from these its proof goes on."""
@@ -118,15 +119,16 @@ class _Carrier:
             if step is None or own is None:
                 return None
             step = Have(part, own, step)
-        return step and Implies(step)
+        return None if step is None else Implies(step)
 
     def _follows(self, fact: Formula, number: int, goal: Formula, depth: int) -> Step | None:
         """The proof of a relation from the fact with a number, where so many are assumed."""
         given = (*self.wanted.hypotheses, (GIVEN, (fact,)))
         problem = Problem("", goal, self.wanted.definitions, given)
         proof = prove(replace(problem, hints=_multiple(problem, fact)))
-        if proof is None or proof.nonzero:
+        if proof is None:
             return None
+        self.nonzero |= dict.fromkeys(proof.nonzero)
         self.given |= {hypothesis for hypothesis in proof.given if hypothesis.name != GIVEN}
 
         def change(ref: Reference) -> Reference:
@@ -140,6 +142,12 @@ class _Carrier:
         return proof.step.mapped(change)
 
 
+def _all(found: Sequence[Step | None]) -> tuple[Step, ...] | None:
+    """The proofs, if none is missing."""
+    proofs = tuple(step for step in found if step is not None)
+    return proofs if len(proofs) == len(found) else None
+
+
 def _multiple(problem: Problem, fact: Formula) -> tuple[Form[Term], ...]:
     """For an order: its difference as that of the fact, times what one is of the other."""
     if fact.tag not in ORDERS:
@@ -151,9 +159,10 @@ def _multiple(problem: Problem, fact: Formula) -> tuple[Form[Term], ...]:
     common = above.gcd(below)
     if common == 0:
         return ()
-    top, bottom = above // common, below // common
-    first = bottom.leading_coefficient()
-    factor = node("/", term_of(top * (1 / first)), term_of(bottom * (1 / first)))
+    top, bottom = divmod(above, common)[0], divmod(below, common)[0]
+    if fraction(bottom.leading_coefficient()) < 0:
+        top, bottom = -top, -bottom
+    factor = node("/", term_of(top), term_of(bottom))
     return (Form(node("*", factor, gap)),)
 
 
