@@ -10,13 +10,10 @@ from click.testing import CliRunner
 from sampling import every
 
 from symcheck import decide, papers
-from symcheck.audit.context import Context
 from symcheck.audit.decide import decide as decided
-from symcheck.audit.judge import units
 from symcheck.checker import check
 from symcheck.cli import cli
 from symcheck.core.claims import Assertion
-from symcheck.core.ids import Id
 from symcheck.core.verdicts import Verdict
 from symcheck.question import general
 from symcheck.question.ask import decided_one
