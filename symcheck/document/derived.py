@@ -365,8 +365,8 @@ def blamed(
             least = min(len(question.sources) for question in left)
             now = {question: places for question, places in left.items() if len(question.sources) == least}
             votes = Counter(x for places in now.values() for x in {same[m] for m in places})
-            highest = max(votes.values())
-            most = {x for x, count in votes.items() if count == highest}
+            share = {x: count / (count + held[x] + 1) for x, count in votes.items()}
+            most = {x for x in votes if share[x] == max(share.values())}
             voted = {m for places in now.values() for m in places if same[m] in most}
             found = _explained(left, voted, same, work, until)
             beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
