@@ -43,7 +43,16 @@ CONNECTING = re.compile(
 OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
 # words that say that a display follows from those to which they refer
 REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add|subtract|solv)\w*\b", re.IGNORECASE)
+# words before a formula that give a letter a value, and those that end with what comes of it
+CASE = re.compile(
+    r"\b(?:for|with|if|when|set|setting|substituting|putting|taking|letting|assuming|where)\b", re.IGNORECASE
+)
+RESULTING = re.compile(
+    r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
+    re.IGNORECASE,
+)
 REFERENCE = re.compile(r"ref\{([^{}]+)\}|\{([^{}\s]+)\}|\(([\w.]+)\)")  # to a label, or to a number in brackets
+ROUNDED = re.compile(r"\d[.,]\d")  # a number that may be so, so that sides are equal to some digits only
 MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
@@ -193,30 +202,47 @@ class Checks:
         """Equations that may follow from those on the lines before them: of the same letters, in one derivation."""
         steps = {k: step for k in range(1, len(self.seen)) if (step := self._step(k - 1, k)) is not None}
         beyond = {k: step for k in steps if k + 1 in steps and (step := self._step(k - 1, k + 1)) is not None}
-        referred = {k: step for k in range(len(self.seen)) if k not in steps and (step := self._referred(k))}
+        referred = {k: step for k, step in self.referred.items() if k not in steps}
         return Derivations(steps, beyond, referred)
 
     def _referred(self, k: int) -> Question | None:
         """Whether an equation follows from those that the words before it name, if it has no other letters."""
-        formula, seen = self.formulas[k], self.seen[k]
+        formula = self.formulas[k]
         if not (formula.display and REFERRING.search(formula.before) and self.is_said(k, REFERRING)):
             return None
-        if (k and self.formulas[k - 1].before == formula.before and self.formulas[k - 1].display) or len(
-            seen.links
-        ) != 1:
+        if k and self.formulas[k - 1].before == formula.before and self.formulas[k - 1].display:
             return None
         named, sources = self.named(k, formula.before)
-        others = [self.seen[m] for m in sources]
-        if len(sources) != len(named) or not all(x.plain and not x.reason and len(x.links) == 1 for x in others):
+        return self._from(k, sources) if len(sources) == len(named) else None
+
+    def _special(self, k: int) -> Question | None:
+        """Whether an equation follows from the display before it with the formulas in the words between them.
+
+        As in: for $v = 0$, or setting $v = 0$, it becomes.
+        """
+        m = next((m for m in range(k - 1, -1, -1) if self.formulas[m].display), k)
+        between, words = range(m + 1, k), self.formulas[k].before
+        if not (self.formulas[k].display and between and RESULTING.search(words) and self.is_said(k, CASE)):
             return None
-        (link,), known = (
-            seen.links,
-            frozenset[str]().union(*(x.links[0].names[0] | x.links[0].names[1] for x in others)),
-        )
-        if seen.reason or not sources or not link.names[0] | link.names[1] <= known:
+        if not CASE.search(words) or self.formulas[m].scope != self.formulas[k].scope:
             return None
-        where = tuple(x.links[0].latex for x in others)
-        said = self.said(seen, *others)
+        return self._from(k, [m, *between])
+
+    @cached_property
+    def referred(self) -> dict[int, Question]:
+        """The equations that follow from others by the words before them."""
+        every = ((k, self._referred(k) or self._special(k)) for k in range(len(self.seen)))
+        return {k: question for k, question in every if question is not None}
+
+    def _from(self, k: int, sources: Sequence[int]) -> Question | None:
+        """Whether an equation follows from others, as words say, if it has no other letters."""
+        seen, others = self.seen[k], [self.seen[m] for m in sources]
+        if seen.reason or not sources or any(x.reason or not x.plain or len(x.links) != 1 for x in (seen, *others)):
+            return None
+        link, links = seen.links[0], [x.links[0] for x in others]
+        if not link.names[0] | link.names[1] <= frozenset[str]().union(*(x.names[0] | x.names[1] for x in links)):
+            return None
+        where, said = tuple(x.latex for x in links), self.said(seen, *others)
         return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
 
     def named(self, k: int, words: str) -> tuple[set[str], list[int]]:
@@ -252,6 +278,8 @@ class Checks:
 
     def _chained(self, k: int, link: Link) -> Question | None:
         """A link behind another one, with the same letters on both sides, or fewer letters than before."""
+        if link.chained and not link.names[0] | link.names[1] and not ROUNDED.search(link.latex):
+            return Question(k, link.latex, "chain")
         fewer = link.chained and link.names[1] < link.names[0]
         if not (fewer or link.names[0] == link.names[1]) or not link.names[1] or min(link.sizes) < SMALLEST:
             return None

@@ -31,6 +31,7 @@ ASKED = 8  # of these, those that are asked, where it holds
 EXPLAINED = 4  # of these, those for which slips of the pen are looked for, where it fails
 # words before a relation that do not make it a condition, if it may follow from others
 DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|find)\b", re.IGNORECASE)
+WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
 FOLLOWING = 1.2  # for all sets of a relation
 SLIPS = 4.0  # seconds for the slips in one relation
@@ -115,7 +116,9 @@ def _with_what_it_takes(question: Question, found: Found) -> Question:
 
 
 def _without_idle(question: Question) -> Question | None:
-    """The same without sources that say nothing of the relation; None if there are no others."""
+    """The same without sources that say nothing of it, unless words name them; None if there are no others."""
+    if question.worded:
+        return question
     rest = {*range(len(question.where))} - idle(question.relation, question.where, question.letters)
     where, sources = (tuple(every[n] for n in sorted(rest)) for every in (question.where, question.sources))
     return replace(question, where=where, sources=sources) if where else None
@@ -130,6 +133,8 @@ def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found |
         if any(each <= where for each in holding):
             continue
         points = compared(least.relation, least.where, least.letters) if least else None
+        if least and points is None and (numbers := _of_numbers(least)):
+            least, points = numbers, compared(numbers.relation, numbers.where, numbers.letters)
         if least is None or points is None:  # to prove it, rates may be needed
             yield question, None
             count += 1
@@ -141,6 +146,17 @@ def _compared(questions: Sequence[Question]) -> Iterator[tuple[Question, Found |
             holding.append(where)
         if count == COMPARED:
             return
+
+
+def _of_numbers(question: Question) -> Question | None:
+    """The same with numbers for vectors and matrices, which may have one row and one column.
+
+    Some texts say of a letter what it is for the first time where it is written out, and then not of all that equal it.
+    """
+    if any(WRITTEN_OUT.search(text) for text in (question.relation, *question.where)):
+        return None
+    letters = tuple((x, "scalar" if phrase in ("vector", "matrix") else phrase) for x, phrase in question.letters)
+    return replace(question, letters=letters) if letters != question.letters else None
 
 
 def _proved(questions: tuple[Question, ...]) -> Question | None:
@@ -236,7 +252,14 @@ class Derived:
                 _closed(each, pool), key=lambda every: (len(every), sum(abs(k - one.number) for one in every))
             )
             sets = [every for every in sets if not later or any(one.number > k for one in every)]
-            found.append(tuple(self._question(each, sources, LATER if later else "derived") for sources in sets))
+            own = self.checks.referred[k].sources if k in self.checks.referred and not later else ()
+            named = tuple(every[0] for m in own if (every := self.usable.get(m)))
+            if named:
+                sets = [named, *(every for every in sets if every != named)]
+            questions = [self._question(each, sources, LATER if later else "derived") for sources in sets]
+            if sets and sets[0] == named:
+                questions[0] = replace(questions[0], worded=True)
+            found.append(tuple(questions))
         return found
 
     def _serves(self, m: int, k: int) -> bool:
@@ -259,7 +282,7 @@ class Derived:
 
     def is_said(self, k: int) -> bool:
         """Is a formula printed as something that holds, or follows?"""
-        return self.checks.is_said(k, DERIVED)
+        return k in self.checks.referred or self.checks.is_said(k, DERIVED)
 
     def is_telling(self, question: Question) -> bool:
         """Is it something wrong if a relation fails?"""

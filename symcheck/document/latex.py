@@ -91,6 +91,7 @@ class Counters:
 
 
 # words before letters that may be anything, and perhaps others of these between
+EQUALS = re.compile(r"\$\s*=\s*$")  # words between two formulas within a line, which are one
 ANEW = re.compile(r"\b(?:any|all|every|each|arbitrary|two|let)\b[\w\s-]*(?:\$(?:\s|,|and|or)*)*$", re.IGNORECASE)
 
 
@@ -114,6 +115,7 @@ class Scanner:
     told: list[Told] = field(default_factory=list)
     paragraph: list[str] = field(default_factory=list)  # its words, inline formulas between dollars
     lines: list[tuple[str, int]] = field(default_factory=list)  # these formulas
+    beside: Sequence[Tok] = ()  # the last formula within a line
     titled: bool = False  # does it begin with a heading?
     listed: bool = False  # does it stand in a list of symbols?
 
@@ -322,7 +324,10 @@ class Scanner:
             self.inline(toks, label)
 
     def inline(self, body: Sequence[Tok], label: str = "") -> None:
-        """A formula within a line, if it is a relation."""
+        """A formula within a line, if it is a relation, or one side of `$x$ = $y$`."""
+        if EQUALS.search("".join(self.prose[-MAX_PROSE:])) and self.beside and body:
+            body = [*self.beside, body[0]._replace(text="="), *body]
+        self.beside = body
         latex = written(body)
         self.paragraph.append(f"${latex}$")
         self.lines.append((latex, next((tok.line for tok in body if not tok.is_space), 0)))

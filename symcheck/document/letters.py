@@ -12,7 +12,7 @@ from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.survey import Role, Said, Seen, is_sayable
 from symcheck.reading.evidence import spellings
-from symcheck.reading.faces import is_styled
+from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
 from symcheck.reading.side_by_side import ONE_NAME
@@ -141,6 +141,17 @@ def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> lis
     read = {role.letter for each in seen if each.read for role in each.roles}
     named = {role.letter for each in seen if ONE_NAME in each.reason for role in each.roles}
     return [each for each in every if each.letter in read or each.letter not in named]
+
+
+def in_one_face(formulas: Sequence[Printed], every: Sequence[Letter]) -> list[Printed]:
+    """The formulas, in which what is a vector, or a matrix, in bold and in plain type is one letter, in plain type."""
+    kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
+    plain = {bold: face(bold).removesuffix("}") for bold in kinds}
+    both = {bold: letter for bold, letter in plain.items() if kinds[bold] == kinds.get(letter)}
+    if not both:
+        return [*formulas]
+    printed = re.compile("|".join(re.escape(bold) + r"(?!_)" for bold in sorted(both)))
+    return [replace(f, latex=printed.sub(lambda found: f"{{{both[found[0]]}}}", f.latex)) for f in formulas]
 
 
 def factors(formulas: Sequence[Printed], seen: Sequence[Seen]) -> set[str]:

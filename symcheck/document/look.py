@@ -15,7 +15,7 @@ from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided
 from symcheck.document.derived import LATER, Derived, blamed, sought, with_proofs
-from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, letters
+from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, in_one_face, letters
 from symcheck.document.measuring import UNKNOWN, measured_by, measurings
 from symcheck.document.printed import Printed, Source
 from symcheck.document.roles import Roles
@@ -196,8 +196,9 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
 
 
 def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
-    formulas = printed.formulas
-    seen, every = known(formulas, work)
+    seen, every = known(printed.formulas, work)
+    if (formulas := in_one_face(printed.formulas, every)) != [*printed.formulas]:
+        seen, every = known(formulas, work)
     checks = Checks(formulas, seen, every)
     alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
     answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
@@ -221,7 +222,7 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     follows = [formulas[k].place for k in sorted(following | more)]
     return Look(
         file,
-        formulas,
+        printed.formulas,
         tuple(each.read for each in seen),
         tuple(every),
         tuple(_refusals((each.reason, f) for f, each in zip(formulas, seen, strict=True) if not each.read)),

@@ -70,7 +70,7 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     Nor where one side alone has further letters, unless it is asked whether it holds for all values of these.
     """
     try:
-        asked, given = _equations(relation, letters), _all(sources, letters)
+        asked, given = [*_equations(relation, letters)], _all(sources, letters)
         own, known = ({symbol for equation in every for symbol in equation.symbols} for every in (asked, given))
         free = {symbol for equation in asked for symbol in equation.shared}
         points = _points(sources, letters) if further or own <= known | free else ()
@@ -79,9 +79,11 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     if not points:
         return None
     points = _with_further(points, own)
-    symbols = [*points[0]]
+    zero = _zero(given)
+    asked, given = ([_without(each, zero) for each in every] for every in (asked, given))
+    symbols = [symbol for symbol in points[0] if symbol not in zero]
     with np.errstate(all="ignore"):
-        jacobian = _jacobian(_placed(given, symbols), np.array([*points[0].values()]))
+        jacobian = _jacobian(_placed(given, symbols), np.array([points[0][symbol] for symbol in symbols]))
         rest = [k for k, symbol in enumerate(symbols) if symbol not in own]
         bound = _rank(jacobian) > _rank(jacobian[:, rest])
         return Found(_hold(asked, points) or (bound and _on_a_branch(asked, given, symbols)), bound)
@@ -147,7 +149,8 @@ def _all(sources: tuple[str, ...], letters: Said) -> list[Equation]:
 @lru_cache(1024)
 def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float], ...]:
     """Points at which all equations hold, with letters of the same signs; none if the first is not found."""
-    equations = _all(sources, letters)
+    zero = _zero(equations := _all(sources, letters))
+    equations, fixed = [_without(each, zero) for each in equations], dict.fromkeys(zero, 0.0)
     symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
     numbers, placed = np.random.default_rng(1), _placed(equations, symbols)
     with np.errstate(all="ignore"):
@@ -156,8 +159,34 @@ def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float
             there = _is_found(found)
             if np.any(there):
                 same = there & np.all(signs == signs[np.argmax(there)], axis=1)
-                return tuple(dict(zip(symbols, map(float, point), strict=True)) for point in found[same][:POINTS])
+                points = found[same][:POINTS]
+                return tuple(fixed | dict(zip(symbols, map(float, point), strict=True)) for point in points)
     return ()
+
+
+def _zero(equations: Iterable[Equation]) -> set[Symbol]:
+    """The letters of which an equation says that they are zero, so that they have no logarithm."""
+    found: set[Symbol] = set()
+    for each in equations:
+        if len(each.symbols) == 1:
+            with np.errstate(all="ignore"):
+                (there, *elsewhere) = (abs(complex(left - right)) for left, right in map(each.sides, (0.0, 0.7, 1.3)))
+            if there == 0 and all(gap > EQUAL for gap in elsewhere):
+                found.update(each.symbols)
+    return found
+
+
+def _without(equation: Equation, zero: Set[Symbol]) -> Equation:
+    """An equation in which some letters are zero."""
+    if zero.isdisjoint(equation.symbols):
+        return equation
+    free = tuple(symbol for symbol in equation.symbols if symbol not in zero)
+
+    def sides(*values: Any) -> Any:
+        given = dict(zip(free, values, strict=True))
+        return equation.sides(*(given.get(symbol, 0.0) for symbol in equation.symbols))
+
+    return Equation(free, sides, equation.shared - zero)
 
 
 def _hold(equations: Iterable[Equation], points: Sequence[dict[Symbol, float]]) -> bool:
