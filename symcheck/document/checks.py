@@ -12,10 +12,13 @@ from itertools import chain
 
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
+from symcheck.document.points import slips
 from symcheck.document.printed import Printed
 from symcheck.document.survey import SMALLEST, Link, Seen, is_open, is_sayable
+from symcheck.proof.search.decide import UNSETTLED
 from symcheck.question import Answer, Status
-from symcheck.question.ask import answered
+from symcheck.question.ask import REFUSED, answered
+from symcheck.question.equations import EQUATION
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked
 
@@ -26,6 +29,13 @@ CONDITIONAL = re.compile(
     r"equation\w* of|unknown\w*|roots?|initial|boundary|minimi[sz]\w*|maximi[sz]\w*|example|consider\w*|approximat\w*|"
     r"neglect\w*|small|limit\w*|equilibri\w*|wrong|false|incorrect|not true|mistake\w*|naive\w*|instead|replac\w*|"
     r"substitut\w*|unlike|modulo|mod|model\w*|law|hypothes\w*|contradict\w*|iterat\w*|updat\w*|assign\w*)\b",
+    re.IGNORECASE,
+)
+MISTAKEN = re.compile(r"\b(?:wrong|false|incorrect|not true|mistake\w*|naive\w*|fallac\w*)\b", re.IGNORECASE)
+# a condition that is none: of what is known, or wanted, or that gives something a name
+IDLE = re.compile(
+    r"\b(?:if|when|once)\b(?:[^.,;:]*\b(?:known|given|needed|desired|wanted|necessary|possible)\b"
+    r"| \$ (?:is|denotes) (?:a|an|the)\b)",
     re.IGNORECASE,
 )
 PURPOSE = re.compile(r"\bso that\b", re.IGNORECASE)  # or a consequence
@@ -51,12 +61,14 @@ RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
     re.IGNORECASE,
 )
-REFERENCE = re.compile(r"ref\{([^{}]+)\}|\{([^{}\s]+)\}|\(([\w.]+)\)")  # to a label, or to a number in brackets
+# to a label, or to a number in brackets
+REFERENCE = re.compile(r"ref\{([^{}]+)\}|\{([^{}\s]+)\}|\(([\w.]+)\)|@(eq-[\w-]+)")
 ROUNDED = re.compile(r"\d[.,]\d")  # a number that may be so, so that sides are equal to some digits only
 MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
 NEAR = 3  # formulas behind one that may say for what it holds
+OVER = "the search was not over after"
 SECONDS = 1.0  # for a formula alone; nearly all that are decided at all are decided in a fifth
 SEARCH = 4.0  # seconds for one that seems to fail
 REPAIRING = 2.5  # of these for slips of the pen; nearly all that are found are found in one
@@ -91,7 +103,7 @@ def decided(question: Question) -> Answer:
         with limited(SECONDS):
             return answered(question.relation, question.where, (), dict(question.letters), wanted=False)
     except OutOfTime:
-        return Answer(Status.UNDECIDED, reason=f"the search was not over after {SECONDS:g} s")
+        return Answer(Status.UNDECIDED, reason=f"{OVER} {SECONDS:g} s")
 
 
 def confirmed(question: Question) -> Answer:
@@ -100,7 +112,7 @@ def confirmed(question: Question) -> Answer:
         with limited(SEARCH):
             return _confirmed(question)
     except OutOfTime:
-        return Answer(Status.UNDECIDED, reason=f"the search was not over after {SEARCH:g} s")
+        return Answer(Status.UNDECIDED, reason=f"{OVER} {SEARCH:g} s")
 
 
 def _confirmed(question: Question) -> Answer:
@@ -123,9 +135,17 @@ def _confirmed(question: Question) -> Answer:
             found = more
     if is_open(question.relation):
         return replace(found, verdict=Status.UNDECIDED, reason="some of its letters may be vectors")
+    if question.worded and fails(found) and next(slips(question.relation, question.where, question.letters), None):
+        return replace(found, verdict=Status.REFUTED)
     if not found.repairs and (question.sure or elsewhere is None):
         return replace(found, verdict=Status.UNDECIDED, reason="no slip of the pen is near that would explain it")
     return found
+
+
+def fails(answer: Answer) -> bool:
+    """Is something refuted, or is nothing known against the points at which it fails?"""
+    open_ = answer.reason == UNSETTLED or answer.reason.startswith((REFUSED, OVER, EQUATION))
+    return answer.verdict is Status.REFUTED or (answer.verdict is Status.UNDECIDED and open_)
 
 
 @dataclass(frozen=True)
@@ -172,7 +192,7 @@ class Checks:
 
     def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
-        words = aside.sub("", self._words(k)) if aside else self._words(k)
+        words = IDLE.sub("", aside.sub("", self._words(k)) if aside else self._words(k))
         return self.seen[k].plain and self.seen[k].is_sayable and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
@@ -215,6 +235,13 @@ class Checks:
         named, sources = self.named(k, formula.before)
         return self._from(k, sources) if len(sources) == len(named) else None
 
+    def _implied(self, k: int) -> Question | None:
+        """Whether the right side of an implication between equations follows from the left one."""
+        seen = self.seen[k]
+        if seen.reason or not seen.premises or len(seen.conclusions) != 1 or MISTAKEN.search(self._words(k)):
+            return None
+        return self._from_links(k, seen.conclusions[0], seen.premises, [k] * len(seen.premises))
+
     def _special(self, k: int) -> Question | None:
         """Whether an equation follows from the display before it with the formulas in the words between them.
 
@@ -231,7 +258,7 @@ class Checks:
     @cached_property
     def referred(self) -> dict[int, Question]:
         """The equations that follow from others by the words before them."""
-        every = ((k, self._referred(k) or self._special(k)) for k in range(len(self.seen)))
+        every = ((k, self._implied(k) or self._referred(k) or self._special(k)) for k in range(len(self.seen)))
         return {k: question for k, question in every if question is not None}
 
     def _from(self, k: int, sources: Sequence[int]) -> Question | None:
@@ -239,10 +266,12 @@ class Checks:
         seen, others = self.seen[k], [self.seen[m] for m in sources]
         if seen.reason or not sources or any(x.reason or not x.plain or len(x.links) != 1 for x in (seen, *others)):
             return None
-        link, links = seen.links[0], [x.links[0] for x in others]
+        return self._from_links(k, seen.links[0], [x.links[0] for x in others], sources)
+
+    def _from_links(self, k: int, link: Link, links: Sequence[Link], sources: Sequence[int]) -> Question | None:
         if not link.names[0] | link.names[1] <= frozenset[str]().union(*(x.names[0] | x.names[1] for x in links)):
             return None
-        where, said = tuple(x.latex for x in links), self.said(seen, *others)
+        where, said = tuple(x.latex for x in links), self.said(self.seen[k], *(self.seen[m] for m in sources))
         return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
 
     def named(self, k: int, words: str) -> tuple[set[str], list[int]]:

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from itertools import permutations
 
 from symcheck.document.checks import REFERRING, Checks, Definition, Place, Question
 from symcheck.document.points import Found, compared, idle, slips
@@ -218,11 +219,20 @@ class Derived:
 
     def __init__(self, checks: Checks, roles: Roles) -> None:
         self.checks, self.roles = checks, roles
+        self.chapters = {f.scope[0]: f.chapter for f in checks.formulas}
+        where = dict[str, set[int]]()  # by letter: the sections in which it stands
+        for f, seen in zip(checks.formulas, checks.seen, strict=True):
+            for letter in seen.names:
+                where.setdefault(letter, set()).add(f.scope[0])
+        every = zip(checks.formulas, checks.seen, strict=True)
+        self.saying = {f.scope[0] for f, seen in every if any(len(where.get(x, ())) > 1 for x in seen.heads)}
         self.said = Counter(letter for seen in checks.seen for letter in seen.heads)
-        self.anew: dict[str, set[int]] = {}  # by letter: the sections that say what it is
-        for k, seen in enumerate(checks.seen):
+        # by letter, in a chapter and in all of the document: the sections that say what it is
+        self.anew: dict[tuple[int | None, str], set[int]] = {}
+        for f, seen in zip(checks.formulas, checks.seen, strict=True):
             for letter in seen.heads:
-                self.anew.setdefault(letter, set()).add(checks.formulas[k].scope[0])
+                for chapter in (f.chapter, None):
+                    self.anew.setdefault((chapter, letter), set()).add(f.scope[0])
         words = [each.before for each in checks.formulas]
         self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
@@ -272,7 +282,9 @@ class Derived:
         names, own = self.checks.seen[m].names, self.roles.anew
         if names & (own[k] ^ own[m]):
             return False
-        return self.roles.is_same_part(m, k) or all(len(self.anew.get(x, ())) <= ANEW for x in names)
+        theirs, here = (self.checks.formulas[n].chapter for n in (m, k))
+        within = here if theirs == here else None
+        return self.roles.is_same_part(m, k) or all(len(self.anew.get((within, x), ())) <= ANEW for x in names)
 
     def _question(self, each: Definition, sources: Sequence[Definition], kind: str) -> Question:
         seen = [self.checks.seen[x.number] for x in (each, *sources)]
@@ -284,13 +296,33 @@ class Derived:
         """Is a formula printed as something that holds, or follows?"""
         return k in self.checks.referred or self.checks.is_said(k, DERIVED)
 
-    def is_telling(self, question: Question) -> bool:
-        """Is it something wrong if a relation fails?"""
+    def is_telling(self, question: Question, linked: Set[tuple[int, int]] = frozenset()) -> bool:
+        """Is it something wrong if a relation fails, where letters mean the same in sections that are linked?"""
         return (
             self.checks.formulas[question.number].display
             and self.is_said(question.number)
-            and not self.may_differ(question)
+            and not self.may_differ(question, linked)
         )
+
+    def linked(self, holding: Iterable[tuple[Place, ...]]) -> set[tuple[int, int]]:
+        """Pairs of sections of one chapter: of each of them a relation holds together with one of another.
+
+        Where these all go together, a section that says of no letter of others what it is goes with them.
+        """
+        found = {k: {k} for k in self.chapters}  # by section: those linked to it
+        for places in holding:
+            for s, t in permutations({self.checks.formulas[m].scope[0] for m, _ in places}, 2):
+                if self.chapters[s] == self.chapters[t]:
+                    found[s] |= found[t]
+                    for each in found[s]:
+                        found[each] = found[s]
+        for chapter in {*self.chapters.values()}:
+            groups = {frozenset(found[s]) for s, own in self.chapters.items() if own == chapter}
+            larger = [group for group in groups if len(group) > 1]
+            for group in groups - {*larger} if len(larger) == 1 else ():
+                for s in group - self.saying:
+                    found[s] = {s, *larger[0]}
+        return {(t, s) for s, group in found.items() for t in group}
 
     def heads(self, k: int) -> Set[str]:
         """The letters that a formula may define."""
@@ -300,7 +332,7 @@ class Derived:
         """The left sides of these equations of a formula."""
         return {link.left for link in self.checks.seen[k].links if link.latex in equations}
 
-    def may_differ(self, question: Question) -> bool:
+    def may_differ(self, question: Question, linked: Set[tuple[int, int]] = frozenset()) -> bool:
         """May letters mean something else in a source, or does it say of a letter what a source says in another case?
 
         That is so where a source stands in another section, and is not the only one that says what a letter is, or
@@ -311,15 +343,16 @@ class Derived:
         known = {each.number for each in self.roles.known(k).values()}
         heads = {x for x, link in self.checks.seen[k].heads.items() if link.latex == question.relation}
         same = self._lefts(k, {question.relation}) & self._lefts(question.sources[0], {*question.where})
-        if len(question.sources) == 1 and same:
+        if (alone := len(question.sources) == 1) and same:
             return True
         words, among = formulas[k].before, range(min(k, *question.sources), max(k, *question.sources) + 1)
         if words and all(formulas[m].before == words for m in among):
             return True
         return any(
-            (m not in known | self.named[k] and not self.roles.is_same_part(m, k))
-            or ((formulas[m].part != formulas[k].part or len(question.sources) == 1) and heads & self.heads(m))
+            (m not in known | self.named[k] and not (self.roles.is_same_part(m, k) or beside))
+            or (((formulas[m].part != formulas[k].part and not beside) or alone) and heads & self.heads(m))
             for m in question.sources
+            for beside in [(formulas[m].scope[0], formulas[k].scope[0]) in linked]
         )
 
 
@@ -376,7 +409,9 @@ def blamed(
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
     holding = [*(question.places for each in outcomes for question in each.holding), *shown]
     same = _same(holding)
-    failing = [question for each in outcomes for question in each.failing if sets.is_telling(question)]
+    linked = sets.linked(holding)
+    failing = [question for each in outcomes for question in each.failing if sets.is_telling(question, linked)]
+    near = {m for question in failing if sets.is_telling(question) for m in question.places}
     held, failed = (
         Counter(x for places in every for x in {same[m] for m in places})
         for every in ([each for each in holding if len(each) != 2], [question.places for question in failing])
@@ -394,6 +429,7 @@ def blamed(
             found = _explained(left, voted, same, work, until)
             beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
             found |= _explained(left, {m for m in beside if same[m] not in most}, same, work, until)
+            found = {m: slip for m, slip in found.items() if not held[same[m]] or m in near}
             best = max((slip.repaired for slip in found.values()), default=0)
             likeliest = {same[m] for m, slip in found.items() if slip.repaired == best}
             found = {m: slip for m, slip in found.items() if same[m] in likeliest}

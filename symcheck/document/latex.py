@@ -115,6 +115,7 @@ class Scanner:
     told: list[Told] = field(default_factory=list)
     paragraph: list[str] = field(default_factory=list)  # its words, inline formulas between dollars
     lines: list[tuple[str, int]] = field(default_factory=list)  # these formulas
+    chapter: int = 0
     beside: Sequence[Tok] = ()  # the last formula within a line
     titled: bool = False  # does it begin with a heading?
     listed: bool = False  # does it stand in a list of symbols?
@@ -233,6 +234,7 @@ class Scanner:
         self.part += 1
         if level in ("part", "chapter", "section"):
             self.section += 1
+            self.chapter += level != "section"
         self.prose.clear()
         self.anew.clear()
 
@@ -366,6 +368,7 @@ class Scanner:
                 self.part,
                 tuple(self.anew),
                 bool(above),
+                self.chapter,
             )
         )
 

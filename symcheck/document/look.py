@@ -13,7 +13,7 @@ from pathlib import Path
 from symcheck.audit.library import executor
 from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
-from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided
+from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided, fails
 from symcheck.document.derived import LATER, Derived, blamed, sought, with_proofs
 from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, in_one_face, letters
 from symcheck.document.measuring import UNKNOWN, measured_by, measurings
@@ -24,9 +24,7 @@ from symcheck.document.structure import Mark, marks
 from symcheck.document.survey import READING, Seen, surveyed, surveyed_with
 from symcheck.document.units import Told
 from symcheck.document.work import Progress, Work, proved_of, undecided
-from symcheck.proof.search.decide import UNSETTLED
 from symcheck.question import Answer, Status
-from symcheck.question.ask import REFUSED
 from symcheck.question.measured import LIMIT
 
 # what distinguishes two refusals of one kind: the place, and what is printed there
@@ -205,7 +203,7 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
     proved = proved_of(answers)
     failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
-    failing += [question for question in lines.unlike(proved) if answers[question].verdict is Status.REFUTED]
+    failing += [question for question in lines.unlike(proved) if fails(answers[question])]
     sure = work.all(confirmed, failing, SEARCH, undecided)
     found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
     found += [(mark.number, _marked(formulas, mark)) for mark in marks(formulas, seen, printed.mentions)]
@@ -288,7 +286,7 @@ def _derived(
     left = f"{rest} relations, of which it takes too long to tell what they follow from; `symcheck new` tells it"
     follows = {k for k, every in own.items() if every and all(each.proof for each in every)}
     answers = work.all(decided, [*wrong.values()], SECONDS, undecided)
-    faulty = {m: q for m, q in wrong.items() if m not in told and _fails(answers[q])}
+    faulty = {m: q for m, q in wrong.items() if m not in told and fails(answers[q])}
     found = [(m, _finding(checks.formulas, question, answers[question])) for m, question in faulty.items()]
     for those in unlike:
         if told & {*those}:
@@ -297,12 +295,6 @@ def _derived(
         last = checks.formulas[those[-1]]
         found.append((those[-1], Finding(last.place, last.latex, UNLIKE, definitions=others)))
     return follows, found, [left] if rest else []
-
-
-def _fails(answer: Answer) -> bool:
-    """Is something refuted, or is nothing known against the points at which it fails?"""
-    open_ = answer.reason == UNSETTLED or answer.reason.startswith(REFUSED)
-    return answer.verdict is Status.REFUTED or (answer.verdict is Status.UNDECIDED and open_)
 
 
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:

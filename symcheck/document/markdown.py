@@ -22,6 +22,8 @@ MAX_NESTING = 50  # lists and quotations in one another; deeper ones are left ou
 _FENCED = re.compile(r"\{math\}|math")  # the language of a fence that is a formula
 _OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top of a fence
 _LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
+# a directive of MyST that is a formula, between colons
+_COLONS = re.compile(r"^([ \t]*)(:::+)[ \t]*\{math\}(.*?\n)^\1\2[ \t]*$", re.DOTALL | re.MULTILINE)
 _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
 # a macro is defined, in what the code of a notebook prints
 _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMathOperator)(?![A-Za-z])")
@@ -29,7 +31,7 @@ _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMat
 _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
 _QUOTED = re.compile(r"\s*`([^`]+)`\s*")  # the dollars of GitHub and GitLab stand around such quotes
 
-HEADINGS = {"h1": "section", "h2": "section"}  # all others are subsections
+HEADINGS = {"h1": "chapter", "h2": "section"}  # all others are subsections
 _HIDDEN = re.compile(r"\s*<(?:!|\?|script|style|pre)", re.I)  # HTML of which a reader sees no formula
 _HEADING = re.compile(r"<(h[1-6])\b", re.I)  # of HTML
 _TAG = re.compile(r"</?[A-Za-z][^<>$]*>")  # and no sign of order between formulas
@@ -45,7 +47,8 @@ def markdown(text: str, scanner: Scanner) -> None:
     """The formulas of Markdown."""
     lines = text.split("\n")
     at = 0
-    for token in _parser().parse(_ENVIRONMENT.sub(r"\1  \2  ", _DIRECTIVES.sub("", text))):
+    text = _DIRECTIVES.sub("", _COLONS.sub(r"\1```{math}\3\1```", text))
+    for token in _parser().parse(_ENVIRONMENT.sub(r"\1  \2  ", text)):
         at = token.map[0] if token.map else at
         if token.type == "heading_open":
             scanner.heading(HEADINGS.get(token.tag, "subsection"))
@@ -89,6 +92,8 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
             scanner.put(_unescaped(part.content), _line(lines, at, part.content), label)
         elif part.type == "math_inline" or (part.type == "myst_role" and part.meta.get("name") == "math"):
             scanner.put(_unescaped(part.content), _line(lines, at, part.content), display=False)
+        elif part.type == "myst_role" and part.meta.get("name") == "eq":
+            scanner.words(rf"\eqref{{{part.content}}}")
     scanner.end()
 
 

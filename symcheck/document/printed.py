@@ -36,6 +36,8 @@ class Printed:
         "for any x": they are others than those before.
     goes_on
         Whether it begins with a sign and goes on with the display above it, the last side of which it repeats here.
+    chapter
+        The number of the last heading of a chapter before it: in Markdown of the highest level.
     """
 
     latex: str
@@ -50,6 +52,7 @@ class Printed:
     part: int = 0
     anew: tuple[str, ...] = ()
     goes_on: bool = False
+    chapter: int = 0
 
     @property
     def position(self) -> str:

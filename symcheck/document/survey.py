@@ -15,7 +15,7 @@ from symcheck.reading.guesses import ECCENTRICITY, Guess
 from symcheck.reading.inference import Inference, inferred
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
-from symcheck.reading.tree import Chain, Derivative, Integral, Name, children, walk
+from symcheck.reading.tree import Chain, Derivative, Implies, Integral, Name, children, walk
 
 UNSAID = "write it out"  # ends the reason why a derivative has no value as long as nothing says what its function is
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
@@ -71,6 +71,8 @@ class Seen:
     plain: bool = False  # equations alone, without conditions beside them
     apart: bool = False  # are some links read, and the formula as a whole is not?
     said: Said = ()  # what had to be said of the letters
+    premises: tuple[Link, ...] = ()  # of an implication
+    conclusions: tuple[Link, ...] = ()
 
     @property
     def read(self) -> bool:
@@ -144,16 +146,20 @@ def _surveyed(latex: str, said: Said) -> Seen:
     except Understood as error:
         reason, partly, inferences, tree = error.reason, True, [error.inference], error.tree
     except SymcheckError as error:
-        try:
-            inferences = inferred([asked.relation], dict(asked.letters), {})
-        except SymcheckError:
-            inferences = []
+        inferences = []
+        for text in (asked.relation, *apart(latex)):
+            with suppress(SymcheckError):
+                inferences = inferred([text], dict(asked.letters), {})
+                break
         roles = tuple(replace(role, known=False) for role in _roles(inferences))
-        links = tuple(_links_apart(latex, roles))
+        links = tuple(_links_apart(latex, roles, said))
         return Seen(str(error), roles=roles, links=links, plain=bool(links), apart=bool(links))
     links = tuple(_links(tree))
     plain = isinstance(tree, Chain) or (isinstance(tree, System) and not tree.qualifiers)
-    return Seen(reason, partly, tuple(_roles(inferences)), links, plain)
+    seen = Seen(reason, partly, tuple(_roles(inferences)), links, plain)
+    if isinstance(tree, Implies) and isinstance(tree.left, Chain) and isinstance(tree.right, Chain):
+        return replace(seen, premises=tuple(_links(tree.left)), conclusions=tuple(_links(tree.right)))
+    return seen
 
 
 def _links(tree: Tree) -> Iterator[Link]:
@@ -184,13 +190,14 @@ def apart(latex: str) -> list[str]:
     return [" = ".join(both) for both in pairwise(members)] if all(members) and len(members) > 2 else []
 
 
-def _links_apart(latex: str, roles: Sequence[Role]) -> Iterator[Link]:
-    """The links that can be read alone, with the letters as they are in all of the formula."""
+def _links_apart(latex: str, roles: Sequence[Role], said: Said) -> Iterator[Link]:
+    """The links that can be read alone, with the letters as they are in all of the formula, and as is said."""
     for place, text in enumerate(apart(latex)):
         with suppress(SymcheckError):
             alone = _surveyed(text, ())
-            said = tuple((r.letter, phrase) for r in alone.roles if (phrase := _phrase_among(roles, r)))
-            seen = _surveyed(text, said) if said else alone
+            own = {r.letter: phrase for r in alone.roles if (phrase := _phrase_among(roles, r))}
+            own |= {x: phrase for x, phrase in said if any(r.letter == x for r in alone.roles)}
+            seen = _surveyed(text, tuple(own.items())) if own else alone
             if not seen.reason and len(seen.links) == 1:
                 link = seen.links[0]
                 yield replace(link, chained=place > 0, place=place, head="" if place else link.head)

@@ -321,6 +321,9 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
             yield Slip("sign", f"the minus of {to_latex(node.value)} dropped", replaced(tree, path, node.value))
         if isinstance(node, Add) and not any(isinstance(each, Neg) for each in node.terms):
             yield Slip("sign", f"{to_latex(node)} for its product", replaced(tree, path, Mul(node.terms)), 1.0)
+        if isinstance(node, Add) and len(node.terms) == 2 and isinstance(node.terms[1], Neg):
+            around = Add((node.terms[1].value, Neg(node.terms[0])))
+            yield Slip("sign", f"{to_latex(node)} turned around", replaced(tree, path, around), 0.5)
         if isinstance(node, Mul) and len(node.factors) == 2 and not node.dotted:
             yield Slip("sign", f"{to_latex(node)} for its sum", replaced(tree, path, Add(node.factors)), 2.0)
         if isinstance(node, Div) and not isinstance(node.bottom, Number):
