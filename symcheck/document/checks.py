@@ -12,7 +12,7 @@ from itertools import chain
 
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
-from symcheck.document.points import slips
+from symcheck.document.points import compared, slips
 from symcheck.document.printed import Printed
 from symcheck.document.survey import SMALLEST, Link, Seen, is_open, is_sayable
 from symcheck.proof.search.decide import UNSETTLED
@@ -41,6 +41,7 @@ IDLE = re.compile(
 PURPOSE = re.compile(r"\bso that\b", re.IGNORECASE)  # or a consequence
 # words before a formula that say that it holds for all values of its letters
 IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|expand\w*|simplif\w*)\b", re.IGNORECASE)
+INDEFINITE = re.compile(r"\\int(?!\s*[_^])")  # an integral whose derivative is known
 AGAIN = re.compile(
     r"\b(recall\w*|again|as before|as above|repeat\w*|remember)\b", re.IGNORECASE
 )  # before what is known
@@ -115,12 +116,23 @@ def confirmed(question: Question) -> Answer:
         return Answer(Status.UNDECIDED, reason=f"{OVER} {SEARCH:g} s")
 
 
+def _explained(question: Question) -> bool:
+    """Does a relation fail at points, with all else that is said of its letters, and hold there after a slip?"""
+    if not (question.worded or question.kind in ("chain", "identity")):
+        return False
+    given = [(*question.where, condition) for condition in question.given]
+    found = [compared(question.relation, sources, question.letters) for sources in (question.where, *given)]
+    if found[0] is None or any(each is not None and each.holds for each in found):
+        return False
+    return next(slips(question.relation, question.where, question.letters), None) is not None
+
+
 def _confirmed(question: Question) -> Answer:
     said = dict(question.letters)
     if question.given:
         together = answered(question.relation, question.where, question.given, said, wanted=False)
         if together.verdict in (Status.PROVED, Status.UNDECIDED, Status.VACUOUS):
-            return together
+            return replace(together, verdict=Status.REFUTED) if fails(together) and _explained(question) else together
         for condition in question.given if together.verdict is not Status.REFUTED else ():
             alone = answered(question.relation, question.where, (condition,), said, wanted=False)
             if alone.verdict not in (Status.REFUTED, Status.UNREADABLE):
@@ -135,7 +147,7 @@ def _confirmed(question: Question) -> Answer:
             found = more
     if is_open(question.relation):
         return replace(found, verdict=Status.UNDECIDED, reason="some of its letters may be vectors")
-    if question.worded and fails(found) and next(slips(question.relation, question.where, question.letters), None):
+    if fails(found) and _explained(question):
         return replace(found, verdict=Status.REFUTED)
     if not found.repairs and (question.sure or elsewhere is None):
         return replace(found, verdict=Status.UNDECIDED, reason="no slip of the pen is near that would explain it")
@@ -271,7 +283,8 @@ class Checks:
     def _from_links(self, k: int, link: Link, links: Sequence[Link], sources: Sequence[int]) -> Question | None:
         if not link.names[0] | link.names[1] <= frozenset[str]().union(*(x.names[0] | x.names[1] for x in links)):
             return None
-        where, said = tuple(x.latex for x in links), self.said(self.seen[k], *(self.seen[m] for m in sources))
+        where = tuple(x.latex for x in links)
+        said = self.said(self.seen[k], *(self.seen[m] for m in sources), factors=True)
         return Question(k, link.latex, "step", where, tuple(sources), letters=said, sure=True, worded=True)
 
     def named(self, k: int, words: str) -> tuple[set[str], list[int]]:
@@ -309,11 +322,15 @@ class Checks:
         """A link behind another one, with the same letters on both sides, or fewer letters than before."""
         if link.chained and not link.names[0] | link.names[1] and not ROUNDED.search(link.latex):
             return Question(k, link.latex, "chain")
-        fewer = link.chained and link.names[1] < link.names[0]
-        if not (fewer or link.names[0] == link.names[1]) or not link.names[1] or min(link.sizes) < SMALLEST:
-            return None
         kind = "chain" if link.chained else "identity"
-        if not link.chained and not IDENTITY.search(self.formulas[k].before):
+        fewer = link.names[1] < link.names[0]
+        if kind == "identity":
+            worded = IDENTITY.search(self.formulas[k].before)
+            if not (worded or INDEFINITE.match(link.left)) or max(link.sizes) < SMALLEST:
+                return None
+        elif not link.names[1] or min(link.sizes) < SMALLEST:
+            return None
+        if not fewer and link.names[0] != link.names[1]:
             return None
         conditions = self._conditions(k, link.names[0], ())
         return Question(

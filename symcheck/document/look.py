@@ -44,6 +44,7 @@ CHAIN = "the links of this chain do not agree: an error, or a condition printed 
 UNLIKE = "does not agree with other relations: an error in one of them, or a condition printed elsewhere?"
 UNITS = "its terms do not measure the same: an error, or a condition printed elsewhere?"
 STEP = "does not follow from what it is said to: an error in one of them, or a condition printed elsewhere?"
+ALIKE = ("chain", "identity")  # the kinds of questions whose sides have the same letters
 TOLD = {"chain": CHAIN, "step": STEP, "derived": UNLIKE, LATER: UNLIKE}  # by the kind of a question
 
 
@@ -202,7 +203,9 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
     answers |= work.all(decided, lines.further(proved_of(answers)), SECONDS, undecided)
     proved = proved_of(answers)
-    failing = [question for question in suspicious if answers[question].verdict is Status.REFUTED]
+    failing = [
+        q for q in suspicious if (fails(answers[q]) if q.kind in ALIKE else answers[q].verdict is Status.REFUTED)
+    ]
     failing += [question for question in lines.unlike(proved) if fails(answers[question])]
     sure = work.all(confirmed, failing, SEARCH, undecided)
     found = [(fault.number, Finding(fault.place, "", fault.message)) for fault in printed.faults]
