@@ -324,6 +324,12 @@ class Derived:
                     found[s] = {s, *larger[0]}
         return {(t, s) for s, group in found.items() for t in group}
 
+    def _is_once(self, m: int, k: int) -> bool:
+        """Does no letter of a formula mean something anew in another section of the chapter in which both stand?"""
+        formulas, names = self.checks.formulas, self.checks.seen[m].names
+        said = all(len(self.anew.get((None, x), ())) <= 1 for x in names)
+        return said and formulas[m].chapter == formulas[k].chapter
+
     def heads(self, k: int) -> Set[str]:
         """The letters that a formula may define."""
         return self.checks.seen[k].heads.keys()
@@ -352,7 +358,7 @@ class Derived:
             (m not in known | self.named[k] and not (self.roles.is_same_part(m, k) or beside))
             or (((formulas[m].part != formulas[k].part and not beside) or alone) and heads & self.heads(m))
             for m in question.sources
-            for beside in [(formulas[m].scope[0], formulas[k].scope[0]) in linked]
+            for beside in [(formulas[m].scope[0], formulas[k].scope[0]) in linked or self._is_once(m, k)]
         )
 
 
