@@ -265,6 +265,8 @@ class Checks:
             return None
         if not CASE.search(words) or self.formulas[m].scope != self.formulas[k].scope:
             return None
+        if any(self.seen[n].names.isdisjoint(self.seen[m].names) for n in between):
+            return None  # a case of something else
         return self._from(k, [m, *between])
 
     @cached_property

@@ -324,6 +324,11 @@ class Derived:
                     found[s] = {s, *larger[0]}
         return {(t, s) for s, group in found.items() for t in group}
 
+    def _says_anew(self, k: int, heads: Set[str], m: int) -> bool:
+        """Does a formula say of a letter of another one what it is, as another section does?"""
+        section = self.checks.formulas[k].scope[0]
+        return any(self.anew.get((None, x), set()) - {section} for x in heads & self.checks.seen[m].names)
+
     def _is_once(self, m: int, k: int) -> bool:
         """Does no letter of a formula mean something anew in another section of the chapter in which both stand?"""
         formulas, names = self.checks.formulas, self.checks.seen[m].names
@@ -355,7 +360,10 @@ class Derived:
         if words and all(formulas[m].before == words for m in among):
             return True
         return any(
-            (m not in known | self.named[k] and not (self.roles.is_same_part(m, k) or beside))
+            (
+                (m not in known | self.named[k] or self._says_anew(k, heads, m))
+                and not (self.roles.is_same_part(m, k) or beside)
+            )
             or (((formulas[m].part != formulas[k].part and not beside) or alone) and heads & self.heads(m))
             for m in question.sources
             for beside in [(formulas[m].scope[0], formulas[k].scope[0]) in linked or self._is_once(m, k)]

@@ -110,7 +110,10 @@ def _unescaped(content: str) -> str:
 def _line(lines: Sequence[str], start: int, content: str) -> int:
     """The line, counted from 1, on which a formula begins that stands at a line or below."""
     first = next((line.strip() for line in content.split("\n") if line.strip()), "")
-    return next((k + 1 for k in range(start, len(lines)) if first in lines[k]), start + 1)
+    for begun in (f"${first}", f"$ {first}", first):  # a letter stands in words, too
+        if (found := next((k + 1 for k in range(start, len(lines)) if begun in lines[k]), 0)) > 0:
+            return found
+    return start + 1
 
 
 def _options(content: str) -> tuple[str, str]:

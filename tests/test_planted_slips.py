@@ -1,0 +1,120 @@
+"""One slip in a short text is told at its line, and the text without it says nothing against itself."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from sampling import every
+
+from symcheck import look
+
+
+class Planted(NamedTuple):
+    """A text with what is printed rightly in place of SLIP, wrongly, and the line at which that is told."""
+
+    text: str
+    right: str
+    wrong: str
+    line: int
+
+
+CHAPTERS = r"""# Ellipses
+
+The orbit is
+$$r = \frac{p}{1 + e \cos\nu}$$
+At the pericentre
+$$q = \frac{p}{1 + e}$$
+and at the apocentre
+$$s = \frac{p}{1 - e}$$
+
+## Axes
+
+The semi-major axis is
+$$a = \frac{p}{1 - e^2}$$
+so that the orbit is
+$$r = a \frac{1 - e^2}{1 + e \cos\nu}$$
+and the pericentre lies at
+$$q = SLIP$$
+
+# Hyperbolas
+
+The orbit is
+$$r = \frac{p}{1 + e \cos\nu}$$
+with the semi-major axis
+$$a = \frac{p}{e^2 - 1}$$
+so that the pericentre lies at
+$$q = a (e - 1)$$
+"""
+
+PLANTED = {
+    "numbers in a chain": Planted(
+        r"The area is $$A = 1 \cdot \left(\frac{1}{2} SLIP \frac{1}{2}\right) = 1$$", "+", "-", 1
+    ),
+    "sides that words part": Planted(
+        "The torque is\n$$T = -G J \\dot\\Omega$$\nor\n$$T = SLIP$$\nwhere $u$ = $J \\dot\\Omega$ is the torque.",
+        "-G u",
+        "G u",
+        5,
+    ),
+    "bold and plain letters": Planted(
+        r"""At the point
+$$r = \begin{bmatrix} 0 & b & 0 \end{bmatrix}^T$$
+the velocity for a rate of $\omega = \begin{bmatrix} 0 & 0 & w \end{bmatrix}^T$ leads to
+$$\boldsymbol{\omega} \times (\boldsymbol{\omega} \times \mathbf{r}) = \begin{bmatrix} 0 \\ SLIP \\ 0 \end{bmatrix}$$
+""",
+        "-w^2 b",
+        "-w b",
+        4,
+    ),
+    "a case in words": Planted(
+        "The force is\n$$F = m a + k v^2$$\nFor $v = 0$ this becomes\n$$F = SLIP$$\n", "m a", "2 m a", 4
+    ),
+    "an implication": Planted(r"From the momentum $$h = r v = r^2 w \Rightarrow w = \frac{h}{SLIP}$$", "r^2", "r^3", 1),
+    "an identity with a number": Planted(
+        r"We use the hyperbolic identity $$\cosh^2 c SLIP \sinh^2 c = 1$$", "-", "+", 1
+    ),
+    "sections of a chapter": Planted(CHAPTERS, "a (1 - e)", "a (1 + e)", 17),
+    "colons around a formula": Planted(
+        ":::{math}\n:label: eq:one\na = b + 2 c\n:::\nand\n:::{math}\n:label: eq:two\nb = c - d\n:::\n"
+        "Substituting {eq}`eq:two` into {eq}`eq:one`, we find\n:::{math}\na = SLIP\n:::\n",
+        "3 c - d",
+        "3 c + d",
+        12,
+    ),
+    "a difference turned around": Planted(
+        "The axes are\n$$b = a \\sqrt{e^2 - 1}$$\nand\n$$c = a e$$\nso that\n$$b = \\sqrt{SLIP}$$\n",
+        "c^2 - a^2",
+        "a^2 - c^2",
+        6,
+    ),
+}
+
+
+def told(folder: Path, text: str) -> list[str]:
+    (folder / "paper.md").write_text(text, encoding="utf-8")
+    return [finding.place for finding in look(folder / "paper.md").findings]
+
+
+@pytest.mark.parametrize("name", every(2, PLANTED))
+def test_a_slip_is_told_and_the_right_text_is_not_accused(name: str, tmp_path: Path) -> None:
+    planted = PLANTED[name]
+    assert told(tmp_path, planted.text.replace("SLIP", planted.right)) == []
+    places = told(tmp_path, planted.text.replace("SLIP", planted.wrong))
+    assert {f"line {planted.line}"} == {*places}
+
+
+SOUND = {
+    "rounded numbers": r"The sine is $$\sin 30^\circ + 0.1 = 0.5 + 0.1 = 0.6$$ and $$2 \cdot 0.33 = 0.7$$",
+    "a length beside its vector": "With\n$$\\mathbf{r} = [x, y, 0]$$\nand\n$$r^2 = x^2 + y^2$$\nwe get\n$$r = 2 x$$\n",
+    "another case": "The speed\n$$v = \\sqrt{\\frac{m}{r}}$$\nFor $E = 0$ it becomes\n$$v = \\sqrt{\\frac{2 m}{r}}$$",
+    "a naive implication": r"It is wrong to say that $$a^2 = b^2 \Rightarrow a = b$$",
+    "other sections": "# Orbits\n\n## Circles\n\n$$v = \\sqrt{\\frac{m}{r}}$$\n\n$$h = r v$$\n\n$$h = \\sqrt{m r}$$\n\n"
+    "## Escape\n\nThe speed is\n\n$$v = \\sqrt{\\frac{2 m}{r}}$$\n",
+}
+
+
+@pytest.mark.parametrize("name", every(2, SOUND))
+def test_nothing_is_said_against_a_sound_text(name: str, tmp_path: Path) -> None:
+    assert told(tmp_path, SOUND[name]) == []
