@@ -31,6 +31,7 @@ CONDITIONAL = re.compile(
     r"substitut\w*|unlike|modulo|mod|model\w*|law|hypothes\w*|contradict\w*|iterat\w*|updat\w*|assign\w*)\b",
     re.IGNORECASE,
 )
+# words beside an implication that does not hold
 MISTAKEN = re.compile(r"\b(?:wrong|false|incorrect|not true|mistake\w*|naive\w*|fallac\w*)\b", re.IGNORECASE)
 # a condition that is none: of what is known, or wanted, or that gives something a name
 IDLE = re.compile(
@@ -54,10 +55,11 @@ CONNECTING = re.compile(
 OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
 # words that say that a display follows from those to which they refer
 REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add|subtract|solv)\w*\b", re.IGNORECASE)
-# words before a formula that give a letter a value, and those that end with what comes of it
+# words before a formula that give a letter a value
 CASE = re.compile(
     r"\b(?:for|with|if|when|set|setting|substituting|putting|taking|letting|assuming|where)\b", re.IGNORECASE
 )
+# words that end with what comes of it
 RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
     re.IGNORECASE,

@@ -90,8 +90,8 @@ class Counters:
         return ".".join([*parts, str(number)])
 
 
-# words before letters that may be anything, and perhaps others of these between
 EQUALS = re.compile(r"\$\s*=\s*$")  # words between two formulas within a line, which are one
+# words before letters that may be anything, and perhaps others of these between
 ANEW = re.compile(r"\b(?:any|all|every|each|arbitrary|two|let)\b[\w\s-]*(?:\$(?:\s|,|and|or)*)*$", re.IGNORECASE)
 
 

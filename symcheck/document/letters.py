@@ -196,7 +196,7 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
-    if seen.reason:
+    if any(ONE_NAME in reason for reason in (seen.reason, *seen.parts)):
         found = {r.letter: "scalar" for r in seen.roles if r.letter in read and r.kind == "scalar"} | found
     if LABEL_DOUBT in seen.reason:
         found |= {r.letter: "scalar" for r in seen.roles if _is_labelled(shown(r.letter), known)}

@@ -91,7 +91,10 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
             label = (found[1] or found[2]) if found else ""
             scanner.put(_unescaped(part.content), _line(lines, at, part.content), label)
         elif part.type == "math_inline" or (part.type == "myst_role" and part.meta.get("name") == "math"):
-            scanner.put(_unescaped(part.content), _line(lines, at, part.content), display=False)
+            printed = (
+                f"${part.content}$" if part.type == "math_inline" else part.content
+            )  # a letter stands in words, too
+            scanner.put(_unescaped(part.content), _line(lines, at, printed), display=False)
         elif part.type == "myst_role" and part.meta.get("name") == "eq":
             scanner.words(rf"\eqref{{{part.content}}}")
     scanner.end()
@@ -110,10 +113,7 @@ def _unescaped(content: str) -> str:
 def _line(lines: Sequence[str], start: int, content: str) -> int:
     """The line, counted from 1, on which a formula begins that stands at a line or below."""
     first = next((line.strip() for line in content.split("\n") if line.strip()), "")
-    for begun in (f"${first}", f"$ {first}", first):  # a letter stands in words, too
-        if (found := next((k + 1 for k in range(start, len(lines)) if begun in lines[k]), 0)) > 0:
-            return found
-    return start + 1
+    return next((k + 1 for k in range(start, len(lines)) if first in lines[k]), start + 1)
 
 
 def _options(content: str) -> tuple[str, str]:

@@ -71,6 +71,7 @@ class Seen:
     plain: bool = False  # equations alone, without conditions beside them
     apart: bool = False  # are some links read, and the formula as a whole is not?
     said: Said = ()  # what had to be said of the letters
+    parts: tuple[str, ...] = ()  # why links of it are not read alone, if it is not as a whole
     premises: tuple[Link, ...] = ()  # of an implication
     conclusions: tuple[Link, ...] = ()
 
@@ -152,8 +153,10 @@ def _surveyed(latex: str, said: Said) -> Seen:
                 inferences = inferred([text], dict(asked.letters), {})
                 break
         roles = tuple(replace(role, known=False) for role in _roles(inferences))
-        links = tuple(_links_apart(latex, roles, said))
-        return Seen(str(error), roles=roles, links=links, plain=bool(links), apart=bool(links))
+        parts = [*_links_apart(latex, roles, said)]
+        links = tuple(each for each in parts if isinstance(each, Link))
+        reasons = tuple(each for each in parts if isinstance(each, str))
+        return Seen(str(error), roles=roles, links=links, plain=bool(links), apart=bool(links), parts=reasons)
     links = tuple(_links(tree))
     plain = isinstance(tree, Chain) or (isinstance(tree, System) and not tree.qualifiers)
     seen = Seen(reason, partly, tuple(_roles(inferences)), links, plain)
@@ -190,17 +193,25 @@ def apart(latex: str) -> list[str]:
     return [" = ".join(both) for both in pairwise(members)] if all(members) and len(members) > 2 else []
 
 
-def _links_apart(latex: str, roles: Sequence[Role], said: Said) -> Iterator[Link]:
-    """The links that can be read alone, with the letters as they are in all of the formula, and as is said."""
+def _links_apart(latex: str, roles: Sequence[Role], said: Said) -> Iterator[Link | str]:
+    """The links that can be read alone, with the letters as they are in all of the formula, and as is said.
+
+    Of the others the reason why they are not read.
+    """
     for place, text in enumerate(apart(latex)):
-        with suppress(SymcheckError):
-            alone = _surveyed(text, ())
+        try:
+            alone = surveyed(text)
             own = {r.letter: phrase for r in alone.roles if (phrase := _phrase_among(roles, r))}
             own |= {x: phrase for x, phrase in said if any(r.letter == x for r in alone.roles)}
             seen = _surveyed(text, tuple(own.items())) if own else alone
-            if not seen.reason and len(seen.links) == 1:
-                link = seen.links[0]
-                yield replace(link, chained=place > 0, place=place, head="" if place else link.head)
+        except SymcheckError as error:
+            yield str(error)
+            continue
+        if not seen.reason and len(seen.links) == 1:
+            link = seen.links[0]
+            yield replace(link, chained=place > 0, place=place, head="" if place else link.head)
+        else:
+            yield seen.reason
 
 
 def _phrase_among(roles: Sequence[Role], role: Role) -> str:
