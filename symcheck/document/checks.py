@@ -59,6 +59,7 @@ REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add
 CASE = re.compile(
     r"\b(?:for|with|if|when|set|setting|substituting|putting|taking|letting|assuming|where)\b", re.IGNORECASE
 )
+WHERE = re.compile(r"\b(?:for|if|when) \$", re.IGNORECASE)  # words before a formula that bounds letters
 # words that end with what comes of it
 RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
@@ -218,11 +219,19 @@ class Checks:
     def suspicious(self) -> Iterator[Question]:
         """Relations that ought to hold by what stands before them."""
         for k, seen in enumerate(self.seen):
-            if not self.is_statement(k):
+            stated = self.is_statement(k)
+            if not stated and not self._is_bounded(k):
                 continue
             for link in seen.links:
-                if (question := self._chained(k, link) or self._defined(k, link)) is not None:
+                question = self._chained(k, link) or (self._defined(k, link) if stated else None)
+                if question is not None:
                     yield question
+
+    def _is_bounded(self, k: int) -> bool:
+        """Is a display said to hold where letters are above or below a bound, as it then does for some values?"""
+        m = next((m for m in range(k - 1, -1, -1) if self.formulas[m].display), -1)
+        bounds = all(not self.seen[n].links for n in range(m + 1, k))
+        return bounds and self.formulas[k].display and self.is_said(k, WHERE) and not PURPOSE.search(self._words(k))
 
     def continued(self, asked: Iterable[Question], proved: Container[Question]) -> Iterator[int]:
         """The definitions that go on, where all that follows on the first equation holds."""

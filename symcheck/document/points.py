@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
+ANYWHERE = 12  # points for a relation that ought to hold for all values: at many it has no real ones
 ENOUGH = 2  # of these, those at which something does not hold by accident
 STEPS = 25  # of the method; those that end at all end in ten
 LONGEST = 0.5  # change of a logarithm in one step
@@ -149,6 +150,8 @@ def _all(sources: tuple[str, ...], letters: Said) -> list[Equation]:
 @lru_cache(1024)
 def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float], ...]:
     """Points at which all equations hold, with letters of the same signs; none if the first is not found."""
+    if not sources:
+        return ({},) * ANYWHERE
     zero = _zero(equations := _all(sources, letters))
     equations, fixed = [_without(each, zero) for each in equations], dict.fromkeys(zero, 0.0)
     symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
