@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import accumulate, groupby
@@ -231,9 +232,15 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
         tuple(dict.fromkeys(holds)),
         tuple(dict.fromkeys(follows)),
         tuple(finding for _, finding in sorted(found, key=lambda each: each[0])),
-        (*printed.notes, *left),
+        (*printed.notes, *left, *_broken(work.broken)),
         time.perf_counter() - started,
     )
+
+
+def _broken(reasons: Sequence[str]) -> Iterator[str]:
+    """That something was not decided for a fault of this program, each once."""
+    for reason, count in Counter(reasons).items():
+        yield f"{count} questions were left open for an internal error ({reason}); please report it"
 
 
 def _rest(seen: Sequence[Seen], k: int) -> set[Place]:

@@ -83,6 +83,8 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     zero = _zero(given)
     asked, given = ([_without(each, zero) for each in every] for every in (asked, given))
     symbols = [symbol for symbol in points[0] if symbol not in zero]
+    if not symbols:
+        return Found(_hold(asked, points), bound=False)
     with np.errstate(all="ignore"):
         jacobian = _jacobian(_placed(given, symbols), np.array([points[0][symbol] for symbol in symbols]))
         rest = [k for k, symbol in enumerate(symbols) if symbol not in own]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import takewhile
 from typing import TypeVar
 
@@ -27,6 +27,7 @@ class Work:
     progress: Progress
     done: int = 0
     total: int = 0
+    broken: list[str] = field(default_factory=list)  # why tasks ended in errors that should not occur
 
     def all(
         self,
@@ -49,6 +50,7 @@ class Work:
             elif isinstance(answer, Timeout):
                 found[task] = lost(f"it took more than {HARD * seconds:g} s")
             else:
+                self.broken.append(answer.reason)
                 found[task] = lost(f"an internal error: {answer.reason}")
             self.done += 1
             self.progress(self.done, self.total)
