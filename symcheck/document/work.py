@@ -16,6 +16,7 @@ from symcheck.question import Answer, Status
 K = TypeVar("K")
 T = TypeVar("T")
 HARD = 3  # times a limit after which a worker that does not heed it is killed
+STARTING = 5.0  # seconds more: on a busy machine a worker needs that for its modules
 Progress = Callable[[int, int], None]
 
 
@@ -44,11 +45,12 @@ class Work:
         self.total += len(tasks)
         found: dict[K, T] = {}
         begun = takewhile(lambda _: time.perf_counter() < until, tasks)
-        for task, answer in self.executor.map(function, begun, HARD * seconds) if tasks else ():
+        limit = HARD * seconds + STARTING
+        for task, answer in self.executor.map(function, begun, limit) if tasks else ():
             if isinstance(answer, Done):
                 found[task] = answer.value
             elif isinstance(answer, Timeout):
-                found[task] = lost(f"it took more than {HARD * seconds:g} s")
+                found[task] = lost(f"it took more than {limit:g} s")
             else:
                 self.broken.append(answer.reason)
                 found[task] = lost(f"an internal error: {answer.reason}")
