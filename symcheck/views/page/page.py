@@ -26,7 +26,7 @@ from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
-from symcheck.views.page.meanings import MEANINGS
+from symcheck.views.page.meanings import MEANINGS, answer
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
 from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
@@ -118,7 +118,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         lstrip_blocks=True,
     )
     environment.filters["place"] = lambda id: Id.parse(id).place
-    environment.globals |= {"difference": entries.difference, "fits": fits, "entries": shown}
+    environment.globals |= {"answer": answer, "difference": entries.difference, "fits": fits, "entries": shown}
     claim = environment.get_template("claim.html")
     of_paper: dict[str, list[Entry]] = {paper.key: [] for paper in papers}
     for each in shown.values():
