@@ -757,6 +757,11 @@ def test_printing_leaves_out_what_paper_cannot_do(opened: Callable[..., Page]) -
     page.emulate_media(media="print")
     assert page.locator("header.top").is_hidden()
     assert page.get_by_role("button", name="Download as JSON").is_hidden()
+    headings = page.locator("#view-claim h2:visible")
+    assert {"As read", "Hypotheses"} <= {*headings.all_inner_texts()}
+    assert not {"Proof and certificate", "Notebook cells that show it"} & {*headings.all_inner_texts()}
+    page.evaluate("document.querySelector('details.proof').open = true")
+    assert "Proof and certificate" in headings.all_inner_texts()
     assert len(page.pdf()) > 10_000
 
 
