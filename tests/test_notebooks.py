@@ -362,7 +362,7 @@ def a_notebook(*cells: str) -> Any:
 NUMBERS = "from symcheck.views.notebook import show\n\nshow.numbers(x=1)"
 SLIDER = """from symcheck.numeric import wheels
 
-show.sliders("axes", wheels.six_wheels, degrees=dict(a=(20, 60, 80)))"""
+show.sliders("axes", wheels.six_wheels, degrees={"a": (20, 60, 80)})"""
 
 
 def test_process_and_kernel_fill_in_the_same_outputs(tmp_path: Path) -> None:

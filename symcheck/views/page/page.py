@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -252,4 +253,6 @@ def _plot(plot: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _asset(name: str) -> Markup:
-    return Markup((files(__package__) / "templates" / name).read_text(encoding="utf-8"))
+    """A style sheet or a script without what is there for who reads its source: indentation and lines of comment."""
+    text = (files(__package__) / "templates" / name).read_text(encoding="utf-8")
+    return Markup(re.sub(r"(?m)^[ \t]*(?://.*\n)?", "", text))
