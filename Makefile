@@ -66,9 +66,9 @@ bench-gpu: $(DEV)
 	$(BIN)/symcheck generate --target array --output kernels-array
 	$(BIN)/python tests/bench_gpu.py kernels-array
 
-# Chromium for the tests of the report, from Debian; they are skipped where there is none.
+# Chromium and Firefox for the tests of the report, from Debian; they are skipped where there is none.
 browser:
-	command -v chromium >/dev/null || { apt-get update -qq && apt-get install -y -qq chromium; }
+	which chromium firefox-esr >/dev/null || { apt-get update -qq && apt-get install -y -qq chromium firefox-esr; }
 
 # Coq's kernel checks the proofs; what comes out is written to generated/coq, or compared with what is there. Coq is not
 # installed by this: what is missing is said.

@@ -41,6 +41,7 @@ from symcheck.question.ask import decide as decided
 from symcheck.reading import from_sympy, lower, read
 from symcheck.reading.measures import measures
 from symcheck.views import terminal
+from symcheck.views.dimensions import fits
 
 FEW, MANY = 300, 5_000
 OF_ALL: dict[str, Linear] = {
@@ -322,6 +323,19 @@ def test_every_conflict_of_a_paper_is_an_erratum_and_its_correction_is_consisten
             exposed.add(id)
     assert exposed == EXPOSED[key]
     assert verdicts[UNDETERMINED] == OPEN[key], verdicts
+
+
+@pytest.mark.parametrize(
+    ("id", "said"),
+    [
+        ("poloskov2004:3.2.8", "consistent: s\n"),  # of t against 0, which fits anything
+        ("ignatov2005:T9.18a", "holds with h_max = 1; in general "),
+    ],
+)
+def test_what_is_said_of_dimensions_is_without_markup_and_without_what_fits_anything(id: str, said: str) -> None:
+    record = next(each for each in decide(id.removesuffix("a")) if each.id == id)
+    assert record.dimension
+    assert any(f"{line}\n".startswith(said) for line in fits(record.dimension))
 
 
 def test_a_record_tells_the_dimensions_in_its_json() -> None:

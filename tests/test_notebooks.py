@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import math
 import os
 import re
 import subprocess
@@ -25,9 +26,21 @@ from warm_cache import warm_cache
 from symcheck.cli import cli
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
+from symcheck.numeric import wheels
 from symcheck.papers import load
 from symcheck.papers.mirer2009 import derivation
-from symcheck.views.notebook import committed, compare, counterexample, letters, records, relations, rules, show, source
+from symcheck.views.notebook import (
+    committed,
+    compare,
+    counterexample,
+    letters,
+    live,
+    records,
+    relations,
+    rules,
+    show,
+    source,
+)
 from symcheck.views.notebook.derivations import LONGEST
 from symcheck.views.notebook.derivations import source as source_of
 from symcheck.views.notebook.execute import in_kernel, in_process
@@ -204,6 +217,43 @@ def test_the_answer_of_an_exercise_is_folded_away() -> None:
         show.exercise("mirer2009:2.12")
 
 
+def test_without_a_kernel_sliders_show_what_they_say_first() -> None:
+    angles = {"a": (20, 60, 80), "b": (10, 45, 80)}
+    shown = show.sliders("axes", wheels.four_wheels, degrees=angles)
+    assert shown.parts == show.numbers(axes=wheels.four_wheels(math.radians(60), math.radians(45))).parts
+    assert live.VIEW not in shown._repr_mimebundle_()
+    drawn = show.sliders("reach", wheels.four_wheels, wheels.envelope, wheels.plot_envelope, degrees=angles)
+    assert list(drawn._repr_mimebundle_()) == ["image/png", "text/plain"]
+    with pytest.raises(SymcheckError, match="a is to be 90 first, which is not between 20 and 80"):
+        show.sliders("axes", wheels.four_wheels, degrees={**angles, "a": (20, 90, 80)})
+
+
+def test_a_slider_that_is_moved_shows_what_comes_of_it(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("ipywidgets")
+    widget = show.sliders("axes", wheels.six_wheels, degrees={"a": (20, 60, 80)}).widget()
+    capsys.readouterr()
+    widget.children[0].value = 30
+    assert f"{-math.cos(math.radians(30)):.6g}" in capsys.readouterr().out
+
+
+def test_a_formula_that_is_written_in_below_a_cell_is_decided(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("ipywidgets")
+    widget = show.changed("mirer2009:2.12").widget()
+    formula, orthogonal, button, _ = widget.children
+    for text, told in (
+        (formula.value, "changed (2.12) — **proved**"),
+        (formula.value.replace("a_{23}^2", "a_{32}^2"), "changed (2.12) — **refuted**"),
+        (formula.value.replace("=", "+ =", 1), "+= assigns a value"),
+    ):
+        formula.value = text
+        capsys.readouterr()
+        button.click()
+        assert told in capsys.readouterr().out
+    formula.value, orthogonal.value = text.replace("+ =", "="), False
+    button.click()
+    assert "without: A is orthogonal" in capsys.readouterr().out
+
+
 def test_a_step_shows_how_it_is_derived() -> None:
     shown = show.step(derivation.control_torque)
     [code] = [part for part in shown.parts if isinstance(part, Code)]
@@ -310,10 +360,13 @@ def a_notebook(*cells: str) -> Any:
 
 
 NUMBERS = "from symcheck.views.notebook import show\n\nshow.numbers(x=1)"
+SLIDER = """from symcheck.numeric import wheels
+
+show.sliders("axes", wheels.six_wheels, degrees={"a": (20, 60, 80)})"""
 
 
 def test_process_and_kernel_fill_in_the_same_outputs(tmp_path: Path) -> None:
-    cells = (NUMBERS, 'show.claim("mirer2009:2.1.6")')
+    cells = (NUMBERS, 'show.claim("mirer2009:2.1.6")', SLIDER)
     fast, real = in_process(a_notebook(*cells)), in_kernel(a_notebook(*cells), tmp_path)
     assert [cell.outputs for cell in fast.cells] == [cell.outputs for cell in real.cells]
     assert list(compare.differences(fast, fast)) == []

@@ -29,12 +29,12 @@ from symcheck.ledger import Edit, Need, Record, Repair
 from symcheck.ledger.selftested import evidence
 from symcheck.proof.search import methods as search_methods
 from symcheck.views.latex import is_formula
-from symcheck.views.model import errata
+from symcheck.views.model import Relation, errata
 from symcheck.views.page import sources
 from symcheck.views.page.difference import marked
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
-from symcheck.views.page.meanings import MEANINGS
+from symcheck.views.page.meanings import FAULT, MEANINGS, RIGHT, answer
 from symcheck.views.page.page import Extras, page
 from symcheck.views.page.plots import colour, coloured, curves, png
 from symcheck.views.page.sources import Excerpt, Publication, meanings
@@ -99,6 +99,66 @@ def test_every_role_reading_and_method_is_explained() -> None:
     assert {*Verdict, *Role, *Reading, *methods, *declared} <= {*MEANINGS}
     index = folded(page([record("1")], TOY), "index")
     assert index["meanings"] == {str(word): says for word, says in MEANINGS.items()}
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (record("1", reading=Reading.AS_PRINTED), "Right as printed."),
+        (
+            record("1", reading=Reading.AS_PRINTED, hypotheses=(hypothesis("h", "h is given", "printed", None),)),
+            "Right as printed, given the hypothesis below.",
+        ),
+        (record("1", reading=Reading.STATED), "Right as stated by the auditor."),
+        (
+            wrong("1", "x = y", "x = -y"),
+            "Wrong as printed: it fails at the exact point below; what is right instead is proved. "
+            "The fault is the paper's own.",
+        ),
+        (
+            wrong("1", "", "x = -y", origin=Origin.UNCERTAIN, erratum=None),
+            "Wrong as the words say it: it fails at the exact point below. "
+            "Whose fault it is cannot be told from the text at hand.",
+        ),
+        (record("1", verdict=Verdict.UNDECIDED), f"Not decided: {MEANINGS[Verdict.UNDECIDED]}."),
+        (record("1", verdict=None, role=Role.PREMISE), f"Not decided: {MEANINGS[Role.PREMISE]}."),
+    ],
+)
+def test_a_claim_says_first_whether_it_is_right(given: Record, said: str) -> None:
+    assert answer(Relation(given)) == said
+    (claim,), strings = (folded(page([given], TOY), "claims-toy")[name] for name in ("claims", "strings"))
+    place = re.search(r'<p class="answer" data-s="(\d+)">', claim)
+    assert place
+    assert strings[int(place[1])] == said
+
+
+def test_whether_it_is_right_is_said_of_every_reading_and_origin() -> None:
+    assert {*Origin} == {*FAULT}
+    wrong_only, of_documents = {Reading.NEEDS_HYPOTHESIS}, {Reading.STATED, Reading.REWRITTEN}
+    assert {*Reading} - wrong_only - of_documents == {*RIGHT}
+
+
+def test_the_letters_of_a_counterexample_and_of_hypotheses_are_explained() -> None:
+    records = [each for each in decide("ignatov2005:T9.18") if each.id == "ignatov2005:T9.18a"]
+    [found] = meanings({"ignatov2005": papers.load()["ignatov2005"]}, records).values()
+    assert [(each.latex, each.says) for each in found] == [
+        (r"\mathbf{V}_{i}", "vertex, N m s, Y in proofs"),
+        ("a", "angle between the axis of a wheel and OZ (the original prints alpha in places), rad"),
+    ]
+
+
+def test_proofs_of_several_parts_are_told_apart() -> None:
+    [found] = [Relation(each) for each in decide("ignatov2005:2.2.14") if each.id == "ignatov2005:2.2.14a"]
+    assert [each.title for each in found.proofs] == [
+        *(f"as printed, part {n} of 3, refuted" for n in (1, 2, 3)),
+        *(f"as corrected, part {n} of 3, proved" for n in (1, 2, 3)),
+    ]
+
+
+def test_an_implication_fails_where_its_condition_holds_and_what_follows_does_not() -> None:
+    [found] = [Relation(each) for each in decide("poloskov2004:3.2.8")]
+    assert found.counterexample
+    assert found.counterexample.compared == (("the condition", "true"), ("what follows", "false"))
 
 
 def test_a_claim_says_where_its_paper_was_published_and_which_file_was_audited() -> None:

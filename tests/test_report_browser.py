@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from click.testing import CliRunner
+from firefox import FIREFOX, Firefox
 from msgspec import structs
 from sampling import every
 from warm_cache import warm_cache
@@ -39,6 +40,7 @@ VIEWS = (
 WIDE, NARROW = {"width": 1280, "height": 900}, {"width": 360, "height": 740}
 PATIENCE = 60_000  # milliseconds; a busy machine takes its time
 CANVAS = "document.querySelector('#canvas').toDataURL()"
+GO = "async (place) => { history.replaceState(null, '', place); await go(); }"  # as a link of the page does
 
 pytestmark = pytest.mark.skipif(not CHROMIUM, reason="no Chromium is found; `make browser` installs it")
 
@@ -73,35 +75,69 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
     found.close()
 
 
-@pytest.fixture
-def opened(browser: Browser, address: str) -> Iterator[Callable[..., Page]]:
-    """Open the page at a place of it; what the console or the network says fails the test."""
-    said: list[str] = []
-    contexts = []
+class Windows:
+    """Opens the page at a place of it, and keeps what the console or the network says."""
 
-    def open_at(place: str = "", **options: Any) -> Page:
-        before = options.pop("before", "")
-        context = browser.new_context(**{"viewport": WIDE, **options})
+    def __init__(self, browser: Browser, address: str) -> None:
+        self.browser, self.address = browser, address
+        self.said: list[str] = []
+        self.shared: dict[str, Page] = {}
+
+    def new(self, place: str = "", before: str = "", **options: Any) -> Page:
+        context = self.browser.new_context(**{"viewport": WIDE, **options})
         context.add_init_script(before)
         context.set_default_timeout(PATIENCE)
-        contexts.append(context)
         page = context.new_page()
-        page.on("console", lambda message: said.append(f"{message.type}: {message.text}"))
-        page.on("pageerror", lambda error: said.append(str(error)))
-        page.on("request", lambda request: outside(request.url))
-        page.goto(address + place)
+        page.on("console", lambda message: self.said.append(f"{message.type}: {message.text}"))
+        page.on("pageerror", lambda error: self.said.append(str(error)))
+        page.on("request", lambda request: self.outside(request.url))
+        page.goto(self.address + place)
         if options.get("java_script_enabled", True):
             page.wait_for_selector("html[data-ready]", state="attached")
         return page
 
-    def outside(url: str) -> None:
-        if not url.startswith(("file:", "data:", "blob:")):
-            said.append(f"asked for {url}")
+    def same(self, place: str, **options: Any) -> Page:
+        if (page := self.shared.get(repr(options))) is None:
+            page = self.shared[repr(options)] = self.new(place, **options)
+        page.evaluate(GO, place)
+        return page
 
-    yield open_at
-    for context in contexts:
-        context.close()
-    assert said == []
+    def outside(self, url: str) -> None:
+        if not url.startswith(("file:", "data:", "blob:")):
+            self.said.append(f"asked for {url}")
+
+
+@pytest.fixture(scope="module")
+def windows(browser: Browser, address: str) -> Windows:
+    return Windows(browser, address)
+
+
+@pytest.fixture
+def seen(windows: Windows) -> Iterator[Callable[..., Page]]:
+    """Show a place on the page that tests share which leave nothing behind; what the console says fails the test."""
+    windows.said.clear()
+    yield windows.same
+    assert windows.said == []
+
+
+@pytest.fixture
+def opened(windows: Windows) -> Iterator[Callable[..., Page]]:
+    """Open a place on a page of its own."""
+    windows.said.clear()
+    before = list(windows.browser.contexts)
+    yield windows.new
+    for context in windows.browser.contexts:
+        if context not in before:
+            context.close()
+    assert windows.said == []
+
+
+@pytest.fixture(scope="module")
+def firefox(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Firefox]:
+    if not FIREFOX:
+        pytest.skip("no Firefox is found; `make browser` installs it")
+    with Firefox(tmp_path_factory.mktemp("firefox")) as found:
+        yield found
 
 
 def title(page: Page, start: str) -> None:
@@ -115,19 +151,19 @@ def shown(page: Page) -> list[str]:
     return page.locator("#rows li:visible > a").all_text_contents()  # of rows that are not drawn yet, too
 
 
-@pytest.mark.parametrize("place", every(3, VIEWS))
+@pytest.mark.parametrize("place", VIEWS)
 @pytest.mark.parametrize("size", [pytest.param(WIDE, marks=pytest.mark.slow), NARROW], ids=["wide", "narrow"])
-def test_nothing_reaches_beyond_the_window(opened: Callable[..., Page], place: str, size: dict[str, int]) -> None:
-    page = opened(place, viewport=size)
+def test_nothing_reaches_beyond_the_window(seen: Callable[..., Page], place: str, size: dict[str, int]) -> None:
+    page = seen(place, viewport=size)
     assert page.evaluate("document.documentElement.scrollWidth") == size["width"]
 
 
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.slow)])
 @pytest.mark.parametrize("place", every(3, VIEWS))
-def test_there_is_no_obstacle_for_anybody(opened: Callable[..., Page], place: str, scheme: str) -> None:
+def test_there_is_no_obstacle_for_anybody(seen: Callable[..., Page], place: str, scheme: str) -> None:
     from axe_playwright_python.sync_playwright import Axe
 
-    page = opened(place, color_scheme=scheme, bypass_csp=True)
+    page = seen(place, color_scheme=scheme, bypass_csp=True)
     found = Axe().run(page).response["violations"]
     assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
 
@@ -146,37 +182,64 @@ def test_nor_is_there_in_what_is_folded_out(opened: Callable[..., Page], place: 
     assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
 
 
-@pytest.mark.slow
-def test_firefox_shows_every_view_without_an_error(playwright: Playwright, address: str) -> None:
-    if not Path(playwright.firefox.executable_path).exists():
-        pytest.skip("no Firefox is found; `playwright install firefox` installs it")
-    firefox = playwright.firefox.launch()
-    said: list[str] = []
-    page = firefox.new_page(viewport=WIDE)
-    page.on("pageerror", lambda error: said.append(str(error)))
-    for place in VIEWS:
-        page.goto("about:blank")
-        page.goto(address + place)
-        page.wait_for_selector("html[data-ready]", state="attached")
-        assert page.locator("h1:visible").count() == 1
-        for fold in page.locator("#view-claim details.proof > summary").all():
-            fold.click()
-            page.locator("#view-claim .steps").first.wait_for()
-    firefox.close()
-    assert said == []
+AXE = """const [source, done] = arguments;
+new Function(source)();
+axe.run().then((found) => done(found.violations.map((each) => [each.id, each.nodes[0].html])));"""
+UNFOLDED = "[...document.querySelectorAll('details.proof')].every((each) => each.querySelector('.steps,pre'))"
+READY = "document.documentElement.dataset.ready"
 
 
-def test_the_counts_are_those_of_the_ledger(opened: Callable[..., Page]) -> None:
-    page = opened("#errata")
-    for link in page.locator(".counts td a").all():
-        count, target = link.inner_text().split()[0], link.get_attribute("href")
-        other = opened(target)
-        assert other.locator("#count").inner_text().split(" of ")[0] == count
-        assert len(shown(other)) == int(count.replace(",", ""))
+@pytest.mark.parametrize("place", every(3, VIEWS))
+def test_firefox_shows_every_view_without_an_error_or_an_obstacle(firefox: Firefox, address: str, place: str) -> None:
+    from axe_playwright_python.base import AXE_SCRIPT
+
+    firefox.open(address + place)
+    firefox.when(READY)
+    headings = "return [...document.querySelectorAll('h1')].filter((each) => each.checkVisibility()).length"
+    assert firefox.run(headings) == 1
+    assert firefox.run("return document.documentElement.scrollWidth - document.documentElement.clientWidth") == 0
+    assert firefox.answer(AXE, AXE_SCRIPT) == []
+    firefox.run("document.querySelectorAll('details.proof').forEach((each) => { each.open = true; })")
+    firefox.when(UNFOLDED)
+    assert firefox.errors() == []
 
 
-def test_the_search_finds_numbers_words_and_latex(opened: Callable[..., Page]) -> None:
-    page = opened("#ledger")
+def test_firefox_searches_keeps_notes_and_saves_what_the_checker_accepts(firefox: Firefox, address: str) -> None:
+    firefox.open(f"{address}#ledger")
+    firefox.when(READY)
+    firefox.type("[name=text]", "(2.12)")
+    firefox.when("document.querySelectorAll('#best li').length === 1")
+    firefox.click("#best li > a")
+    firefox.when("document.querySelector('#claim-title')?.textContent.startsWith('mirer2009:2.12')")
+    firefox.type(".own textarea", "Is A proper?")
+    firefox.click("button.download")
+    file = firefox.saved()
+    assert main([str(file)]) == 0
+    firefox.open(f"{address}#review")
+    firefox.when(READY)
+    assert "Is A proper?" in firefox.run("return document.querySelector('#notes').textContent")
+    assert firefox.errors() == []
+
+
+def test_firefox_tells_what_goes_wrong_in_a_page(firefox: Firefox, tmp_path: Path) -> None:
+    file = tmp_path / "page.html"
+    file.write_text("<script>Promise.reject(new Error('late')); nowhere();</script>", encoding="utf-8")
+    firefox.open(file.as_uri())
+    assert sorted("nowhere" in each or "late" in each for each in firefox.errors()) == [True, True]
+
+
+def test_the_counts_are_those_of_the_ledger(seen: Callable[..., Page]) -> None:
+    page = seen("#errata")
+    told = [(link.inner_text().split()[0], link.get_attribute("href")) for link in page.locator(".counts td a").all()]
+    assert told
+    for count, target in told:
+        seen(target)
+        assert len(shown(page)) == int(count.replace(",", ""))
+        assert page.locator("#count").inner_text().split(" of ")[0] == count
+
+
+def test_the_search_finds_numbers_words_and_latex(seen: Callable[..., Page]) -> None:
+    page = seen("#ledger")
     everything = shown(page)
     search = page.get_by_label("Search")
     for text, expected in (("2009:2.12", "2.12"), ("six cases", "2.17"), ("a_{11} a_{31} + I_2", "2.12")):
@@ -187,12 +250,12 @@ def test_the_search_finds_numbers_words_and_latex(opened: Callable[..., Page]) -
     search.fill("there is no such thing")
     assert shown(page) == []
     page.get_by_role("button", name="Clear").click()
-    page.wait_for_timeout(50)
+    page.get_by_text(f"{len(everything)} of {len(everything)} items").wait_for()
     assert shown(page) == everything
 
 
-def test_the_search_puts_first_what_is_asked_for(opened: Callable[..., Page]) -> None:
-    page = opened("#ledger")
+def test_the_search_puts_first_what_is_asked_for(seen: Callable[..., Page]) -> None:
+    page = seen("#ledger")
     order = shown(page)
     for text, first in (
         ("(2.12)", ["2.12"]),
@@ -215,13 +278,13 @@ def test_the_search_puts_first_what_is_asked_for(opened: Callable[..., Page]) ->
     assert shown(page) == order
 
 
-def test_an_unknown_place_is_said_with_the_nearest(opened: Callable[..., Page]) -> None:
+def test_an_unknown_place_is_said_with_the_nearest(seen: Callable[..., Page]) -> None:
     for place, nearest in (
         ("#mirer2009:2.71", "mirer2009:2.7"),
         ("#mirer209:2.12", "mirer2009:2.12"),
         ("#%", "errata"),
     ):
-        page = opened(place)
+        page = seen(place)
         notice = page.get_by_role("status").filter(has_text="There is no")
         assert place.removeprefix("#") in notice.inner_text()
         near = notice.get_by_role("link").all_inner_texts()
@@ -259,23 +322,23 @@ def test_single_keys_search_walk_and_can_be_switched_off(opened: Callable[..., P
     assert page.locator("#claim-title").inner_text() == before
 
 
-def test_a_claim_says_what_its_letters_mean(opened: Callable[..., Page]) -> None:
-    said = opened("#mirer2009:2.12").locator(".letters li").all_inner_texts()
+def test_a_claim_says_what_its_letters_mean(seen: Callable[..., Page]) -> None:
+    said = seen("#mirer2009:2.12").locator(".letters li").all_inner_texts()
     assert len(said) == 3
     assert any("principal central moments of inertia, kg m" in each for each in said)
 
 
 @pytest.mark.slow
-def test_every_view_has_one_heading_of_the_first_level(opened: Callable[..., Page]) -> None:
+def test_every_view_has_one_heading_of_the_first_level(seen: Callable[..., Page]) -> None:
     for place in VIEWS:
-        page = opened(place)
+        page = seen(place)
         levels = page.locator("h1:visible,h2:visible,h3:visible").evaluate_all("all => all.map((each) => each.tagName)")
         assert levels.count("H1") == 1, place
         assert levels[0] == "H1", place
 
 
-def test_filters_narrow_together_and_stay_when_one_comes_back(opened: Callable[..., Page]) -> None:
-    page = opened("#ledger")
+def test_filters_narrow_together_and_stay_when_one_comes_back(seen: Callable[..., Page]) -> None:
+    page = seen("#ledger")
     page.get_by_label("Verdict or role").select_option("refuted")
     page.locator("[name=paper]").select_option("ignatov2005")
     found = shown(page)
@@ -298,24 +361,24 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
     assert page.evaluate("document.fonts.check('16px \"STIX Two Math\"')")
 
 
-def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(opened: Callable[..., Page]) -> None:
+def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(seen: Callable[..., Page]) -> None:
     from symcheck.audit.decide import decide
     from symcheck.coq.confirmed import summary
 
     for id in ("mirer2009:2.12", "mirer2009:2.13.1c"):
         said = next(summary(record) for record in decide(id.rstrip("abc")) if record.id == id)
         assert said
-        page = opened(f"#{id}")
+        page = seen(f"#{id}")
         assert page.locator("#view-claim .facts").inner_text().endswith(f"confirmed by Coq: {said}")
-        page = opened("#ledger")
+        page = seen("#ledger")
         everything = len(shown(page))
         page.get_by_label("Confirmed by Coq").select_option(said)
         assert page.locator(f'#rows li:visible > a[href="#{id}"]').count() == 1
         assert len(shown(page)) < everything
 
 
-def test_links_lead_to_what_a_claim_uses_and_back(opened: Callable[..., Page]) -> None:
-    page = opened("#mirer2009:2.12")
+def test_links_lead_to_what_a_claim_uses_and_back(seen: Callable[..., Page]) -> None:
+    page = seen("#mirer2009:2.12")
     page.locator(".depends").get_by_role("link", name="2.11", exact=True).click()
     title(page, "mirer2009:2.11")
     page.locator(".depends").get_by_role("link", name="2.12", exact=True).click()
@@ -324,10 +387,10 @@ def test_links_lead_to_what_a_claim_uses_and_back(opened: Callable[..., Page]) -
 
 
 def test_a_certificate_unfolds_and_the_checker_accepts_what_is_downloaded(
-    opened: Callable[..., Page], tmp_path: Path
+    seen: Callable[..., Page], tmp_path: Path
 ) -> None:
     for place in ("mirer2009:2.12", "mirer2009:2.1a", "mirer2009:2.17"):
-        page = opened(f"#{place}")
+        page = seen(f"#{place}")
         page.locator("details.proof summary").first.click()
         page.get_by_text("Certificate as JSON").first.click()
         assert json.loads(page.locator("details.proof pre").first.inner_text())["id"].startswith("mirer2009:")
@@ -338,8 +401,8 @@ def test_a_certificate_unfolds_and_the_checker_accepts_what_is_downloaded(
         assert main([str(file)]) == 0
 
 
-def test_a_proof_is_set_as_formulas_with_each_hypothesis_beside_its_multiplier(opened: Callable[..., Page]) -> None:
-    page = opened("#mirer2009:2.12")
+def test_a_proof_is_set_as_formulas_with_each_hypothesis_beside_its_multiplier(seen: Callable[..., Page]) -> None:
+    page = seen("#mirer2009:2.12")
     page.locator("details.proof summary").first.click()
     rows = page.locator(".multipliers tbody tr:has(td)")
     rows.nth(7).wait_for()
@@ -351,8 +414,8 @@ def test_a_proof_is_set_as_formulas_with_each_hypothesis_beside_its_multiplier(o
     assert "orthogonal [" not in page.locator(".steps").inner_text()
 
 
-def test_every_proof_can_be_set_and_no_multiplier_is_left_as_text(opened: Callable[..., Page]) -> None:
-    page = opened("#mirer2009:2.12")
+def test_every_proof_can_be_set_and_no_multiplier_is_left_as_text(seen: Callable[..., Page]) -> None:
+    page = seen("#mirer2009:2.12")
     found = page.evaluate("""async () => {
         const told = {proofs: 0, formulas: 0, left: []};
         for (const paper of new Set(entries.map((entry) => entry.paper))) {
@@ -372,10 +435,10 @@ def test_every_proof_can_be_set_and_no_multiplier_is_left_as_text(opened: Callab
     assert found["formulas"] > 3 * found["proofs"]
 
 
-def test_multipliers_are_read_as_they_are_written(opened: Callable[..., Page]) -> None:
+def test_multipliers_are_read_as_they_are_written(seen: Callable[..., Page]) -> None:
     texts = sorted({each for certificate in certificates() for each in multipliers(certificate.get("proof"))})
     texts = [*texts[:: max(1, len(texts) // 300)], "-(a - b)^2/4 - -a", "2*(a + b)*c^2 - 1/2"]
-    trees = opened("#errata").evaluate("(texts) => texts.map(polynomial)", texts)
+    trees = seen("#errata").evaluate("(texts) => texts.map(polynomial)", texts)
     for text, tree in zip(texts, trees, strict=True):
         values = {name: Fraction(n + 2, 7) for n, name in enumerate(sorted(set(re.findall(r"[A-Za-z_]\w*", text))))}
         if text.endswith("- -a"):
@@ -384,7 +447,7 @@ def test_multipliers_are_read_as_they_are_written(opened: Callable[..., Page]) -
         # the numbers are made fractions, so that Python divides exactly
         plain = re.sub(r"(?<![\w^])(\d+)", r"Fraction(\1)", text).replace("^", "**")
         assert value(tree, values) == eval(plain, {"Fraction": Fraction}, values), text
-    assert opened("#errata").evaluate("polynomial('a ? b')") is None
+    assert seen("#errata").evaluate("polynomial('a ? b')") is None
 
 
 def certificates() -> list[dict[str, Any]]:
@@ -443,15 +506,15 @@ TERMS = (
 )
 
 
-@pytest.mark.parametrize(("term", "seen"), TERMS)
-def test_a_term_is_set_with_the_brackets_that_it_needs(opened: Callable[..., Page], term: Any, seen: str) -> None:
-    page = opened("#errata")
-    text = page.evaluate("(term) => formula(term).textContent", term)
-    assert re.sub(r"[\s\u2061\u2062]", "", text) == seen
+@pytest.mark.parametrize(("term", "text"), TERMS)
+def test_a_term_is_set_with_the_brackets_that_it_needs(seen: Callable[..., Page], term: Any, text: str) -> None:
+    page = seen("#errata")
+    found = page.evaluate("(term) => formula(term).textContent", term)
+    assert re.sub(r"[\s\u2061\u2062]", "", found) == text
 
 
-def test_a_claim_explains_the_words_beside_its_verdict(opened: Callable[..., Page]) -> None:
-    page = opened("#mirer2009:2.12")
+def test_a_claim_explains_the_words_beside_its_verdict(seen: Callable[..., Page]) -> None:
+    page = seen("#mirer2009:2.12")
     page.get_by_text("What these words mean").click()
     assert page.locator(".meanings dt").all_inner_texts() == [
         "proved",
@@ -463,8 +526,8 @@ def test_a_claim_explains_the_words_beside_its_verdict(opened: Callable[..., Pag
     assert "the paper asserts it" in page.locator(".meanings").inner_text()
 
 
-def test_the_point_of_a_refutation_is_set_as_formulas(opened: Callable[..., Page]) -> None:
-    place = opened("#mirer2009:2.9.1").locator(".counterexample")
+def test_the_point_of_a_refutation_is_set_as_formulas(seen: Callable[..., Page]) -> None:
+    place = seen("#mirer2009:2.9.1").locator(".counterexample")
     assert place.locator(".values .formula math").count() > 3
     assert not {"*", "sqrt", "_"} & set(re.findall(r"sqrt|[*_]", place.inner_text()))
 
@@ -480,8 +543,8 @@ def test_what_nobody_wrote_or_folded_out_is_not_printed(opened: Callable[..., Pa
     assert page.locator(".own").is_visible()
 
 
-def test_relations_that_words_name_are_links(opened: Callable[..., Page]) -> None:
-    page = opened("#mirer2009:2.17")
+def test_relations_that_words_name_are_links(seen: Callable[..., Page]) -> None:
+    page = seen("#mirer2009:2.17")
     page.locator(".prose").get_by_role("link", name="2.14", exact=True).click()
     title(page, "mirer2009:2.14")
 
@@ -599,8 +662,8 @@ def test_only_what_is_seen_is_unfolded(opened: Callable[..., Page]) -> None:
     assert "claims-ignatov2005" not in page.evaluate("Object.keys(unfolded)")
 
 
-def test_a_kernel_unfolds_where_its_claim_stands(opened: Callable[..., Page]) -> None:
-    page = opened("#mirer2009:2.12")
+def test_a_kernel_unfolds_where_its_claim_stands(seen: Callable[..., Page]) -> None:
+    page = seen("#mirer2009:2.12")
     page.locator("details.excerpt summary").click()
     assert "def product_of_two_axial_moments" in page.locator("details.excerpt pre").inner_text()
 
@@ -637,16 +700,16 @@ def test_the_envelope_turns_with_mouse_keyboard_and_buttons(opened: Callable[...
     assert "32 vertices, 60 edges, 30 faces" in page.locator("#envelope-says").inner_text()
 
 
-def test_errors_on_the_envelope_lead_to_their_errata(opened: Callable[..., Page]) -> None:
-    page = opened("#pictures")
+def test_errors_on_the_envelope_lead_to_their_errata(seen: Callable[..., Page]) -> None:
+    page = seen("#pictures")
     marks = page.locator("#marks li")
     assert "vertex V₂: letter, 2.1V.2d" in marks.all_inner_texts()
     page.locator("#marks").get_by_role("link", name="2.1V.2d").click()
     title(page, "ignatov2005:2.1V.2d")
 
 
-def test_arcs_of_a_claim_stand_out_when_it_has_the_focus(opened: Callable[..., Page]) -> None:
-    page = opened("#pictures")
+def test_arcs_of_a_claim_stand_out_when_it_has_the_focus(seen: Callable[..., Page]) -> None:
+    page = seen("#pictures")
     page.locator("details.graph:not([open])").filter(has_text="mirer2009").locator("summary").click()
     page.locator('.arcs a[href="#mirer2009:2.12"]').focus()
     assert page.locator(".arcs path.on").count() >= 3
@@ -694,6 +757,11 @@ def test_printing_leaves_out_what_paper_cannot_do(opened: Callable[..., Page]) -
     page.emulate_media(media="print")
     assert page.locator("header.top").is_hidden()
     assert page.get_by_role("button", name="Download as JSON").is_hidden()
+    headings = page.locator("#view-claim h2:visible")
+    assert {"As read", "Hypotheses"} <= {*headings.all_inner_texts()}
+    assert not {"Proof and certificate", "Notebook cells that show it"} & {*headings.all_inner_texts()}
+    page.evaluate("document.querySelector('details.proof').open = true")
+    assert "Proof and certificate" in headings.all_inner_texts()
     assert len(page.pdf()) > 10_000
 
 

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from symcheck.dimensions import CONSISTENT, INCONSISTENT, Dimensions
 
 LONGEST = 60  # characters of a term
+ANY = "any"
+_MARKUP = re.compile(r"[\\{}]")  # of a letter in LaTeX: "h_{\\max}" is "h_max"
 
 
 def fits(of: Dimensions) -> Iterator[str]:
     """The verdict with what both sides measure, then what does not fit, what would settle it, what is 1."""
-    both = dict.fromkeys(of.sides) if of.verdict == CONSISTENT and not of.scales else of.sides
+    both = list(of.sides)
+    if of.verdict == CONSISTENT:  # what fits anything, as zero does, is no news beside what it fits
+        both = [each for each in both if each != ANY] or both
+        both = both if of.scales else list(dict.fromkeys(both))
     yield f"{of.verdict}: {' against '.join(both)}" if both else of.verdict
     if of.verdict == INCONSISTENT:
         yield conflict(of)
     if of.scales:
-        yield f"holds with {', '.join(of.scales)}" + (f"; in general {of.general}" if of.general else "")
+        yield f"holds with {_MARKUP.sub('', ', '.join(of.scales))}" + (
+            f"; in general {of.general}" if of.general else ""
+        )
     if of.undetermined:
         yield f"to settle it, say what {', '.join(of.undetermined)} measure{'s' * (len(of.undetermined) == 1)}"
     if of.reason:

@@ -68,6 +68,8 @@ def counterexample(certificate: Certificate) -> Counterexample:
     both = [*map(term, compared(found))]
     of_parts = certificate["claim"][0] in ("and", "or")
     names = [f"part {number}" for number in range(1, len(both) + 1)] if of_parts else ["left side", "right side"]
+    if certificate["claim"][0] == "=>":
+        names = ["the condition", "what follows"]
     return Counterexample(
         tuple(at),
         tuple(zip(names, both, strict=False)),
@@ -124,16 +126,26 @@ class Proof:
 
     of: str
     certificate: Certificate
+    part: int = 0  # which one of the parts of a statement, such as the components of a vector; 0 where there is one
+    parts: int = 1
 
     @property
     def title(self) -> str:
         """What it is of, and its verdict."""
-        return f"{self.of}, {self.certificate['verdict']}"
+        which = f"part {self.part} of {self.parts}, " if self.part else ""
+        return f"{self.of}, {which}{self.certificate['verdict']}"
 
     @property
     def lines(self) -> str:
         """What the proof starts from, and its steps."""
         return "\n".join(proof_lines(self.certificate))
+
+
+def _proofs(of: str, certificates: Sequence[Certificate]) -> Iterator[Proof]:
+    """One for each certificate, numbered if there are several."""
+    parts = len(certificates)
+    for part, certificate in enumerate(certificates, 1):
+        yield Proof(of, certificate, part if parts > 1 else 0, parts)
 
 
 @dataclass(frozen=True)
@@ -194,8 +206,8 @@ class Relation:
         """The certificates of the relation, then those of what it should be."""
         corrected = self.record.erratum.certificates if self.record.erratum else ()
         return (
-            *(Proof("as printed", certificate) for certificate in self.record.certificates),
-            *(Proof("as corrected", each) for each in corrected),
+            *_proofs("as printed", self.record.certificates),
+            *_proofs("as corrected", corrected),
         )
 
     @property

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symcheck.core.verdicts import SymcheckError
+from symcheck.views.notebook.live import VIEW
 from symcheck.views.notebook.output import Output
 
 if TYPE_CHECKING:
@@ -75,11 +76,12 @@ def in_kernel(notebook: NotebookNode, folder: Path, progress: Progress = lambda 
         if isinstance(error, DeadKernelError):
             raise SymcheckError("the kernel has died; run without --kernel") from error
         raise
-    notebook.metadata = metadata  # the kernel has put its version there
+    notebook.metadata = metadata  # the kernel has put its version there, and the state of widgets
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):
             if output.output_type != "execute_result":
                 raise SymcheckError(
                     f"cell {cell.id} prints something in addition to what it shows: {output.get('text', output)}"
                 )
+            output.data.pop(VIEW, None)
     return notebook

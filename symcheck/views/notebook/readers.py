@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from symcheck.audit import obligation_of
 from symcheck.audit.decide import decide_declared
@@ -12,6 +13,7 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger import Record
 from symcheck.views.notebook.errata import erratum, evaluated
+from symcheck.views.notebook.live import Live, tried
 from symcheck.views.notebook.output import Heading, Hidden, Output, Part, Prose
 from symcheck.views.notebook.records import records
 from symcheck.views.notebook.relations import checked, formula, statement
@@ -20,7 +22,8 @@ from symcheck.views.notebook.relations import checked, formula, statement
 def changed(id: str, printed: Mapping[str, str] | None = None, without: Sequence[str] = ()) -> Output:
     """A relation as a reader changes it, decided here and now: its verdict, and where it fails if it does.
 
-    The recorded relation stays as it is, and so does its verdict.
+    The recorded relation stays as it is, and so does its verdict. Where a kernel runs that shows widgets, the formula
+    can be written in, and hypotheses left out, below the cell.
 
     Parameters
     ----------
@@ -64,7 +67,29 @@ def changed(id: str, printed: Mapping[str, str] | None = None, without: Sequence
         new = replace(new, errata={})  # what would be right instead of the recorded relation is no question here
     left_out = [each.words for each in item.statement.given if each.name in without]
     parts = [part for record in decide_declared(replace(obligation, item=new)) for part in _decided(record, left_out)]
-    return Output(tuple(parts))
+    return Live(tuple(parts), lambda: _form(id, item, without))
+
+
+def _form(id: str, item: Assertion, without: Sequence[str]) -> Any:
+    """The printed formulas to write in, and the hypotheses to leave out."""
+    import ipywidgets
+
+    printed = list(item.source.printed or item.statement.states)
+    given = {each.name: each.words for each in item.statement.given}
+    wide = ipywidgets.Layout(width="95%")
+    texts = {
+        f"text_{n}": ipywidgets.Textarea(text, description="printed", layout=wide) for n, text in enumerate(printed)
+    }
+    boxes = {
+        f"given_{name}": ipywidgets.Checkbox(name not in without, description=words, indent=False, layout=wide)
+        for name, words in given.items()
+    }
+
+    def decided(**values: Any) -> Output:
+        pieces = {text: values[f"text_{n}"] for n, text in enumerate(printed) if values[f"text_{n}"] != text}
+        return changed(id, pieces, [name for name in given if not values[f"given_{name}"]])
+
+    return tried(decided, {**texts, **boxes}, "Decide")
 
 
 def _decided(record: Record, left_out: Sequence[str]) -> Iterator[Part]:

@@ -7,6 +7,7 @@ called here; numbers and figures from the numeric layer.
 from symcheck.views.notebook.derivations import derived, kernel, step
 from symcheck.views.notebook.errata import errata, erratum, slips
 from symcheck.views.notebook.ledgers import contents, ledger, not_proved
+from symcheck.views.notebook.live import sliders
 from symcheck.views.notebook.pictures import drawing, figure
 from symcheck.views.notebook.readers import changed, exercise
 from symcheck.views.notebook.relations import certificate, claim, proof, rows
@@ -30,6 +31,7 @@ __all__ = [
     "numbers",
     "proof",
     "rows",
+    "sliders",
     "slips",
     "step",
 ]

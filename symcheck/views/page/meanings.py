@@ -1,8 +1,9 @@
-"""What the words mean that stand beside a verdict: the verdict itself, roles, readings, methods."""
+"""Is it right, and what the words mean that stand beside a verdict: the verdict itself, roles, readings, methods."""
 
 from __future__ import annotations
 
-from symcheck.core.verdicts import Reading, Role, Verdict
+from symcheck.core.verdicts import Origin, Reading, Role, Verdict
+from symcheck.views.model import Relation
 
 METHODS = {
     "identity": "the difference of the two sides is a sum of multiples of what is given, so it vanishes",
@@ -34,3 +35,37 @@ MEANINGS = {
     Reading.STATED: "stated by the auditor of this document, not read from it",
     Reading.REWRITTEN: "read with what the auditor wrote in place of what is printed",
 }
+
+RIGHT = {
+    Reading.AS_PRINTED: "Right as printed",
+    Reading.STANDING: "Right as printed, under a condition that the subject implies",
+    Reading.WORDS: "Right: the paper says it in words, and the formula that we made of them is proved",
+    Reading.ADDED: "Right, but not of the paper: we added it",
+    Reading.DAMAGED: "Right as it is read here: the text at hand is damaged",
+    Reading.MISPRINT: "Right as it is meant, but misprinted",
+}
+FAULT = {
+    Origin.PAPER: "The fault is the paper's own",
+    Origin.OCR: "The fault is of the digitised text, not of the paper",
+    Origin.UNCERTAIN: "Whose fault it is cannot be told from the text at hand",
+}
+
+
+def answer(relation: Relation) -> str:
+    """Is it right, under what, and if not, whose fault is it: in one or two sentences."""
+    record, conditions = relation.record, len(relation.conditions)
+    if record.verdict is Verdict.PROVED:
+        right = RIGHT.get(record.reading, f"Right as {record.reading}")
+        given = (
+            f", given the {'hypothesis' if conditions == 1 else f'{conditions} hypotheses'} below" if conditions else ""
+        )
+        return f"{right}{given}."
+    if record.verdict is Verdict.REFUTED:
+        how = record.reading if record.reading in (Reading.STATED, Reading.REWRITTEN) else ""
+        wrong = f"Wrong as {how or ('printed' if record.printed else 'the words say it')}"
+        mended = (
+            "; what is right instead is proved" if record.erratum and record.erratum.verdict == Verdict.PROVED else ""
+        )
+        fault = f" {FAULT[record.origin]}." if record.origin else ""
+        return f"{wrong}: it fails at the exact point below{mended}.{fault}"
+    return f"Not decided: {MEANINGS.get(record.verdict or record.role, '')}."

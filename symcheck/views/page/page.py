@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -26,7 +27,7 @@ from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
-from symcheck.views.page.meanings import MEANINGS
+from symcheck.views.page.meanings import MEANINGS, answer
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
 from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
@@ -118,7 +119,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         lstrip_blocks=True,
     )
     environment.filters["place"] = lambda id: Id.parse(id).place
-    environment.globals |= {"difference": entries.difference, "fits": fits, "entries": shown}
+    environment.globals |= {"answer": answer, "difference": entries.difference, "fits": fits, "entries": shown}
     claim = environment.get_template("claim.html")
     of_paper: dict[str, list[Entry]] = {paper.key: [] for paper in papers}
     for each in shown.values():
@@ -252,4 +253,6 @@ def _plot(plot: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _asset(name: str) -> Markup:
-    return Markup((files(__package__) / "templates" / name).read_text(encoding="utf-8"))
+    """A style sheet or a script without what is there for who reads its source: indentation and lines of comment."""
+    text = (files(__package__) / "templates" / name).read_text(encoding="utf-8")
+    return Markup(re.sub(r"(?m)^[ \t]*(?://.*\n)?", "", text))

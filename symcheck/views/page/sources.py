@@ -7,6 +7,7 @@ import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from symcheck.audit import kernels as declared
@@ -15,7 +16,7 @@ from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record
-from symcheck.reading import Notation, read
+from symcheck.reading import Letter, Notation, read
 from symcheck.reading.tree import Name
 from symcheck.views.model import Fault, Relation
 
@@ -58,7 +59,11 @@ class Meaning:
 
 
 def meanings(papers: Mapping[str, Paper], records: Iterable[Record]) -> dict[str, tuple[Meaning, ...]]:
-    """By relation ("mirer2009:2.12") what is said of the letters of its formula, in the order in which they stand."""
+    """By relation ("mirer2009:2.12") what is said of its letters.
+
+    Those of its formula come first, in the order in which they stand, then those of its hypotheses and of the point
+    where it fails.
+    """
     items = {key: {item.number: item for _, _, item in paper.items()} for key, paper in papers.items()}
     found = {}
     for record in records:
@@ -66,23 +71,43 @@ def meanings(papers: Mapping[str, Paper], records: Iterable[Record]) -> dict[str
         item = items[record.paper].get(Id.parse(record.id).declaration.place)
         letters = (item.notation if item else None) or paper.notation
         if letters:
-            shown = (record.read, Fault((Relation(record),)).correct)
-            said = (each for latex in shown if latex for each in _meanings(latex, letters, paper.notation))
+            formula = (record.read, Fault((Relation(record),)).correct)
+            shown = (*formula, *(each.states for each in record.hypotheses))
+            said = [each for latex in shown if latex for each in _meanings(latex, letters, paper.notation)]
+            said += _of_point(record, letters, paper.notation)
             found[record.id] = tuple(dict.fromkeys(said))
     return found
 
 
-def _meanings(latex: str, letters: Notation, printed: Notation) -> Iterator[Meaning]:
+@lru_cache(maxsize=4096)  # the relations of a paper share their hypotheses
+def _meanings(latex: str, letters: Notation, printed: Notation) -> tuple[Meaning, ...]:
     try:
         tree = read(latex, letters)
     except SymcheckError:  # a row of a list is no formula, nor need that be one which an auditor rewrote
-        return
-    for name, indices in dict.fromkeys(_names(tree)):
-        letter = letters.find(name, indices)
-        if letter and letter.meaning:
-            index = f"_{{{'ijkl'[:indices]}}}" if indices else ""
-            says = ", ".join(filter(None, (letter.meaning, UNITS.get(letter.unit, letter.unit))))
-            yield Meaning(f"{letter.latex}{index}", says, printed.find(name, indices) is None)
+        return ()
+    found = ((letters.find(name, indices), name, indices) for name, indices in dict.fromkeys(_names(tree)))
+    return tuple(
+        _meaning(letter, indices, printed.find(name, indices) is None)
+        for letter, name, indices in found
+        if letter and letter.meaning
+    )
+
+
+def _of_point(record: Record, letters: Notation, printed: Notation) -> Iterator[Meaning]:
+    """The letters whose values are given where a relation fails: those of the certificate, "Y_91" for a component."""
+    declared = {each.stem: each for each in reversed(letters.letters) if each.meaning}
+    for name in record.refutation["point"]["values"] if record.refutation else ():
+        letter = declared.get(name) or declared.get(name.partition("_")[0])
+        if letter:
+            yield _meaning(letter, letter.indices, letter not in printed.letters)
+
+
+def _meaning(letter: Letter, indices: int, is_ours: bool) -> Meaning:
+    index = f"_{{{'ijkl'[:indices]}}}" if indices else ""
+    own = re.sub(r"\\[A-Za-z]+|[^A-Za-z]", "", letter.latex)  # "V" of "\mathbf{V}"
+    name = f"{letter.name} in proofs" if letter.name not in (None, own) else ""
+    says = ", ".join(filter(None, (letter.meaning, UNITS.get(letter.unit, letter.unit), name)))
+    return Meaning(f"{letter.latex}{index}", says, is_ours)
 
 
 def _names(part: object) -> Iterator[tuple[str, int]]:
