@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from kernel_reference import cases, random_points
 
 from symcheck.kernels.grouping import grouped, patterns_of
 from symcheck.kernels.planning import Plan
@@ -91,7 +92,8 @@ def test_sums_are_put_in_order_only_where_nothing_cancels() -> None:
 
 
 def test_a_difference_that_cancels_keeps_its_digits_beside_numbers() -> None:
-    found = Plan(trace(lambda x, u, v: (x - u) - v), [1, None, None], 1, DOUBLE, "difference", EVERY)
+    difference = grouped(trace(lambda x, u, v: (x - u) - v), [1, None, None], EVERY)
+    found = Plan(difference, [1, None, None], 1, DOUBLE, "difference")
     assert found.whole(np.array([1e16]), 1e16, 1.0)[0] == -1.0
 
 
@@ -110,3 +112,14 @@ def test_every_function_of_a_plan_has_the_same_values(single: bool) -> None:
         for one, other in zip(results, expected, strict=True):
             assert one.dtype == kind
             np.testing.assert_array_equal(one, other)
+
+
+def test_what_is_computed_by_blocks_has_the_bits_of_the_whole() -> None:
+    case = cases()["mirer2009:distances_from_bounds"]
+    columns = random_points(case.kernel, 600, np.random.default_rng(3), decades=0.3)
+    mixed = [x[:20, None] if k % 2 else x[:30] for k, x in enumerate(columns)]
+    whole = case.function.ways.of_anything([np.array(x) for x in np.broadcast_arrays(*mixed)], many=True)
+    for part in (slice(0, 1), slice(3, 17)):
+        block = [x[part] if x.ndim == 2 else x for x in mixed]
+        for one, other in zip(case.function.ways.of_anything(block, many=True), whole, strict=True):
+            np.testing.assert_array_equal(one, other[part])

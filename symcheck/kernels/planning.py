@@ -8,7 +8,7 @@ two shapes.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, partial
 from typing import Any
 
@@ -16,7 +16,7 @@ import numpy as np
 from numpy import array, dtype, empty
 
 from symcheck.kernels import ratios
-from symcheck.kernels.grouping import grouped, patterns_of
+from symcheck.kernels.grouping import patterns_of
 from symcheck.kernels.tracing import INFIX, MATH, RATIOS, Operand, Pattern, Step, Trace
 
 # Nanoseconds, measured: an operation of NumPy on few points; one by one with `math` the whole, an argument, an output.
@@ -33,19 +33,11 @@ class Plan:
     patterns  which axes each argument has
     full      all axes
     kind      the type of the results
-    positive  the places of arguments that are not negative
+    name      what it is called in a traceback
     """
 
-    def __init__(
-        self,
-        traced: Trace,
-        patterns: Sequence[Pattern],
-        full: int,
-        kind: dtype[Any],
-        name: str,
-        positive: Collection[int] = (),
-    ) -> None:
-        self.traced, self.full, self.kind, self.name = grouped(traced, patterns, positive), full, kind, name
+    def __init__(self, traced: Trace, patterns: Sequence[Pattern], full: int, kind: dtype[Any], name: str) -> None:
+        self.traced, self.full, self.kind, self.name = traced, full, kind, name
         self.patterns = patterns_of(self.traced, patterns)
         self.inputs = [f"x{k}" for k in range(traced.arity)]
 

@@ -30,6 +30,7 @@ from numpy.typing import NDArray
 from symcheck.kernels import calling
 from symcheck.kernels.calling import NUMBERS, PLAIN, UNDEFINED, fitting
 from symcheck.kernels.documentation import numpy_docstring
+from symcheck.kernels.grouping import grouped
 from symcheck.kernels.planning import Plan
 from symcheck.kernels.quantities import in_units, is_quantity, with_units
 from symcheck.kernels.specification import Argument, KernelFunction, Output, Specification
@@ -180,12 +181,19 @@ class Ways:
         """For each output, which of the distinct results it is."""
         return self.traced().order
 
-    def plan(self, many: bool, patterns: tuple[Pattern, ...], full: int, dtype: DType) -> Plan:
-        """How arguments of these patterns are computed; sines are no slower than tangents in single precision."""
+    def plan(
+        self, many: bool, patterns: tuple[Pattern, ...], full: int, dtype: DType, *, as_written: bool = False
+    ) -> Plan:
+        """How arguments of these patterns are computed; sines are no slower than tangents in single precision.
+
+        `as_written` keeps the order of the formula, so that bits do not depend on which arguments have which axes.
+        """
         many = many and dtype is DOUBLE and self.many is not self.formula
-        key = many, patterns, full, dtype
+        key = many, patterns, full, dtype, as_written
         if key not in self._plans:
-            self._plans[key] = Plan(self.traced(many), patterns, full, dtype, self.said.name, self._positive)
+            traced = self.traced(many)
+            ordered = traced if as_written or {*patterns} == {full} else grouped(traced, patterns, self._positive)
+            self._plans[key] = Plan(ordered, patterns, full, dtype, self.said.name)
         return self._plans[key]
 
     @cached_property
@@ -280,7 +288,7 @@ class Ways:
             if x.dtype != dtype and (pattern != full or size <= SMALL):
                 x = x.astype(dtype, casting="same_kind")
             values.append(x if x.ndim else x.item())
-        found = self.plan(many or size > FEW, patterns, full, dtype)
+        found = self.plan(many or size > FEW, patterns, full, dtype, as_written=many)
         return self._computed(found, values, shape, dtype, given, one_by_one=not many and {*patterns} <= {None, full})
 
     def _refuse_what_would_be_lost(self, inputs: Sequence[Any]) -> None:
