@@ -1,9 +1,10 @@
 """Calls as people make them: numbers, arrays beside numbers, shapes that broadcast, `out=`, against SymPy's `lambdify`.
 
 Prints, for each mix and size, how many times as fast as `lambdify(cse=True)` the kernels are: the geometric mean over
-all of them, the median, and the worst with its name. In every round each runs once, in turn; of the rounds the
-fastest counts, as other programs only ever make a run slower. Where outputs do not depend on the arrays `lambdify`
-returns numbers; the kernels fill arrays.
+all of them, the median, and the worst with its name. In every round each runs once, in turn; the medians of the times of
+the thread are compared, which other programs on the machine change least. Where outputs do not depend on the arrays
+`lambdify` returns numbers; the kernels fill arrays. $BENCH_ONLY is part of the name of the kernels wanted, $BENCH_PART
+the beginning of the rows wanted.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 import gc
 import os
 import statistics
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -83,8 +85,8 @@ def ratio(ours: Callable[[], Any], theirs: Callable[[], Any]) -> float | None:
         theirs()
     except (ArithmeticError, ValueError):
         return None
-    runs = [[timed(function, SHORT)[0] for function in (ours, theirs)] for _ in range(ROUNDS)]
-    own, other = map(min, zip(*runs, strict=True))
+    runs = [[timed(function, SHORT, time.thread_time)[0] for function in (ours, theirs)] for _ in range(ROUNDS)]
+    own, other = map(statistics.median, zip(*runs, strict=True))
     return other / own
 
 
@@ -124,10 +126,11 @@ def rows() -> Iterator[str]:
     plain = {case.id: with_math(case) for case in every}
     gc.freeze()  # what SymPy made need not be looked through before every run
     yield from table(HEAD)
-    for name in NUMBERS:
+    part = os.environ.get("BENCH_PART", "")
+    for name in filter(lambda name: name.startswith(part), NUMBERS):
         other = plain if "'math'" in name else theirs
         yield row(name, "1", {case.id: of_numbers(case, name, other[case.id]) for case in every})
-    for name in MIXES:
+    for name in filter(lambda name: name.startswith(part), MIXES):
         for size in [size for size in SIZES if size <= MOST]:
             chosen = [case for case in every if len(case.kernel.arguments) > 1 or name.startswith("arrays")]
             yield row(name, f"{size:,}", {case.id: of_mix(case, name, theirs[case.id], size) for case in chosen})

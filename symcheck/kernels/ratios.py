@@ -128,8 +128,10 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
     if extreme.all():
         return _by_series(x, y, h, out)
     # Each point as if it were alone, so that its bits do not depend on its neighbours.
-    quotient = _quotient(np.where(extreme, 1, x), np.where(extreme, 1, y), h, None)
-    return np.positive(np.where(extreme, _by_series(x, y, h), quotient), out)
+    value = _quotient(np.where(extreme, 1, x), np.where(extreme, 1, y), h, None)
+    few = [np.broadcast_to(each, y.shape)[extreme] for each in (x, y)]
+    value[extreme] = _by_series(*few, h if not h.ndim else np.broadcast_to(h, y.shape)[extreme])
+    return np.positive(value, out)
 
 
 def _quotient(x: Any, y: Any, h: Any, out: Any) -> Any:

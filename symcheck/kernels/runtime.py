@@ -254,7 +254,8 @@ class Ways:
         if () in shapes:
             return self._of_any_types(values, out)
         shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in values]))
-        size, alike = prod(shape), {*patterns} <= {None, full}
+        size = prod(shape)
+        alike = size == 1 or {*patterns} <= {None, full}
         found = self.plan(size > FEW, patterns, full, dtype)
         if 0 < size <= SMALL and len(known) < KEPT:
             known[shapes] = found.whole
@@ -289,7 +290,8 @@ class Ways:
                 x = x.astype(dtype, casting="same_kind")
             values.append(x if x.ndim else x.item())
         found = self.plan(many or size > FEW, patterns, full, dtype, as_written=many)
-        return self._computed(found, values, shape, dtype, given, one_by_one=not many and {*patterns} <= {None, full})
+        alike = size == 1 or {*patterns} <= {None, full}
+        return self._computed(found, values, shape, dtype, given, one_by_one=not many and alike)
 
     def _refuse_what_would_be_lost(self, inputs: Sequence[Any]) -> None:
         """ValueError for a unit or a mask, of which an array of numbers keeps nothing."""
