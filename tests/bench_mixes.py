@@ -1,8 +1,8 @@
 """Calls as people make them: numbers, arrays beside numbers, shapes that broadcast, `out=`, against SymPy's `lambdify`.
 
 Prints, for each mix and size, how many times as fast as `lambdify(cse=True)` the kernels are: the geometric mean over
-all of them, the median, and the worst with its name. In every round each runs once, in turn; the medians of the times of
-the thread are compared, which other programs on the machine change least. Where outputs do not depend on the arrays
+all of them, the median, and the worst with its name. In every round each runs once, in turn; the medians of the times
+of the thread are compared, which other programs on the machine change least. Where outputs do not depend on the arrays
 `lambdify` returns numbers; the kernels fill arrays. $BENCH_ONLY is part of the name of the kernels wanted, $BENCH_PART
 the beginning of the rows wanted.
 """

@@ -129,8 +129,8 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
         return _by_series(x, y, h, out)
     # Each point as if it were alone, so that its bits do not depend on its neighbours.
     value = _quotient(np.where(extreme, 1, x), np.where(extreme, 1, y), h, None)
-    few = [np.broadcast_to(each, y.shape)[extreme] for each in (x, y)]
-    value[extreme] = _by_series(*few, h if not h.ndim else np.broadcast_to(h, y.shape)[extreme])
+    own = [each if each is h and not h.ndim else np.broadcast_to(each, y.shape)[extreme] for each in (x, y, h)]
+    value[extreme] = _by_series(own[0], own[1], own[2])
     return np.positive(value, out)
 
 
