@@ -94,16 +94,14 @@ def simplify(index: str) -> tuple[float, bool]:
     return seconds, bool(rest == 0)
 
 
-def timed(
-    function: Callable[[], Any], short: float = SHORT, clock: Callable[[], float] = time.perf_counter
-) -> tuple[float, Any]:
+def timed(function: Callable[[], Any], short: float = SHORT) -> tuple[float, Any]:
     """(seconds, result) of one run, as `timeit` does it: short runs repeated, the garbage collector standing still."""
     gc.collect()
     gc.disable()
-    runs, start = 0, clock()
-    while not runs or clock() - start < short:
+    runs, start = 0, time.perf_counter()
+    while not runs or time.perf_counter() - start < short:
         result, runs = function(), runs + 1
-    seconds = (clock() - start) / runs
+    seconds = (time.perf_counter() - start) / runs
     gc.enable()
     return seconds, result
 

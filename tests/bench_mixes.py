@@ -19,7 +19,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from bench import timed
 from bench_kernels import lambdified, values
 from kernel_reference import Case, cases
 
@@ -85,9 +84,19 @@ def ratio(ours: Callable[[], Any], theirs: Callable[[], Any]) -> float | None:
         theirs()
     except (ArithmeticError, ValueError):
         return None
-    runs = [[timed(function, SHORT, time.thread_time)[0] for function in (ours, theirs)] for _ in range(ROUNDS)]
+    timed = [(function, max(1, int(SHORT / min(per_call(function, 2), SHORT)))) for function in (ours, theirs)]
+    runs = [[per_call(function, count) for function, count in timed] for _ in range(ROUNDS)]
     own, other = map(statistics.median, zip(*runs, strict=True))
-    return other / own
+    found: float = other / own
+    return found
+
+
+def per_call(function: Callable[[], Any], count: int) -> float:
+    """Seconds of the thread for each of some calls; the clock takes as long as a call does, and is read twice."""
+    start = time.thread_time()
+    for _ in range(count):
+        function()
+    return (time.thread_time() - start) / count
 
 
 def into(theirs: Callable[..., Any], out: Sequence[Any], *arguments: Any) -> None:
@@ -124,7 +133,8 @@ def rows() -> Iterator[str]:
     every = [case for case in cases().values() if os.environ.get("BENCH_ONLY", "") in case.id]
     theirs = {case.id: lambdified(case) for case in every}
     plain = {case.id: with_math(case) for case in every}
-    gc.freeze()  # what SymPy made need not be looked through before every run
+    gc.collect()
+    gc.disable()  # nothing here makes cycles
     yield from table(HEAD)
     part = os.environ.get("BENCH_PART", "")
     for name in filter(lambda name: name.startswith(part), NUMBERS):

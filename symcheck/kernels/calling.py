@@ -123,15 +123,28 @@ def _code(count: int) -> CodeType:
     return code
 
 
-def of_numbers(kinds: Sequence[type], outputs: int, space: Space) -> Callable[..., Any]:
-    """What numbers of several types go through: a `formula` of floats, or `others` where NumPy is to warn."""
+def of_numbers(kinds: Sequence[type], order: Sequence[int], space: Space) -> Callable[..., Any]:
+    """What numbers of several types go through: a `formula` of floats, or `others` where NumPy is to warn.
+
+    `order` says of each output which of the distinct results it is.
+    """
     body = f"return formula({', '.join(_values(kinds))})"
     if not PLAIN.issuperset(kinds):
-        results = [f"y{k}" for k in range(outputs)]
-        doubles = ", ".join(f"float64({y})" for y in results)
-        body = f"{', '.join(results)} = {body[7:]}\n            if isfinite({' + '.join(results)}): return {doubles}"
+        results, firsts, distinct = _outputs(order)
+        doubles = "; ".join(f"z{n} = float64(y{n})" for n in distinct)
+        body = (
+            f"{', '.join(results)} = {body[7:]}\n            "
+            f"if isfinite({' + '.join(f'y{n}' for n in distinct)}):\n                "
+            f"{doubles}; return {', '.join(f'z{n}' for n in firsts)}"
+        )
     space |= {"float64": np.float64, "isfinite": isfinite}
     return _made(OF_NUMBERS, space, inputs=_inputs(kinds), body=body)
+
+
+def _outputs(order: Sequence[int]) -> tuple[list[str], list[int], list[int]]:
+    """A name for each output, for each which is the first with its result, and which those are."""
+    firsts = [order.index(k) for k in order]
+    return [f"y{n}" for n in range(len(order))], firsts, [n for n, first in enumerate(firsts) if n == first]
 
 
 def of_arrays(kinds: Sequence[type], dtype: np.dtype[Any], order: Sequence[int], space: Space) -> Callable[..., Any]:
@@ -147,16 +160,14 @@ def of_arrays(kinds: Sequence[type], dtype: np.dtype[Any], order: Sequence[int],
     space |= {"few": 0, "most": 0, "less": 0, "more": 0, "into_few": None, "into_many": None}
     space |= {"KIND": dtype, "isfinite": isfinite, "ndarray": ndarray}
     space["array"] = array if dtype == np.float64 else partial(array, dtype=dtype)
-    count, firsts = len(order), [order.index(k) for k in order]
-    distinct = [n for n, first in enumerate(firsts) if n == first]
+    count, (results, firsts, distinct) = len(order), _outputs(order)
     values, given = _values(kinds), [f"g{n}" for n in range(count)]
-    results = [f"y{n}" for n in range(count)]
     parts: dict[str, str | list[str]] = {
         "inputs": inputs,
         "into": [given[n] for n in distinct],
         "results": results,
         "items": [f"{x}.item()" if kind is ndarray else y for x, kind, y in zip(inputs, kinds, values, strict=True)],
-        "total": " + ".join(results),
+        "total": " + ".join(f"y{n}" for n in distinct),
         "stores": "; ".join(f"g{n}[0] = y{n}" for n in distinct),
     }
     _made(OF_SINGLE, space, **parts)

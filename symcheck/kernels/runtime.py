@@ -157,7 +157,7 @@ class Ways:
         if not numbers <= NUMBERS:
             return others
         if ndarray not in kinds:
-            return calling.of_numbers(kinds, len(self.said.outputs), {"formula": self.formula, "others": others})
+            return calling.of_numbers(kinds, self.order, {"formula": self.formula, "others": others})
         patterns: tuple[Pattern, ...] = tuple([1 if kind is ndarray else None for kind in kinds])
         found: Callable[..., Any] = others
         dtypes: Sequence[Any] = (SINGLE, DOUBLE) if numbers <= PLAIN else (DOUBLE,)
