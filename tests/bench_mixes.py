@@ -1,9 +1,10 @@
 """Calls as people make them: numbers, arrays beside numbers, shapes that broadcast, `out=`, against SymPy's `lambdify`.
 
 Prints, for each mix and size, how many times as fast as `lambdify(cse=True)` the kernels are: the geometric mean over
-all of them, the median, and the worst with its name. In every round each runs once, in turn; of the rounds the
-fastest counts, as other programs only ever make a run slower. Where outputs do not depend on the arrays `lambdify`
-returns numbers; the kernels fill arrays.
+all of them, the median, and the worst with its name. In every round each runs once, in turn; the medians of the times
+of the thread are compared, which other programs on the machine change least. Where outputs do not depend on the arrays
+`lambdify` returns numbers; the kernels fill arrays. $BENCH_ONLY is part of the name of the kernels wanted, $BENCH_PART
+the beginning of the rows wanted.
 """
 
 from __future__ import annotations
@@ -11,13 +12,13 @@ from __future__ import annotations
 import gc
 import os
 import statistics
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 import sympy as sp
-from bench import timed
 from bench_kernels import lambdified, values
 from kernel_reference import Case, cases
 
@@ -83,9 +84,21 @@ def ratio(ours: Callable[[], Any], theirs: Callable[[], Any]) -> float | None:
         theirs()
     except (ArithmeticError, ValueError):
         return None
-    runs = [[timed(function, SHORT)[0] for function in (ours, theirs)] for _ in range(ROUNDS)]
-    own, other = map(min, zip(*runs, strict=True))
-    return other / own
+    for _ in range(2):
+        ours()  # which prepares for such a mix
+    timed = [(function, max(1, int(SHORT / min(per_call(function, 2), SHORT)))) for function in (ours, theirs)]
+    runs = [[per_call(function, count) for function, count in timed] for _ in range(ROUNDS)]
+    own, other = map(statistics.median, zip(*runs, strict=True))
+    found: float = other / own
+    return found
+
+
+def per_call(function: Callable[[], Any], count: int) -> float:
+    """Seconds of the thread for each of some calls; the clock takes as long as a call does, and is read twice."""
+    start = time.thread_time()
+    for _ in range(count):
+        function()
+    return (time.thread_time() - start) / count
 
 
 def into(theirs: Callable[..., Any], out: Sequence[Any], *arguments: Any) -> None:
@@ -122,12 +135,14 @@ def rows() -> Iterator[str]:
     every = [case for case in cases().values() if os.environ.get("BENCH_ONLY", "") in case.id]
     theirs = {case.id: lambdified(case) for case in every}
     plain = {case.id: with_math(case) for case in every}
-    gc.freeze()  # what SymPy made need not be looked through before every run
+    gc.collect()
+    gc.disable()  # nothing here makes cycles
     yield from table(HEAD)
-    for name in NUMBERS:
+    part = os.environ.get("BENCH_PART", "")
+    for name in filter(lambda name: name.startswith(part), NUMBERS):
         other = plain if "'math'" in name else theirs
         yield row(name, "1", {case.id: of_numbers(case, name, other[case.id]) for case in every})
-    for name in MIXES:
+    for name in filter(lambda name: name.startswith(part), MIXES):
         for size in [size for size in SIZES if size <= MOST]:
             chosen = [case for case in every if len(case.kernel.arguments) > 1 or name.startswith("arrays")]
             yield row(name, f"{size:,}", {case.id: of_mix(case, name, theirs[case.id], size) for case in chosen})

@@ -10,6 +10,7 @@ __all__ = [
     "folder",
     "load",
     "of_paper",
+    "planning",
     "quantities",
     "ratios",
     "runtime",

@@ -8,15 +8,14 @@ NumPy and the standard library alone.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache
+from functools import cache, partial
 from itertools import combinations
 from math import isfinite
 from types import CodeType, FunctionType
 from typing import Any
 
 import numpy as np
-from numpy import ndarray
-from numpy.typing import NDArray
+from numpy import array, ndarray
 
 # What `math` raises where NumPy gives infinity or NaN, and warns.
 UNDEFINED: tuple[type[Exception], ...] = (ValueError, ZeroDivisionError, OverflowError)
@@ -46,25 +45,37 @@ OF_NUMBERS = """def of_numbers({inputs}, out):
 """
 OF_ARRAYS = """def of_arrays({inputs}, out):
     if KIND is {dtypes}:
-        if () != {shapes}:
-            size = {first}.size
-            if few < size <= most:
-                whole = of_few
-            elif less < size <= more:
-                whole = of_many
-            else:
-                whole = of_handful if 0 < size <= few else None
-            if whole:
-                try:
+        if {alike}:
+            size, into = {first}.size, None
+            try:
+                if few < size <= most:
                     if out is None:
-                        return whole({values})
-                    given = apart(out, {first}.shape, KIND, {outputs}, ({arrays},))
-                    if given:
-                        whole({values}, {into})
+                        return of_few({values})
+                    into = into_few
+                elif less < size <= more:
+                    if out is None:
+                        return of_many({values})
+                    into = into_many
+                elif size == 1 and {first}.shape == (1,):
+                    if out is None:
+                        {results} = formula({items})
+                        if isfinite({total}):
+                            {made}
+                            return {singles}
+                    else:
+                        into = of_single
+                elif 0 < size <= few and {first}.ndim:
+                    if out is None:
+                        return of_handful({values})
+                    into = of_handful
+                if into and {several}:
+                    {given}, = {out}
+                    if {fits}:
+                        into({values}, {into})
                         {copies}
                         return {handed}
-                except UNDEFINED:
-                    pass
+            except UNDEFINED:
+                pass
             return of_one_shape(({values},), out)
         found = known.get({every_shape}) if out is None else None
         if found:
@@ -74,6 +85,12 @@ OF_ARRAYS = """def of_arrays({inputs}, out):
                 pass
         return of_shapes(({values},), out)
     return others({inputs}, out)
+"""
+OF_SINGLE = """def of_single({inputs}, {into}):
+    {results} = formula({items})
+    if not isfinite({total}):
+        raise OverflowError
+    {stores}
 """
 Space = dict[str, Any]
 
@@ -106,45 +123,89 @@ def _code(count: int) -> CodeType:
     return code
 
 
-def of_numbers(kinds: Sequence[type], outputs: int, space: Space) -> Callable[..., Any]:
-    """What numbers of several types go through: a `formula` of floats, or `others` where NumPy is to warn."""
+def of_numbers(kinds: Sequence[type], order: Sequence[int], space: Space) -> Callable[..., Any]:
+    """What numbers of several types go through: a `formula` of floats, or `others` where NumPy is to warn.
+
+    `order` says of each output which of the distinct results it is.
+    """
     body = f"return formula({', '.join(_values(kinds))})"
     if not PLAIN.issuperset(kinds):
-        results = [f"y{k}" for k in range(outputs)]
-        doubles = ", ".join(f"float64({y})" for y in results)
-        body = f"{', '.join(results)} = {body[7:]}\n            if isfinite({' + '.join(results)}): return {doubles}"
+        results, firsts, distinct = _outputs(order)
+        doubles = "; ".join(f"z{n} = float64(y{n})" for n in distinct)
+        body = (
+            f"{', '.join(results)} = {body[7:]}\n            "
+            f"if isfinite({' + '.join(f'y{n}' for n in distinct)}):\n                "
+            f"{doubles}; return {', '.join(f'z{n}' for n in firsts)}"
+        )
     space |= {"float64": np.float64, "isfinite": isfinite}
     return _made(OF_NUMBERS, space, inputs=_inputs(kinds), body=body)
+
+
+def _outputs(order: Sequence[int]) -> tuple[list[str], list[int], list[int]]:
+    """A name for each output, for each which is the first with its result, and which those are."""
+    firsts = [order.index(k) for k in order]
+    return [f"y{n}" for n in range(len(order))], firsts, [n for n, first in enumerate(firsts) if n == first]
 
 
 def of_arrays(kinds: Sequence[type], dtype: np.dtype[Any], order: Sequence[int], space: Space) -> Callable[..., Any]:
     """What arrays of one type with numbers beside them go through, which keeps what it learns in `space`.
 
-    Of the space `of_handful` is for a handful of points, `of_one_shape` for arrays of one shape whose function is not
-    known yet, or that are large, `of_shapes` for arrays that broadcast, and those without dimensions, and `others` for
+    Of the space `formula` is for a single point, `of_handful` for a handful of points, `of_one_shape` for arrays of one
+    shape whose function is not known yet, or that are large, `of_shapes` for arrays that broadcast, and `others` for
     arrays of another type. `order` says of each output which of the distinct results it is.
     """
     inputs = _inputs(kinds)
     arrays = [x for x, kind in zip(inputs, kinds, strict=True) if kind is ndarray]
     shapes = [f"{x}.shape" for x in arrays]
-    beginning = {"few": 0, "most": 0, "less": 0, "more": 0, "apart": _apart, "KIND": dtype}
-    space |= beginning
-    firsts = [order.index(k) for k in order]
+    space |= {"few": 0, "most": 0, "less": 0, "more": 0, "into_few": None, "into_many": None}
+    space |= {"KIND": dtype, "isfinite": isfinite, "ndarray": ndarray}
+    space["array"] = array if dtype == np.float64 else partial(array, dtype=dtype)
+    count, (results, firsts, distinct) = len(order), _outputs(order)
+    values, given = _values(kinds), [f"g{n}" for n in range(count)]
+    parts: dict[str, str | list[str]] = {
+        "inputs": inputs,
+        "into": [given[n] for n in distinct],
+        "results": results,
+        "items": [f"{x}.item()" if kind is ndarray else y for x, kind, y in zip(inputs, kinds, values, strict=True)],
+        "total": " + ".join(f"y{n}" for n in distinct),
+        "stores": "; ".join(f"g{n}[0] = y{n}" for n in distinct),
+    }
+    _made(OF_SINGLE, space, **parts)
     return _made(
         OF_ARRAYS,
         space,
-        inputs=inputs,
-        values=_values(kinds),
+        **parts,
+        values=values,
         dtypes=" is ".join(f"{x}.dtype" for x in arrays),
-        shapes=" == ".join(shapes),
+        alike=" == ".join(shapes) if len(shapes) > 1 else "True",
         every_shape=f"({', '.join(shapes)},)",
         first=arrays[0],
         arrays=arrays,
-        outputs=str(len(order)),
-        into=[f"given[{n}]" for n, first in enumerate(firsts) if n == first],
-        copies="; ".join(f"given[{n}][...] = given[{first}]" for n, first in enumerate(firsts) if n != first) or "pass",
-        handed="given[0]" if len(order) == 1 else "given",
+        made="; ".join(f"z{n} = array([y{n}])" for n in distinct),
+        singles=[f"z{n}" for n in firsts],
+        given=given,
+        several="True" if count == 1 else "(type(out) is tuple or type(out) is list)",
+        out="out if type(out) is tuple else (out,)" if count == 1 else "out",
+        fits=_fits(given, arrays),
+        copies="; ".join(f"g{n}[...] = g{first}" for n, first in enumerate(firsts) if n != first) or "pass",
+        handed=given,
     )
+
+
+def _fits(given: Sequence[str], arrays: Sequence[str]) -> str:
+    """Whether a glance shows that the arrays given fit, and that nothing else lies in their memory, as text."""
+    types = " is ".join(["ndarray", *(f"type({x})" for x in given)])
+    dtypes = " is ".join(["KIND", *(f"{x}.dtype" for x in given)])
+    shapes = " == ".join([f"{arrays[0]}.shape", *(f"{x}.shape" for x in given)])
+    found = [types, dtypes, shapes, *(f"{x}.flags.owndata" for x in given)]
+    apart = f"{{}} is not {given[0]}"
+    if len(given) > 1:
+        found.append(f"len(places := {{{', '.join(f'id({x})' for x in given)}}}) == {len(given)}")
+        apart = "id({}) not in places"
+    for x in arrays:
+        owner = f"type(owner) is ndarray and owner.base is None and {apart.format('owner')}"
+        found += [apart.format(x), f"((owner := {x}.base) is None or {owner})"]
+    return " and ".join(found)
 
 
 def _made(text: str, space: Space, **parts: str | Iterable[str]) -> Callable[..., Any]:
@@ -178,21 +239,3 @@ def fitting(out: Any, outputs: int, shape: tuple[int, ...], dtype: Any) -> list[
     if not own and any(np.shares_memory(x, y) for x, y in combinations(results, 2)):
         raise ValueError("two arrays of out share memory; each output needs memory of its own")
     return results
-
-
-def _apart(
-    out: Any, shape: tuple[int, ...], dtype: np.dtype[Any], count: int, arrays: Sequence[NDArray[Any]]
-) -> Sequence[NDArray[Any]] | None:
-    """The arrays of `out`, if a glance shows that they fit, and that nothing else lies in their memory."""
-    given = tuple(out) if isinstance(out, (tuple, list)) else (out,)
-    places = {*map(id, given)}
-    if len(given) != count or len(places) != count:
-        return None
-    for each in given:
-        if type(each) is not ndarray or each.dtype is not dtype or each.shape != shape or not each.flags.owndata:
-            return None
-    for x in arrays:
-        owner = x if x.base is None else x.base
-        if type(owner) is not ndarray or owner.base is not None or id(owner) in places:
-            return None
-    return given

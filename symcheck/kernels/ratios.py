@@ -21,6 +21,7 @@ HALF = tuple((2.0 ** (-1 - 2 * n) - 2) * c for n, c in enumerate((*STIRLING, NEX
 # ulp against 32) in a tenth of the time; what x + h loses by rounding is made good by its slope, log(x + h).
 LOW, HIGH = 2.0**-12, 64.0
 DOUBLE = np.dtype(np.float64)
+ONE = np.array(1.0)
 SHIFT = 9  # from here on seven terms of Stirling's series are enough for doubles
 
 
@@ -89,7 +90,7 @@ def _away_from_zero(x: Any, tiny: Any) -> Any:
 
 
 def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity.
+    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others.
 
     Of ordinary x and x + h it is a quotient. Where x or x + h is small otherwise the functional equation moves both up
     to where Stirling's series holds. Of the logarithms of two values there only the difference is formed,
@@ -102,6 +103,8 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
             own = y - x
             lost = (x - (y - own)) + (h - own)  # x + h less y, exactly
             return math.gamma(y) / (math.gamma(x) * math.pow(x, h)) * (1.0 + lost * math.log(y))
+        if x <= 0.0 or y <= 0.0:
+            return math.nan
         if min(x, y) >= SHIFT:
             return math.exp(_logarithm_of_floats(x, h))
         moved = x + SHIFT
@@ -111,26 +114,37 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
         return math.exp(_logarithm_of_floats(moved, h)) * (math.pow(moved / x, h) * above / below)
     y = x + h
     if y.dtype is not DOUBLE:  # Gamma overflows early
-        return _by_series(x, y, h, out)
-    least, most = np.minimum(x, y), np.maximum(x, y)
-    if y.size and np.minimum.reduce(least.ravel()) >= LOW and np.maximum.reduce(most.ravel()) <= HIGH:
+        return _by_series(np.where(np.minimum(x, y) > 0, x, np.float32(np.nan)), y, h, out)
+    if h.ndim:
+        least, most = np.minimum(x, y), np.maximum(x, y)
+    else:
+        least, most = (x, y) if h >= 0 else (y, x)
+    if y.size and np.minimum.reduce(least, None) >= LOW and np.maximum.reduce(most, None) <= HIGH:
         return _quotient(x, y, h, out)
-    ordinary = (least >= LOW) & (most <= HIGH)
-    if not ordinary.any():
+    # Where x or x + h is not positive the logarithm in the quotient is NaN.
+    extreme = (least > 0) & ((most > HIGH) | (least < LOW))
+    if not extreme.any():
+        return _quotient(x, y, h, out)
+    if extreme.all():
         return _by_series(x, y, h, out)
     # Each point as if it were alone, so that its bits do not depend on its neighbours.
-    quotient = _quotient(np.where(ordinary, x, 1), np.where(ordinary, y, 1), h, None)
-    return np.positive(np.where(ordinary, quotient, _by_series(x, y, h)), out)
+    value = _quotient(np.where(extreme, 1, x), np.where(extreme, 1, y), h, None)
+    own = [each if each is h and not h.ndim else np.broadcast_to(each, y.shape)[extreme] for each in (x, y, h)]
+    value[extreme] = _by_series(own[0], own[1], own[2])
+    return np.positive(value, out)
 
 
 def _quotient(x: Any, y: Any, h: Any, out: Any) -> Any:
     """gamma_ratio(x, h) where neither Gamma nor the power leaves the range of doubles; y is x + h, rounded."""
     gamma, root = _gamma(), h.ndim == 0 and h == 0.5
-    value = gamma(y) / (gamma(x) * (np.sqrt(x) if root else np.power(x, h)))
-    own = y - x
-    lost = (x - (y - own)) + (h - own)
+    value = gamma(x)
+    value = np.multiply(value, np.sqrt(x) if root else np.power(x, h))
+    value = np.divide(gamma(y), value)
+    own = np.subtract(y, x)
+    exact = not h.ndim and h <= 0  # as x is the larger one
+    lost = np.subtract(h, own, own) if exact else (x - (y - own)) + (h - own)
     lost *= np.log(y)
-    lost += 1.0
+    lost += ONE
     return np.multiply(value, lost, out)
 
 

@@ -1,7 +1,7 @@
 """How a generated kernel runs: on numbers and a handful of points by `math`, on small arrays at once, else by pieces.
 
 A generated module has each formula once, as a function of floats under the decorator `kernel`, and a second time for
-many points where a tangent replaces sines and cosines. `tracing` makes of it functions of arrays when it is first
+many points where a tangent replaces sines and cosines. `planning` makes of it functions of arrays when it is first
 called with a mix of arguments: what depends on numbers alone is computed once, and each value has the shape of what
 it depends on. A piece of points stays in the caches of its processor, so that the values between two operations never
 travel to memory; the registers are kept from call to call, one set for each thread. NumPy and the standard library
@@ -30,9 +30,11 @@ from numpy.typing import NDArray
 from symcheck.kernels import calling
 from symcheck.kernels.calling import NUMBERS, PLAIN, UNDEFINED, fitting
 from symcheck.kernels.documentation import numpy_docstring
+from symcheck.kernels.grouping import grouped
+from symcheck.kernels.planning import Plan
 from symcheck.kernels.quantities import in_units, is_quantity, with_units
 from symcheck.kernels.specification import Argument, KernelFunction, Output, Specification
-from symcheck.kernels.tracing import Pattern, Plan, Trace, plan, trace
+from symcheck.kernels.tracing import Pattern, Trace, trace
 
 __all__ = [
     "BLOCK",
@@ -155,12 +157,12 @@ class Ways:
         if not numbers <= NUMBERS:
             return others
         if ndarray not in kinds:
-            return calling.of_numbers(kinds, len(self.said.outputs), {"formula": self.formula, "others": others})
+            return calling.of_numbers(kinds, self.order, {"formula": self.formula, "others": others})
         patterns: tuple[Pattern, ...] = tuple([1 if kind is ndarray else None for kind in kinds])
         found: Callable[..., Any] = others
         dtypes: Sequence[Any] = (SINGLE, DOUBLE) if numbers <= PLAIN else (DOUBLE,)
         for dtype in dtypes:
-            space: dict[str, Any] = {"others": found, "known": {}}
+            space: dict[str, Any] = {"formula": self.formula, "others": found, "known": {}}
             space["of_handful"] = partial(self._of_handful, kinds.index(ndarray), dtype)
             space["of_one_shape"] = partial(self._of_one_shape, space, patterns, dtype)
             space["of_shapes"] = partial(self._of_shapes, space["known"], dtype)
@@ -179,13 +181,25 @@ class Ways:
         """For each output, which of the distinct results it is."""
         return self.traced().order
 
-    def plan(self, many: bool, patterns: tuple[Pattern, ...], full: int, dtype: DType) -> Plan:
-        """How arguments of these patterns are computed; sines are no slower than tangents in single precision."""
+    def plan(
+        self, many: bool, patterns: tuple[Pattern, ...], full: int, dtype: DType, *, as_written: bool = False
+    ) -> Plan:
+        """How arguments of these patterns are computed; sines are no slower than tangents in single precision.
+
+        `as_written` keeps the order of the formula, so that bits do not depend on which arguments have which axes.
+        """
         many = many and dtype is DOUBLE and self.many is not self.formula
-        key = many, patterns, full, dtype
+        key = many, patterns, full, dtype, as_written
         if key not in self._plans:
-            self._plans[key] = plan(self.traced(many), patterns, full, dtype, self.said.name)
+            traced = self.traced(many)
+            ordered = traced if as_written or {*patterns} == {full} else grouped(traced, patterns, self._positive)
+            self._plans[key] = Plan(ordered, patterns, full, dtype, self.said.name)
         return self._plans[key]
+
+    @cached_property
+    def _positive(self) -> frozenset[int]:
+        """The places of arguments that are not negative, by their domains."""
+        return frozenset(k for k, argument in enumerate(self.said.arguments) if argument.low == "0")
 
     def of_anything(self, inputs: Sequence[Any], out: Out = None, many: bool = False) -> Results:
         """The results of anything that broadcasts: arrays of the broadcast shape, or numbers of numbers.
@@ -213,6 +227,8 @@ class Ways:
         """The results of arrays of one shape and floats; their function is kept for later calls of such a mix."""
         first = values[patterns.index(1)]
         size, shape = first.size, first.shape
+        if not shape:
+            return self._of_any_types(values, out)
         many = size > FEW and dtype is DOUBLE and self.many is not self.formula
         found = self.plan(many, patterns, 1, dtype)
         if many:
@@ -220,6 +236,8 @@ class Ways:
         elif size:
             alone = dtype is SINGLE or self.many is self.formula
             space.update(of_few=found.whole, few=found.handful, most=SMALL if alone else FEW)
+        if size and out is not None:
+            space["into_many" if many else "into_few"] = found.into
         given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
         return self._computed(found, values, shape, dtype, given, one_by_one=True)
 
@@ -236,14 +254,13 @@ class Ways:
         if () in shapes:
             return self._of_any_types(values, out)
         shape, patterns, full = _aligned(tuple([x.shape if type(x) is ndarray else () for x in values]))
-        size, alike = prod(shape), {*patterns} <= {None, full}
+        size = prod(shape)
+        alike = size == 1 or {*patterns} <= {None, full}
         found = self.plan(size > FEW, patterns, full, dtype)
         if 0 < size <= SMALL and len(known) < KEPT:
             known[shapes] = found.whole
             if alike and size <= found.handful:
                 known[shapes] = lambda *values: self._one_by_one(values, shape, dtype, None)
-            elif found.uneven:
-                known[shapes] = lambda *values: self._at_once(found, values, shape, dtype, None)
         given = None if out is None else fitting(out, len(self.said.outputs), shape, dtype)
         return self._computed(found, values, shape, dtype, given, one_by_one=alike)
 
@@ -272,8 +289,9 @@ class Ways:
             if x.dtype != dtype and (pattern != full or size <= SMALL):
                 x = x.astype(dtype, casting="same_kind")
             values.append(x if x.ndim else x.item())
-        found = self.plan(many or size > FEW, patterns, full, dtype)
-        return self._computed(found, values, shape, dtype, given, one_by_one=not many and {*patterns} <= {None, full})
+        found = self.plan(many or size > FEW, patterns, full, dtype, as_written=many)
+        alike = size == 1 or {*patterns} <= {None, full}
+        return self._computed(found, values, shape, dtype, given, one_by_one=not many and alike)
 
     def _refuse_what_would_be_lost(self, inputs: Sequence[Any]) -> None:
         """ValueError for a unit or a mask, of which an array of numbers keeps nothing."""
@@ -313,9 +331,7 @@ class Ways:
                 return self._one_by_one(values, shape, dtype, given)
             if size > SMALL:
                 return self._in_pieces(found, values, shape, dtype, given)
-            if given is None and not found.uneven:
-                return found.whole(*values)
-            return self._at_once(found, values, shape, dtype, given)
+            return self._at_once(found, values, given)
         except UNDEFINED:  # in what only numbers have part in
             return self._of_whole_arrays(values, shape, dtype, given, many=not one_by_one)
 
@@ -351,26 +367,12 @@ class Ways:
             outputs = [x.reshape(shape) for x in outputs]
         return _one_or_tuple([outputs[k] for k in order] if shared else outputs)
 
-    def _at_once(
-        self,
-        found: Plan,
-        values: Sequence[Any],
-        shape: tuple[int, ...],
-        dtype: DType,
-        given: Sequence[Array] | None,
-    ) -> Results:
-        """The results of small arrays, in the arrays that are given, or where not all outputs have the whole shape."""
+    def _at_once(self, found: Plan, values: Sequence[Any], given: Sequence[Array] | None) -> Results:
+        """The results of small arrays; those that are given are written to last, as they may be arguments."""
         results = found.whole(*values)
-        several = results if isinstance(results, tuple) else (results,)
-        if given is not None:  # to be written to last, as they may share memory with the arguments
-            return _one_or_tuple(_put(several, given))
-        whole = [*several]
-        for places in found.uneven:
-            x = np.empty(shape, dtype)
-            x[...] = several[places[0]]
-            for place in places:
-                whole[place] = x
-        return _one_or_tuple(whole)
+        return (
+            results if given is None else _one_or_tuple(_put(results if type(results) is tuple else (results,), given))
+        )
 
     def _in_pieces(
         self,
@@ -384,16 +386,14 @@ class Ways:
         order = self.order
         distinct = range(max(order) + 1)
         outputs = [np.empty(shape, dtype) if given is None else given[order.index(k)] for k in distinct]
-        ready = values if given is None else _apart(values, given)
-        if found.prelude:
-            ready = found.prelude(*ready)
-        into = [outputs[k] for k in found.full]
+        ready = found.prelude(*(values if given is None else _apart(values, given)))
+        into = [outputs[k] for k in found.even]
         taken = ready[: found.taken]
         if into and all(x.shape in (shape, ()) for x in taken):
             _run(found.block, found.registers, taken, into, shape, dtype)
         elif into:
             _run_parts(found.block, found.registers, taken, into, shape, dtype)
-        for k, value in zip([k for k in distinct if k not in found.full], ready[found.taken :], strict=True):
+        for k, value in zip([k for k in distinct if k not in found.even], ready[found.taken :], strict=True):
             outputs[k][...] = value
         results = [outputs[k] for k in order]
         return _one_or_tuple(results if given is None else _put(results, given))
@@ -411,7 +411,7 @@ class Ways:
         found = self.plan(many or size > FEW, (full,) * len(values), full, dtype)
         if size <= SMALL:
             whole = [_filled(x, shape, dtype) for x in values]
-            return self._at_once(found, whole, shape, dtype, given)
+            return self._at_once(found, whole, given)
         return self._in_pieces(found, [array(x, dtype) if type(x) is float else x for x in values], shape, dtype, given)
 
 
@@ -433,8 +433,8 @@ def _aligned(shapes: tuple[tuple[int, ...], ...]) -> tuple[tuple[int, ...], tupl
     shape = np.broadcast_shapes(*shapes)
     patterns: list[Pattern] = []
     for own in shapes:
-        whole = (1,) * (len(shape) - len(own)) + own
-        patterns.append(sum(1 << k for k, n in enumerate(shape) if whole[k] == n) if own else None)
+        axes = enumerate(zip(reversed(shape), reversed(own), strict=False), 1)
+        patterns.append(sum(1 << len(shape) - k for k, (n, its) in axes if its == n) if own else None)
     return shape, tuple(patterns), (1 << len(shape)) - 1
 
 
@@ -509,12 +509,20 @@ def _run_parts(
 ) -> None:
     """The results of arrays that broadcast, in pieces along their axes."""
     aligned = [x.reshape((1,) * (len(shape) - x.ndim) + x.shape) if x.ndim else x for x in taken]
-    rows = _registers(registers, dtype)
+    narrow = [k for k, x in enumerate(taken) if x.shape not in (shape, ())]
+    rows = _registers(registers + len(narrow), dtype)
+    before: dict[int, Any] = {}
     for part in _parts(shape):
         into = [output[part] for output in outputs]
         own = [row[: into[0].size].reshape(into[0].shape) for row in rows]
-        pieces = [x if x.dtype == dtype else x.astype(dtype) for x in (_part(x, part) for x in aligned)]
-        block(*pieces, *into, *own)
+        pieces = [_part(x, part) for x in aligned]
+        for k, row in zip(narrow, own[registers:], strict=True):
+            place = into[0].shape, [each for n, each in zip(aligned[k].shape, part, strict=False) if n > 1]
+            if before.get(k) != place:  # else it is there
+                row[...] = pieces[k]
+                before[k] = place
+            pieces[k] = row
+        block(*[x if x.dtype == dtype else x.astype(dtype) for x in pieces], *into, *own[:registers])
 
 
 def _pieces(block: Block, rows: Sequence[Array], flat: Sequence[Array], size: int) -> None:

@@ -18,8 +18,9 @@ import sympy as sp
 from symcheck.kernels import ratios
 from symcheck.kernels.codegen.program import UNARY
 from symcheck.kernels.codegen.special import RUNTIME
+from symcheck.kernels.planning import Plan
 from symcheck.kernels.runtime import DOUBLE
-from symcheck.kernels.tracing import MATH, plan, trace
+from symcheck.kernels.tracing import MATH, trace
 from symcheck.selftest.kernel_truth import Case, Truth
 
 OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div)
@@ -110,7 +111,7 @@ class Forms:
         """The outputs at some points, one by one and as arrays."""
         rows = [np.atleast_1d(function(*point)) for point in zip(*(x.tolist() for x in inputs), strict=True)]
         yield list(np.array(rows).T)
-        found = plan(trace(function), (1,) * len(inputs), 1, DOUBLE, self.case.name)
+        found = Plan(trace(function), (1,) * len(inputs), 1, DOUBLE, self.case.name)
         yield _as_tuple(found.whole(*inputs))
 
     def _meaning(self, form: str) -> list[Any]:

@@ -84,7 +84,8 @@ def code() -> str:
     """What results depend on: the sources of the numeric layer and the kernels, and the version of NumPy."""
     digest = blake2b(np.__version__.encode(), digest_size=16)
     here = Path(symcheck.numeric.__file__).parent
-    own = (here.parent / "kernels" / f"{name}.py" for name in ("runtime", "tracing", "ratios", "specification"))
+    names = ("runtime", "planning", "grouping", "tracing", "ratios", "specification")
+    own = (here.parent / "kernels" / f"{name}.py" for name in names)
     for path in (*sorted(here.rglob("*.py")), *own, *sorted(kernels.folder().glob("*.py"))):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()
