@@ -199,5 +199,6 @@ def _is_labelled(name: str, known: Mapping[str, Letter]) -> bool:
         return False
     below, letters = above.groups()
     if len(letters) == 1 or letters.startswith("\\"):
-        return bool(below) and letters not in known
+        raised = any((other := _LABEL.search(shown(x))) and other.groups() == (None, letters) for x in known)
+        return bool(below) and letters not in known and not raised
     return len(letters) > LONGEST_PRODUCT or len({*letters}) < len(letters) or {*letters}.isdisjoint(known)

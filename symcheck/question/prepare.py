@@ -282,7 +282,7 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
             except SymcheckError as error:
                 families = any(x.running and (x.depends or x.kind != "scalar") for x in inference.notation.letters)
                 errors.append(_understood(asked, inference, conditions, str(error)) if families else error)
-        if any(not reading.inference.beside for reading in found):
+        if any(not (reading.inference.beside or reading.inference.remote) for reading in found):
             return found
     raise next((error for error in errors if isinstance(error, Understood)), errors[0])
 

@@ -338,7 +338,7 @@ _PRIMED = re.compile(
 )
 # what may be transposed before a factor, where T is a letter, too
 _POWER_OF_T = re.compile(
-    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol|d+ot) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
     rf" (?={_BASE})"
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter

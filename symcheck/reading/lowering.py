@@ -56,7 +56,15 @@ from symcheck.reading.components import (
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.faces import face
-from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt, refuse_operator, refuse_order
+from symcheck.reading.forms import (
+    form,
+    is_sequence,
+    refuse_bare,
+    refuse_doubt,
+    refuse_factor,
+    refuse_operator,
+    refuse_order,
+)
 from symcheck.reading.functions import SPELLED, applied, extreme
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.limits import equated, limit, tends, turns
@@ -308,6 +316,7 @@ class Lowering:
     def stated(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, or its form if it has none."""
         refuse_operator(relation.tree, self.notation)
+        refuse_factor(relation.tree, self.notation)
         try:
             return self.whole(relation)
         except (NoForm, Unsaid):

@@ -376,7 +376,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
             if framed or above:
                 name, bare = (" ".join(texts[start:to]) for to in (end, low))
                 before = texts[:start]
-                coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}")
+                coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}") and len(_letters(above)) < 2
                 plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(

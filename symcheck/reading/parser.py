@@ -798,7 +798,8 @@ class Builder:
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
         if beside and factor.letter == r"\text{T}" and _TRANSPOSED.search(self.source):
             raise self.fail(item.at, "the sign that transposes elsewhere, or a factor? write ^ before it")
-        if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
+        remark = _REMARK.match(factor.letter) or factor.letter.endswith(":}")
+        if (beside and remark) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
@@ -1251,6 +1252,9 @@ class Builder:
         factors = tuple(self.atom(item) for item in items[start : k - 1])
         last, k = self.applied(items, k - 1)
         factors += (last,)
+        behind = items[k].node if k < len(items) else None
+        if head.name in LOGARITHMS and isinstance(last, Call) and isinstance(behind, Bars | Norm | Name):
+            raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
         if k < len(items) and self.continues(items[k]) and not self.sum_behind(items[k - 1], items[k]):
             if all(isinstance(factor, Number) for factor in factors):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
