@@ -19,6 +19,7 @@ from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
 _NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
+_VALUES = frozenset({"vector", "matrix"})  # what a function here may give, of which letters elsewhere are the values
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -181,7 +182,11 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
     told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
-    found = {r.letter: told[r.letter] for r in seen.roles if told.get(r.letter, r.phrase) != r.phrase}
+    found = {
+        r.letter: told[r.letter]
+        for r in seen.roles
+        if told.get(r.letter, r.phrase) != r.phrase and not (r.kind == "function" and told[r.letter] in _VALUES)
+    }
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found

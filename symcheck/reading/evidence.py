@@ -459,9 +459,9 @@ def _shape(latex: str) -> tuple[int, ...]:
     """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
     if not (found := _ENTRIES.fullmatch(tex.compact(latex))):
         return ()
-    rows = [row for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
-    columns = {row.count("&") + 1 for row in rows}
-    if len(columns) != 1:
+    rows = [row.split("&") for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
+    if len({len(row) for row in rows}) != 1:
         return ()
-    (size, *_) = sizes = (*columns, len(rows)) if found[3] else (len(rows), *columns)
+    columns = sum(any(map(str.strip, column)) for column in zip(*rows, strict=True)) or 1
+    (size, *_) = sizes = (columns, len(rows)) if found[3] else (len(rows), columns)
     return sizes if sizes[1] != 1 else (size,)

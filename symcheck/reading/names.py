@@ -201,8 +201,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return None
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
         return STANDARD
-    if inside == ["0"] and not any((of.word, power) in told.raised for power in "123n"):
-        return ""  # nobody prints this power but in a series of them
+    if inside in (["0"], ["1"]) and not any((of.word, power) in told.raised for power in "23n"):
+        return ""  # nobody prints these powers but in a series of them
     bracketed = inside[0] == "(" and _is_label(inside)
     powers = [text for text in inside if (of.word, text) in told.raised] if bracketed else []
     if powers:

@@ -564,6 +564,9 @@ class Builder:
             whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
             if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        plain = isinstance(members[0], Name) and not _is_styled(members[0])
+        if self.notation.inferred and plain and signs == ("=",) and _is_range(members[1]):
+            raise self.fail(_place(nodes[2]), r"all numbers from one to the other, or a list? write \in for the former")
         numbers = itertools.pairwise(isinstance(member, Number) for member in members)
         if any(sign == r"\sim" and all(pair) for sign, pair in zip(signs, numbers, strict=True)):
             raise self.fail(_place(nodes[0]), "numbers from one to the other? write between which a letter is")
@@ -763,6 +766,8 @@ class Builder:
             self.refuse_words(factors[-1], item, before, behind)
             k = after
             dotted = False
+        if len(factors) > 1 and any(isinstance(factor, Infinity) for factor in factors):
+            raise self.fail(items[0].at, "infinity is no factor; write a comma before what follows, or brackets")
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
@@ -1643,7 +1648,9 @@ class Builder:
         rows = [node.children for node in nodes if hasattr(node, "data")]
         if len({len(row) for row in rows}) > 1:
             raise self.fail(at, "the rows of this matrix differ in length")
-        return tuple(tuple(self.term_of(cell) for cell in row[0::2]) for row in rows)
+        cells = [[self.term_of(cell) for cell in row[0::2]] for row in rows]
+        columns = [column for column in zip(*cells, strict=True) if not all(isinstance(x, Blank) for x in column)]
+        return tuple(zip(*columns, strict=True)) if columns else tuple(map(tuple, cells))  # `&&` parts two columns
 
     def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
@@ -1749,6 +1756,13 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for node in nodes(tree))
+
+
+def _is_range(tree: Tree) -> bool:
+    """Are these two numbers in square brackets, the smaller one first?"""
+    ends = tree.items if isinstance(tree, Tuple) and tree.kind == "[]" else ()
+    numbers = [float(end.text) for end in ends if isinstance(end, Number)]
+    return len(numbers) == len(ends) == 2 and numbers[0] < numbers[1]
 
 
 def _is_styled(tree: Tree | None) -> bool:

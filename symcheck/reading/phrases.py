@@ -98,7 +98,7 @@ _SPELLINGS: Sequence[
     # several spaces that are as wide as a quad
     *(
         (" ".join([each] * 3), re.compile(rf"(?:{re.escape(each)} ){{3,}}"), r"\\quad ")
-        for each in (r"\;", r"\:", "\\ ", "~")
+        for each in (r"\,", r"\;", r"\:", "\\ ", "~")
     ),
     # commas at the ends of the cells of a matrix
     (
