@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 from symcheck.reading import tex
-from symcheck.reading.arguments import is_product
+from symcheck.reading.arguments import is_doubled, is_product
 from symcheck.reading.commands import ACCENTS
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
@@ -462,6 +462,7 @@ def _shape(latex: str) -> tuple[int, ...]:
     rows = [row.split("&") for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
     if len({len(row) for row in rows}) != 1:
         return ()
-    columns = sum(any(map(str.strip, column)) for column in zip(*rows, strict=True)) or 1
+    blank = [not any(map(str.strip, column)) for column in zip(*rows, strict=True)]
+    columns = len(blank[:: 2 if is_doubled(blank) else 1])
     (size, *_) = sizes = (columns, len(rows)) if found[3] else (len(rows), columns)
     return sizes if sizes[1] != 1 else (size,)

@@ -12,6 +12,7 @@ from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
+from symcheck.reading.arguments import is_doubled
 from symcheck.reading.faces import face
 from symcheck.reading.functions import FIELDS, INVERSES
 from symcheck.reading.grammar import ParseNode, parse
@@ -1649,8 +1650,9 @@ class Builder:
         if len({len(row) for row in rows}) > 1:
             raise self.fail(at, "the rows of this matrix differ in length")
         cells = [[self.term_of(cell) for cell in row[0::2]] for row in rows]
-        columns = [column for column in zip(*cells, strict=True) if not all(isinstance(x, Blank) for x in column)]
-        return tuple(zip(*columns, strict=True)) if columns else tuple(map(tuple, cells))  # `&&` parts two columns
+        blank = [all(isinstance(cell, Blank) for cell in column) for column in zip(*cells, strict=True)]
+        every = 2 if is_doubled(blank) else 1
+        return tuple(tuple(row[::every]) for row in cells)
 
     def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
