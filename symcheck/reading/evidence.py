@@ -258,6 +258,13 @@ _LABELS = "derivatives, or letters with a label? write them as fractions"
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
+# what is expected of the next value of something: `E_t \pi_{t + 1}`
+_EXPECTED = re.compile(
+    r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"
+    r"(?:\\[a-z]+ \{ )?(?:\\?[A-Za-z]+) (?:\} )?_ \{ \2 \+"
+)
+
+
 def _doubted(text: str) -> Iterator[tuple[str, str]]:
     """The letters of one formula of which its print leaves open what they are, each with what is open."""
     if text.startswith(r"\mathbf") and (bold := _BOLD_NAME.match(text)):
@@ -280,6 +287,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         yield r"\Delta", "the power of a change, or times what follows? write brackets"
     if _HYPERGEOMETRIC.search(text):
         yield "F", "a factor before a function, or a hypergeometric one? write the number as a subscript at its left"
+    if "E _ " in text or "E } _ " in text:
+        for expectation, _ in _EXPECTED.findall(text):
+            yield canonical(expectation), "what is expected of what follows, or a factor? write square brackets"
     function = _OF_FUNCTION.search(text)
     if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
         yield "f", f"a factor, or part of the name f{function[1]}? say what it is"

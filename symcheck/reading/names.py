@@ -239,6 +239,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(letters[0])
     if letters[0] in _STATES_ABOVE and len(letters) == 1 and not of.framed:
         return POWER_OR_LABEL.format(letters[0])
+    capitals = {above for word, above in told.raised if word == of.word and above.isupper()} - _TRANSPOSING
+    if len(capitals) > 1 and inside[0] in capitals and of.below:
+        return ""  # as in W_i^Q beside W_i^K
     if not of.framed and any(letter in told.numbers for letter in letters):
         return None
     members = {number.partition("_")[0] for number in told.numbers if "_" in number}
