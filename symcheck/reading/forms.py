@@ -98,11 +98,12 @@ def _form(part: object) -> Node:
 
 def _refuse(tree: Tree, notation: Notation) -> None:
     """SymcheckError for what may be meant in two ways."""
-    beside = {part.name for part in nodes(tree) if isinstance(part, Words)}
-    calls = [part for part in nodes(tree) if isinstance(part, Call) and part.arguments]
+    parts = [*nodes(tree)]
+    beside = {part.name for part in parts if isinstance(part, Words)}
+    calls = [part for part in parts if isinstance(part, Call) and part.arguments]
     clear = Counter(part.function for part in calls if not isinstance(part.arguments[0], Add))
-    names = Counter(part for part in nodes(tree) if isinstance(part, Name))
-    for part in nodes(tree):
+    names = Counter(part for part in parts if isinstance(part, Name))
+    for part in parts:
         if isinstance(part, Name) and part not in beside:
             if _WORDS.match(part.letter):
                 raise SymcheckError(f"{to_latex(part)}: words within a formula; write them beside it")
@@ -122,7 +123,7 @@ def _refuse(tree: Tree, notation: Notation) -> None:
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
         if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
             raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
-        if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in nodes(tree):
+        if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in parts:
             raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
         if isinstance(part, Chain) and part.signs[0] == "=" and any(map(_is_pair_in_braces, part.members)):
             raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a set? say what it means")

@@ -316,7 +316,6 @@ class Lowering:
     def stated(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, or its form if it has none."""
         refuse_operator(relation.tree, self.notation)
-        refuse_factor(relation.tree, self.notation)
         try:
             return self.whole(relation)
         except (NoForm, Unsaid):
@@ -331,6 +330,8 @@ class Lowering:
         self.kinds = frozenset(type(part) for part in nodes(relation.tree))
         if Total in self.kinds:
             refuse_uneven(relation.tree)
+        if Transpose in self.kinds and Call in self.kinds:
+            refuse_factor(relation.tree, self.notation)
         self.aside = []
         formulas = [*self.relation(relation), *dict.fromkeys(self.aside)]
         names = _names(tuple(formulas))

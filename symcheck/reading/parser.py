@@ -239,7 +239,7 @@ class Builder:
 
     def build(self, node: ParseNode) -> Any:
         """The result of one grammar rule."""
-        return getattr(self, f"on_{node.data}")(node.children)
+        return _RULES[node.data](self, node.children)
 
     def statement(self, node: ParseNode) -> Tree:
         tree = self.checked(self.statement_of(self.build(node.children[0])), 0)
@@ -1690,6 +1690,9 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+_RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
 
 
 def _is_letter(tree: Tree | None) -> bool:
