@@ -511,6 +511,7 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"max = m a, \quad x = 3": "one name max, or a product",
     r"S = \omega_{\mu\nu} M^{\mu\nu}": "a power, or a label",
     r"x_t = E_t x_{t+1}": "what is expected of what follows",
+    r"\eta = \frac{\text{load power}(P_L)}{P}": "words with the letter they stand for, or a function",
 }
 
 

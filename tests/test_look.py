@@ -295,6 +295,8 @@ def test_letters_are_inferred_from_the_whole_document_and_contradictions_told(tm
 CONTRADICTED = {  # what states nothing beside the second formula, and something beside the third
     "functions named d": (r"d(t) = f(t) + d_0", r"y = f(t)", None),
     "letters above that stand elsewhere without one below": (r"a_i = X_i^j b_j", r"y = X^j z", r"y = X z"),
+    "letters and signs of a change": (r"V = \delta V_i", r"\delta = \frac{s}{T}", r"\alpha = \frac{s}{T}"),
+    "powers above an index": (r"a_t = b_t I_t^\alpha", r"c = 2 b_t", None),
     "values of a matrix": (r"\det(J(\theta)) = 0", r"J = \begin{pmatrix} a & b \\ c & d \end{pmatrix}", None),
 }
 

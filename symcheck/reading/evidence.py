@@ -255,6 +255,7 @@ _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _LABELS = "derivatives, or letters with a label? write them as fractions"
+_DENOTED = "words with the letter they stand for, or a function? leave out one of them"
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
@@ -303,6 +304,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"
+        for words in _WORDS_NAMED.findall(text):
+            yield rf"\text{{{''.join(words.split())}}}", _DENOTED
 
 
 def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
@@ -329,6 +332,10 @@ _BASE = (
     r"|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
 )
 _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
+# words before a letter in brackets: `\text{load power}(P_L)`
+_WORDS_NAMED = re.compile(
+    rf"\\(?:text|mathrm) \{{ ((?:[\w'-] )+~ (?:[\w'~-] )+)\}} (?:\\left )?\( {_BASE}{_INDEX} (?:\\right )?\)"
+)
 # a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA'
 _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
