@@ -620,6 +620,8 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"J = \sum_{i=1}^m h(x^{(i)}) - y^{(i)}": r"J = \sum_{i=1}^m (h(x^{(i)}) - y^{(i)})",
     r"y = (D A)^T W (D A)": r"y = D^T W (D A)",
     r"k_j = W_j^K h_j": r"q_i = W_i^Q h_i, \quad k_j = W_j^K h_j",
+    r"L' = L(\vec{v}^2) + L": r"L' = L \vec{v}^2 + L",
+    r"c = \frac{A \cdot B}{\|A\| \|B\|}": r"c = \frac{\mathbf{a} \cdot \mathbf{b}}{\|\mathbf{a}\| \|\mathbf{b}\|}",
 }
 
 
