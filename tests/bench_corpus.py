@@ -32,8 +32,9 @@ MOST_READINGS = 4  # of one display; the first of them is right where any is
 
 def ours(latex: str) -> tuple[bool, bool]:
     """Whether a display gives a tree, and whether it gives a statement."""
-    text, tree = with_plain_differentials(plain(latex)), False
+    tree = False
     try:
+        text = with_plain_differentials(plain(latex))
         inferences = [each for each in inferred([text], {}, {}) if not each.remote][:MOST_READINGS]
     except SymcheckError:
         return False, False

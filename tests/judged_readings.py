@@ -28561,6 +28561,741 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(\\mathbf { r } _ { i } ^ { \\mathrm { v i r t u a l } }, Add(\\mathbf { r } _ { i } ^ { \\mathrm { r e a l } }, Mul(s_i, \\boldsymbol{\\sigma}_i; 1)); =)",
         "deepmodeling/deepmd-kit/deepmd/dpmodel/model/spin_model.py",
     ),
+    (
+        "p(\\boldsymbol{x}_{t},\\boldsymbol{y}_{t}|\\boldsymbol{y}_{1:t-1}^{*}) = \\underbrace{p(\\boldsymbol{x}_{t}|\\boldsymbol{y}_{1:t-1}^{*})}_{\\text{filtering forecast}} \\overbrace{p(\\boldsymbol{y}_{t}|\\boldsymbol{x}_{t})}^{\\text{observation model}}",
+        "Chain(Call(p; Given(\\boldsymbol{x}_t, \\boldsymbol{y}_t; \\boldsymbol { y } _ { 1 : t - 1 } ^ { * }; |)), Mul(Call(p; Given(\\boldsymbol{x}_t; \\boldsymbol { y } _ { 1 : t - 1 } ^ { * }; |)), Call(p; Given(\\boldsymbol{y}_t; \\boldsymbol{x}_t; |))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\underbrace{p(\\boldsymbol{x}_{t}|\\boldsymbol{y}_{1:t}^{*})}_{\\text{filtering posterior}} = p(\\boldsymbol{x}_{t},\\boldsymbol{y}_{t}|\\boldsymbol{y}_{1:t-1}^{*}) / p(\\boldsymbol{y}_{t}^{*}|\\boldsymbol{y}_{1:t-1}^{*})",
+        "Chain(Call(p; Given(\\boldsymbol{x}_t; \\boldsymbol { y } _ { 1 : t } ^ { * }; |)), Div(Call(p; Given(\\boldsymbol{x}_t, \\boldsymbol{y}_t; \\boldsymbol { y } _ { 1 : t - 1 } ^ { * }; |)); Call(p; Given(\\boldsymbol { y } _ { t } ^ { * }; \\boldsymbol { y } _ { 1 : t - 1 } ^ { * }; |))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\underbrace{p(\\boldsymbol{x}_{t+1}|\\boldsymbol{y}_{1:t}^{*})}_{\\text{filtering forecast}} = \\int p(\\boldsymbol{x}_{t+1},\\boldsymbol{x}_{t}|\\boldsymbol{y}_{1:t}^{*}) d \\boldsymbol{x}_{t}",
+        "Chain(Call(p; Given(\\boldsymbol{x}_{t+1}; \\boldsymbol { y } _ { 1 : t } ^ { * }; |)), Antiderivative(Call(p; Given(\\boldsymbol{x}_{t+1}, \\boldsymbol{x}_t; \\boldsymbol { y } _ { 1 : t } ^ { * }; |)); \\boldsymbol{x}_t); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{y}_{t} = \\boldsymbol{H}\\boldsymbol{x}_{t} + \\boldsymbol{\\gamma}_{t}",
+        "Chain(\\boldsymbol{y}_t, Add(Mul(\\boldsymbol{H}, \\boldsymbol{x}_t), \\boldsymbol{\\gamma}_t); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\gamma}_{t} \\sim \\mathcal{N}(\\boldsymbol{\\mu}=\\boldsymbol{0}, \\boldsymbol{\\Sigma} = \\boldsymbol{R})",
+        "Chain(\\boldsymbol{\\gamma}_t, Call(\\mathcal{N}; Chain(\\boldsymbol{\\mu}, 0; =), Chain(\\boldsymbol{\\Sigma}, \\boldsymbol{R}; =)); \\sim)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{x}_{t+1} = \\boldsymbol{A}\\boldsymbol{x}_{t} + \\boldsymbol{\\epsilon}",
+        "Chain(\\boldsymbol{x}_{t+1}, Add(Mul(\\boldsymbol{A}, \\boldsymbol{x}_t), \\boldsymbol{\\epsilon}); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\epsilon} \\sim \\mathcal{N}(\\boldsymbol{\\mu}=\\boldsymbol{0}, \\boldsymbol{\\Sigma} = \\boldsymbol{Q})",
+        "Chain(\\boldsymbol{\\epsilon}, Call(\\mathcal{N}; Chain(\\boldsymbol{\\mu}, 0; =), Chain(\\boldsymbol{\\Sigma}, \\boldsymbol{Q}; =)); \\sim)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\mu}_{t+1} = \\boldsymbol{A}\\boldsymbol{x}_{t} + \\boldsymbol{\\epsilon}_{t}",
+        "Chain(\\boldsymbol{\\mu}_{t+1}, Add(Mul(\\boldsymbol{A}, \\boldsymbol{x}_t), \\boldsymbol{\\epsilon}_t); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\Sigma}_{t+1} = \\boldsymbol{A}\\boldsymbol{\\Sigma}_{\\boldsymbol{x}_{t}}\\boldsymbol{A}^\\intercal + \\boldsymbol{Q}",
+        "Chain(\\boldsymbol{\\Sigma}_{t+1}, Add(Mul(\\boldsymbol{A}, \\boldsymbol{\\Sigma}_{\\boldsymbol x_t}, Transpose(\\boldsymbol{A})), \\boldsymbol{Q}); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\mu}_{\\boldsymbol{x}}^* = \\boldsymbol{\\mu}_{\\boldsymbol{x}} - \\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{y}}\\boldsymbol{\\Sigma}_{\\boldsymbol{y},\\boldsymbol{y}}^{-1}(\\boldsymbol{\\mu}_{\\boldsymbol{y}} - \\boldsymbol{y}^*)",
+        "Chain(\\boldsymbol { \\mu } _ { \\boldsymbol { x } } ^ { * }, Add(\\boldsymbol{\\mu}_{\\boldsymbol x}, Neg(Mul(\\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol y}, Pow(\\boldsymbol{\\Sigma}_{\\boldsymbol y,\\boldsymbol y}; Neg(1)), Add(\\boldsymbol{\\mu}_{\\boldsymbol y}, Neg(\\boldsymbol { y } ^ { * }))))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\Sigma}_{\\boldsymbol{x}}^* = \\boldsymbol{\\Sigma}_{\\boldsymbol{x}} - \\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{y}}\\boldsymbol{\\Sigma}_{\\boldsymbol{y},\\boldsymbol{y}}^{-1}\\boldsymbol{\\Sigma}_{\\boldsymbol{y},\\boldsymbol{x}}",
+        "Chain(\\boldsymbol { \\Sigma } _ { \\boldsymbol { x } } ^ { * }, Add(\\boldsymbol{\\Sigma}_{\\boldsymbol x}, Neg(Mul(\\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol y}, Pow(\\boldsymbol{\\Sigma}_{\\boldsymbol y,\\boldsymbol y}; Neg(1)), \\boldsymbol{\\Sigma}_{\\boldsymbol y,\\boldsymbol x}))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\mu}_{\\boldsymbol{x}}^* = \\boldsymbol{\\mu}_{\\boldsymbol{x}} - \\overbrace{\\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{x}}\\boldsymbol{H}^\\intercal\\left(\\boldsymbol{H}\\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{x}}\\boldsymbol{H}^\\intercal + \\boldsymbol{R}\\right)^{-1}}^{\\text{Kalman Gain }\\boldsymbol{K}}(\\boldsymbol{\\mu}_{\\boldsymbol{y}} - \\boldsymbol{y}^*) = \\boldsymbol{\\mu}_{\\boldsymbol{x}} - \\boldsymbol{K} (\\boldsymbol{\\mu}_{\\boldsymbol{y}} - \\boldsymbol{y}^*)",
+        "Chain(\\boldsymbol { \\mu } _ { \\boldsymbol { x } } ^ { * }, Add(\\boldsymbol{\\mu}_{\\boldsymbol x}, Neg(Mul(\\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol x}, Transpose(\\boldsymbol{H}), Pow(Add(Mul(\\boldsymbol{H}, \\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol x}, Transpose(\\boldsymbol{H})), \\boldsymbol{R}); Neg(1)), Add(\\boldsymbol{\\mu}_{\\boldsymbol y}, Neg(\\boldsymbol { y } ^ { * }))))), Add(\\boldsymbol{\\mu}_{\\boldsymbol x}, Neg(Mul(\\boldsymbol{K}, Add(\\boldsymbol{\\mu}_{\\boldsymbol y}, Neg(\\boldsymbol { y } ^ { * }))))); =, =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{\\Sigma}_{\\boldsymbol{x}}^* = \\boldsymbol{\\Sigma}_{\\boldsymbol{x}} - \\underbrace{\\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{x}}\\boldsymbol{H}^\\intercal\\left(\\boldsymbol{H}\\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{x}}\\boldsymbol{H}^\\intercal + \\boldsymbol{R}\\right)^{-1}}_{\\text{Kalman Gain }\\boldsymbol{K}}\\boldsymbol{\\Sigma}_{\\boldsymbol{y},\\boldsymbol{x}} = \\boldsymbol{\\Sigma}_{\\boldsymbol{x}} - \\boldsymbol{K}\\boldsymbol{\\Sigma}_{\\boldsymbol{y},\\boldsymbol{x}}",
+        "Chain(\\boldsymbol { \\Sigma } _ { \\boldsymbol { x } } ^ { * }, Add(\\boldsymbol{\\Sigma}_{\\boldsymbol x}, Neg(Mul(\\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol x}, Transpose(\\boldsymbol{H}), Pow(Add(Mul(\\boldsymbol{H}, \\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol x}, Transpose(\\boldsymbol{H})), \\boldsymbol{R}); Neg(1)), \\boldsymbol{\\Sigma}_{\\boldsymbol y,\\boldsymbol x}))), Add(\\boldsymbol{\\Sigma}_{\\boldsymbol x}, Neg(Mul(\\boldsymbol{K}, \\boldsymbol{\\Sigma}_{\\boldsymbol y,\\boldsymbol x}))); =, =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\boldsymbol{K} = \\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{x}}\\boldsymbol{H}^\\intercal\\left(\\boldsymbol{H}\\boldsymbol{\\Sigma}_{\\boldsymbol{x},\\boldsymbol{x}}\\boldsymbol{H}^\\intercal + \\boldsymbol{R}\\right)^{-1}",
+        "Chain(\\boldsymbol{K}, Mul(\\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol x}, Transpose(\\boldsymbol{H}), Pow(Add(Mul(\\boldsymbol{H}, \\boldsymbol{\\Sigma}_{\\boldsymbol x,\\boldsymbol x}, Transpose(\\boldsymbol{H})), \\boldsymbol{R}); Neg(1))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/data_assimilation/02b_Kalman_Filter.md",
+    ),
+    (
+        "\\rho = \\sin\\Big(\\frac{\\tau \\pi}{2}\\Big)",
+        "Chain(\\rho, Call(sin; Div(Mul(\\tau, \\pi); 2)); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "C(u_1,u_2) = exp[-( (-ln(u_1))^\\delta + (-ln(u_2))^\\delta )^\\frac{1}{\\delta} ]",
+        "Chain(Call(C; u_1, u_2), Call(exp; Neg(Pow(Add(Pow(Neg(Call(ln; u_1)); \\delta), Pow(Neg(Call(ln; u_2)); \\delta)); Div(1; \\delta)))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "\\delta \\geq 1",
+        "Chain(\\delta, 1; \\ge)",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "\\delta = 1/(1-\\tau)",
+        "Chain(\\delta, Div(1; Add(1, Neg(\\tau))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "C(u_1,u_2) = (u_1^{-1} + u_2^{-1} - 1)^\\frac{-1}{\\delta}",
+        "Chain(Call(C; u_1, u_2), Pow(Add(Pow(u_1; Neg(1)), Pow(u_2; Neg(1)), Neg(1)); Div(Neg(1); \\delta)); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "\\delta = \\frac{2\\tau}{1-\\tau}",
+        "Chain(\\delta, Div(Mul(2, \\tau); Add(1, Neg(\\tau))); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "p = (0.05, 0.45, 0.45, 0.05)",
+        "Chain(p, Tuple(0.05, 0.45, 0.45, 0.05; ()); =)",
+        "TUDelft-CITG/MORE-lecture-notes/book/SEJ/Calibration.md",
+    ),
+    (
+        "s(E) = (4/8, 3/8, 0, 1/8) \\approx (0.5, 0.38, 0, 0.12)",
+        "Chain(Call(s; E), Tuple(Div(4; 8), Div(3; 8), 0, Div(1; 8); ()), Tuple(0.5, 0.38, 0, 0.12; ()); =, \\approx)",
+        "TUDelft-CITG/MORE-lecture-notes/book/SEJ/Calibration.md",
+    ),
+    (
+        "s(A) = (1/8, 3/8, 3/8, 1/8) \\approx (0.12, 0.38, 0.38, 0.12)",
+        "Chain(Call(s; A), Tuple(Div(1; 8), Div(3; 8), Div(3; 8), Div(1; 8); ()), Tuple(0.12, 0.38, 0.38, 0.12; ()); =, \\approx)",
+        "TUDelft-CITG/MORE-lecture-notes/book/SEJ/Calibration.md",
+    ),
+    (
+        "\\hat{H}=\\hat{H}^0+\\lambda {\\hat{H}^1}",
+        "Chain(\\hat{H}, Add(\\hat { H } ^ { 0 }, Mul(\\lambda, \\hat { H } ^ { 1 })); =)",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "\\Delta E_{0k}=E_0-E_k<0",
+        "Chain(\\Delta E _ { 0 k }, Add(E_0, Neg(E_k)), 0; =, <)",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "\\hat{H}=\\hat{H}_0 + \\frac{e}{2m_e} B \\hat{L}_z = \\hat{H}_0 + \\hat{H}^1",
+        "Chain(\\hat{H}, Add(\\hat{H}_0, Mul(Div(e; Mul(2, m_e)), B, \\hat{L}_z)), Add(\\hat{H}_0, \\hat { H } ^ { 1 }); =, =)",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "\\hat{H} = \\hat{H}_0 + A_{SO}\\hat{L}\\hat{S}",
+        "Chain(\\hat{H}, Add(\\hat{H}_0, Mul(A_{SO}, \\hat{L}, \\hat{S})); =)",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "V(x) = V_0\\,\\,\\,\\, 0 \\leq x \\leq \\infty",
+        "System(Chain(Call(V; x), V_0; =), Chain(0, x, Infinity(); \\le, \\le))",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "V(x) = +\\infty \\,\\,\\, x \\leq -\\infty,\\,\\,\\,\\ x \\geq \\infty",
+        "System(Chain(Call(V; x), Infinity(); =), Chain(x, Neg(Infinity()); \\le), Chain(x, Infinity(); \\ge))",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "E_n = E^0_n+E^1_n \\approx \\frac{n^2 h^2}{8mL^2}+V_0",
+        "Chain(E_n, Add(E _ { n } ^ { 0 }, E _ { n } ^ { 1 }), Add(Div(Mul(Pow(n; 2), Pow(h; 2)); Mul(8, m, Pow(L; 2))), V_0); =, \\approx)",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "\\hat{H} = \\hat{K}+ \\frac{kx^2}{2} +\\gamma x^3 = \\hat{H}_0+\\gamma x^3",
+        "Chain(\\hat{H}, Add(\\hat{K}, Div(Mul(k, Pow(x; 2)); 2), Mul(\\gamma, Pow(x; 3))), Add(\\hat{H}_0, Mul(\\gamma, Pow(x; 3))); =, =)",
+        "DPotoyan/Chem324/ch06/perturb.md",
+    ),
+    (
+        "x=r-r_0",
+        "Chain(x, Add(r, Neg(r_0)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "F=-kx",
+        "Chain(F, Neg(Mul(k, x)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "m \\ddot x+kx = 0 \\,\\,\\,\\,\\rightarrow \\,\\,\\,\\, \\ddot{x}+\\omega^2 x =0",
+        "Implies(Chain(Add(Mul(m, Call(\\ddot{x})), Mul(k, Call(x))), 0; =); Chain(Add(Call(\\ddot{x}), Mul(Pow(\\omega; 2), Call(x))), 0; =))",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "\\omega=\\Big(\\frac{k}{m}\\Big)^{1/2}",
+        "Chain(\\omega, Pow(Div(k; m); Div(1; 2)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "x(t)=e^{\\alpha t}",
+        "Chain(Call(x; t), Pow(e; Mul(\\alpha, t)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "x(t)= A sin(\\omega t+\\phi)",
+        "Chain(Call(x; t), Mul(A, Call(sin; Add(Mul(\\omega, t), \\phi))); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "v=\\dot{x}(t)",
+        "Chain(v, Call(\\dot{x}; t); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "F = - \\frac{\\partial V(x)}{\\partial x}",
+        "Chain(F, Neg(Derivative(Call(V; x); x, 1; True)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "V(x)= - \\int F dx = - \\int (-kx) dx =\\frac{kx^2}{2}+C",
+        "Chain(Call(V; x), Neg(Antiderivative(F; x)), Neg(Antiderivative(Neg(Mul(k, x)); x)), Add(Div(Mul(k, Pow(x; 2)); 2), C); =, =, =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "C=0",
+        "Chain(C, 0; =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "V(x=0)=0",
+        "Chain(Call(V; Chain(x, 0; =)), 0; =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "V(x)=\\frac{kx^2}{2}",
+        "Chain(Call(V; x), Div(Mul(k, Pow(x; 2)); 2); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "p=mv",
+        "Chain(p, Mul(m, v); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "v=\\dot{x}",
+        "Chain(v, Call(\\dot{x}); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "K=\\frac{p^2}{2m} = \\frac{m \\dot{x}^2}{2}",
+        "Chain(K, Div(Pow(p; 2); Mul(2, m)), Div(Mul(m, Pow(Call(\\dot{x}); 2)); 2); =, =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "F_1=m_1 \\ddot{x_1}=k(x_2-x_1-l_0)",
+        "Chain(F_1, Mul(m_1, Call(\\ddot{x}_1)), Mul(k, Add(x_2, Neg(Call(x_1)), Neg(l_0))); =, =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "F_2=m_2 \\ddot{x_2}=-k(x_2-x_1-l_0)",
+        "Chain(F_2, Mul(m_2, Call(\\ddot{x}_2)), Neg(Mul(k, Add(Call(x_2), Neg(x_1), Neg(l_0)))); =, =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "F_1=-F_2",
+        "Chain(F_1, Neg(F_2); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "x=x_2-x_1-l_0",
+        "Chain(x, Add(x_2, Neg(x_1), Neg(l_0)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "x_{com}=\\frac{m_1x_2+x_2 m_2}{m_1+m_2}",
+        "Chain(x_{com}, Div(Add(Mul(m_1, x_2), Mul(x_2, m_2)); Add(m_1, m_2)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "m_1\\ddot{x_1}=kx",
+        "Chain(Mul(m_1, Call(\\ddot{x}_1)), Mul(k, x); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "m_2\\ddot{x_2}=-kx",
+        "Chain(Mul(m_2, Call(\\ddot{x}_2)), Neg(Mul(k, x)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "m_1\\ddot{x_1}+ m_2\\ddot{x_2}=0\\,\\,\\,\\, \\rightarrow \\frac{m_1\\ddot{x_1}+ m_2\\ddot{x_2}}{m_1+m_2}=\\ddot{x}_{com}=0",
+        "Implies(Chain(Add(Mul(m_1, Call(\\ddot{x}_1)), Mul(m_2, Call(\\ddot{x}_2))), 0; =); Chain(Div(Add(Mul(m_1, Call(\\ddot{x}_1)), Mul(m_2, Call(\\ddot{x}_2))); Add(m_1, m_2)), Call(\\ddot{x}_{com}), 0; =, =))",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "\\ddot{x_2}=-\\frac{k}{m_2}x_2",
+        "Chain(Call(\\ddot{x}_2), Neg(Mul(Div(k; m_2), Call(x_2))); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "\\ddot{x_1}=\\frac{k}{m_1}x_1",
+        "Chain(Call(\\ddot{x}_1), Mul(Div(k; m_1), Call(x_1)); =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "\\ddot{x}=\\ddot{x_2} - \\ddot{x_1} =-\\Big(\\frac{1}{m_1}+\\frac{1}{m_2} \\Big)kx=-\\frac{k}{\\mu}x",
+        "Chain(Call(\\ddot{x}), Add(Call(\\ddot{x}_2), Neg(Call(\\ddot{x}_1))), Neg(Mul(Add(Div(1; m_1), Div(1; m_2)), k, Call(x))), Neg(Mul(Div(k; \\mu), Call(x))); =, =, =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "\\mu=\\frac{1}{m_1}+\\frac{1}{m_2}=\\frac{m_1 m_2}{m_1+m_2}",
+        "Chain(\\mu, Add(Div(1; m_1), Div(1; m_2)), Div(Mul(m_1, m_2); Add(m_1, m_2)); =, =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "U(x_0)=0",
+        "Chain(Call(U; x_0), 0; =)",
+        "DPotoyan/Chem324/_build/Lec4-2.md",
+    ),
+    (
+        "\\det(J)=0",
+        "Chain(Call(det; J), 0; =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "T = f(\\theta)",
+        "Chain(T, Call(f; \\theta); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "A_i = \\operatorname{Rot}_z(\\theta_i) \\operatorname{Trans}_z(d_i) \\operatorname{Trans}_x(a_i) \\operatorname{Rot}_x(\\alpha_i)",
+        "Chain(A_i, Mul(Call(\\text{Rot}_z; \\theta_i), Call(\\text{Trans}_z; d_i), Call(\\text{Trans}_x; a_i), Call(\\text{Rot}_x; \\alpha_i)); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "\\mathbf{v} = J(\\theta) \\dot{\\boldsymbol{\\theta}}",
+        "Chain(\\mathbf{v}, Mul(Call(J; Call(\\theta)), Call(\\dot{\\boldsymbol{\\theta}})); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "\\det(J(\\theta)) = 0",
+        "Chain(Call(det; Call(J; \\theta)), 0; =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "\\dot{\\theta} = J^+ v + (I - J^+ J)z",
+        "Chain(Call(\\dot{\\theta}), Add(Mul(J ^ { + }, v), Mul(Add(I, Neg(Mul(J ^ { + }, J))), z)); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "x = l_1 \\cos\\theta_1 + l_2 \\cos(\\theta_1+\\theta_2)",
+        "Chain(x, Add(Mul(l_1, Call(cos; \\theta_1)), Mul(l_2, Call(cos; Add(\\theta_1, \\theta_2)))); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "y = l_1 \\sin\\theta_1 + l_2 \\sin(\\theta_1+\\theta_2)",
+        "Chain(y, Add(Mul(l_1, Call(sin; \\theta_1)), Mul(l_2, Call(sin; Add(\\theta_1, \\theta_2)))); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "J = \\begin{pmatrix} \\frac{\\partial x}{\\partial \\theta_1} & \\frac{\\partial x}{\\partial \\theta_2} \\\\ \\frac{\\partial y}{\\partial \\theta_1} & \\frac{\\partial y}{\\partial \\theta_2} \\end{pmatrix} = \\begin{pmatrix} -y & -l_2 \\sin(\\theta_1+\\theta_2) \\\\ x & l_2 \\cos(\\theta_1+\\theta_2) \\end{pmatrix}",
+        "Chain(J, MatrixOf(Derivative(Call(x); \\theta_1, 1; True), Derivative(Call(x); \\theta_2, 1; True), Derivative(Call(y); \\theta_1, 1; True), Derivative(Call(y); \\theta_2, 1; True)), MatrixOf(Neg(Call(y)), Neg(Mul(l_2, Call(sin; Add(\\theta_1, \\theta_2)))), Call(x), Mul(l_2, Call(cos; Add(\\theta_1, \\theta_2)))); =, =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "l_2 \\sin\\theta_2 = 0",
+        "Chain(Mul(l_2, Call(sin; \\theta_2)), 0; =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "\\det(J) = 0",
+        "Chain(Call(det; J), 0; =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "\\tau = J^T F",
+        "Chain(\\tau, Mul(Transpose(J), F); =)",
+        "a-little-bear/University-Linear-Algebra/docs/part9/ch68a-robot-kinematics.en.md",
+    ),
+    (
+        "ln(e^{x}) = x",
+        "Chain(Call(ln; Pow(e; x)), x; =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "ln(e) =1",
+        "Chain(Call(ln; e), 1; =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "ln(a*b) = ln(a) + ln(b)",
+        "Chain(Call(ln; Operated(*; a; b)), Add(Call(ln; a), Call(ln; b)); =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "ln(\\frac {a}{b}) = ln(a) - ln(b)",
+        "Chain(Call(ln; Div(a; b)), Add(Call(ln; a), Neg(Call(ln; b))); =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "ln(b^a) = a*ln(b)",
+        "Chain(Call(ln; Pow(b; a)), Operated(*; a; Call(ln; b)); =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "f'(q) = 11 - 0 - 1 -2q = 10 - 2q",
+        "Chain(Call(f'; q), Add(11, Neg(0), Neg(1), Neg(Mul(2, q))), Add(10, Neg(Mul(2, q))); =, =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "f''(q) = - 2 \\lt 0",
+        "Chain(Call(f''; q), Neg(2), 0; =, <)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "U =f (x_1 , x_2 , x_3 , \\cdots , x_n )",
+        "Chain(U, Call(f; x_1, x_2, x_3, Dots(), x_n); =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "f(x_1, x_2) = ax_1^2 + bx_1x_2 + cx_2^2",
+        "Chain(Call(f; x_1, x_2), Add(Mul(a, Pow(x_1; 2)), Mul(b, x_1, x_2), Mul(c, Pow(x_2; 2))); =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "f'(x_1) = \\frac {\\partial f}{\\partial x_1} = 2ax_1 + bx_2",
+        "Chain(Call(f'; x_1), Derivative(Call(f); x_1, 1; True), Add(Mul(2, a, x_1), Mul(b, x_2)); =, =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "f'(x_2) = \\frac {\\partial f}{\\partial x_2} = bx_1 + 2cx_2",
+        "Chain(Call(f'; x_2), Derivative(Call(f); x_2, 1; True), Add(Mul(b, x_1), Mul(2, c, x_2)); =, =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "f_1 = f_2 = f_3 = \\ldots = f_n = 0",
+        "Chain(f_1, f_2, f_3, Dots(), f_n, 0; =, =, =, =, =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "I = p_1c_1 + p_2c_2",
+        "Chain(I, Add(Mul(p_1, c_1), Mul(p_2, c_2)); =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "I - p_1 * c_1- p_2 * c_2 = 0",
+        "Chain(Add(I, Neg(Operated(*; p_1; c_1)), Neg(Operated(*; p_2; c_2))), 0; =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "\\frac{\\partial L}{\\partial \\lambda} = I - p_1 * c_1 + p_2 * c_2 = 0",
+        "Chain(Derivative(Call(L); \\lambda, 1; True), Add(I, Neg(Operated(*; p_1; c_1)), Operated(*; p_2; c_2)), 0; =, =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "g_y dy + g_x dx = 0",
+        "Chain(Add(Mul(g_y, Total(y)), Mul(g_x, Total(x))), 0; =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "\\frac {dU}{d\\alpha} = f_{\\alpha}",
+        "Chain(Derivative(Call(U); \\alpha, 1), f_\\alpha; =)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "\\dot{q} = J^{-1} \\dot{x}_d + K_P (x_d - x)",
+        "Chain(Call(\\dot{q}), Add(Mul(Pow(J; Neg(1)), Call(\\dot{x}_d)), Mul(K_P, Add(Call(x_d), Neg(x)))); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\tau = J^T \\gamma",
+        "Chain(\\tau, Mul(Transpose(J), \\gamma); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\tau = M(\\theta)\\,\\ddot{\\theta} + V(\\theta,\\dot{\\theta})\\,\\dot{\\theta} + G(\\theta)",
+        "Chain(\\tau, Add(Mul(Call(M; Call(\\theta)), Call(\\ddot{\\theta})), Mul(Call(V; Call(\\theta), Call(\\dot{\\theta})), Call(\\dot{\\theta})), Call(G; Call(\\theta))); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\tau = \\alpha(\\theta)\\,\\ddot{\\theta} + \\beta(\\theta,\\dot{\\theta})",
+        "Chain(\\tau, Add(Mul(Call(\\alpha; Call(\\theta)), Call(\\ddot{\\theta})), Call(\\beta; Call(\\theta), Call(\\dot{\\theta}))); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\tau_d = \\tau_{\\text{ff}} + K_V\\,\\dot{e} + K_P\\,e",
+        "Chain(\\tau_d, Add(\\tau_{ff}, Mul(K_V, Call(\\dot{e})), Mul(K_P, Call(e))); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "e = \\theta_d - \\theta",
+        "Chain(e, Add(\\theta_d, Neg(\\theta)); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\ddot{e} + K_V\\,\\dot{e} + K_P\\,e = 0",
+        "Chain(Add(Call(\\ddot{e}), Mul(K_V, Call(\\dot{e})), Mul(K_P, Call(e))), 0; =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\dot{x} = J(q)\\,\\dot{q}",
+        "Chain(Call(\\dot{x}), Mul(Call(J; Call(q)), Call(\\dot{q})); =)",
+        "nagendraputhane/IIT_Intelligent_control_of_robotic_systems/02_/README.md",
+    ),
+    (
+        "\\lambda \\sim \\mathcal{G}(\\alpha, \\beta)",
+        "Chain(\\lambda, Call(\\mathcal{G}; \\alpha, \\beta); \\sim)",
+        "guillermo-navas-palencia/cprior/doc/source/formulas_models_poisson.rst",
+    ),
+    (
+        "f(x; \\alpha, \\beta) = \\binom{x + \\alpha -1}{\\alpha - 1}\\left(\\frac{\\beta}{\\beta+1}\\right)^{\\alpha}\\left(\\frac{1}{\\beta+1}\\right)^x, \\quad x = 0, 1, 2, \\ldots",
+        "System(Chain(Call(f; Given(x; \\alpha, \\beta; ;)), Mul(Binomial(Add(x, \\alpha, Neg(1)); Add(\\alpha, Neg(1))), Pow(Div(\\beta; Add(\\beta, 1)); \\alpha), Pow(Div(1; Add(\\beta, 1)); x)); =), Values(x; 0, 1, 2, Dots()))",
+        "guillermo-navas-palencia/cprior/doc/source/formulas_models_poisson.rst",
+    ),
+    (
+        "\\mathrm{E}[X] = \\mathrm{E}[\\mathrm{E}[X | \\lambda]] = \\mathrm{E}[\\lambda] = \\frac{\\alpha}{\\beta}",
+        "Chain(Indexed(\\text{E}; X), Indexed(\\text{E}; Call(\\text{E}; Given(X; \\lambda; |))), Indexed(\\text{E}; \\lambda), Div(\\alpha; \\beta); =, =, =)",
+        "guillermo-navas-palencia/cprior/doc/source/formulas_models_poisson.rst",
+    ),
+    (
+        "r = \\alpha",
+        "Chain(r, \\alpha; =)",
+        "guillermo-navas-palencia/cprior/doc/source/formulas_models_poisson.rst",
+    ),
+    (
+        "p = \\frac{\\beta}{\\beta + 1}",
+        "Chain(p, Div(\\beta; Add(\\beta, 1)); =)",
+        "guillermo-navas-palencia/cprior/doc/source/formulas_models_poisson.rst",
+    ),
+    (
+        "q = 1 - p",
+        "Chain(q, Add(1, Neg(p)); =)",
+        "guillermo-navas-palencia/cprior/doc/source/formulas_models_poisson.rst",
+    ),
+    (
+        "{\\vec x} = {\\vec x}_1 - {\\vec x}_2",
+        "Chain(\\vec{x}, Add(\\vec{x}_1, Neg(\\vec{x}_2)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "{\\vec X} = \\frac{m_1 {\\vec x}_1 + m_2 {\\vec x}_2}{m_1 + m_2}",
+        "Chain(\\vec{X}, Div(Add(Mul(m_1, \\vec{x}_1), Mul(m_2, \\vec{x}_2)); Add(m_1, m_2)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "\\Psi = \\Psi({\\vec X}, {\\vec x})",
+        "Chain(Call(\\Psi), Call(\\Psi; \\vec{X}, \\vec{x}); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "H = \\frac{{\\vec p}_p^2}{2 m_p} + \\frac{{\\vec p}_e^2}{2 m_p} - \\frac{e^2}{|{\\vec c}_p - {\\vec x}_e|}",
+        "Chain(H, Add(Div(Pow(\\vec{p}_p; 2); Mul(2, m_p)), Div(Pow(\\vec{p}_e; 2); Mul(2, m_p)), Neg(Div(Pow(e; 2); Bars(Add(\\vec{c}_p, Neg(\\vec{x}_e)))))); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "\\alpha = \\frac{e^2}{\\hbar c} \\sim \\frac{1}{137}",
+        "Chain(\\alpha, Div(Pow(e; 2); Mul(\\hbar, c)), Div(1; 137); =, \\sim)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "{\\vec X} = \\frac{m_p {\\vec x}_p + m_e {\\vec x}_e}{m_p + m_e}",
+        "Chain(\\vec{X}, Div(Add(Mul(m_p, \\vec{x}_p), Mul(m_e, \\vec{x}_e)); Add(m_p, m_e)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "{\\vec x} = {\\vec x}_e - {\\vec x}_p",
+        "Chain(\\vec{x}, Add(\\vec{x}_e, Neg(\\vec{x}_p)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "M = m_e + m_p",
+        "Chain(M, Add(m_e, m_p); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "\\mu = \\frac{m_e m_p}{m_e + m_p}",
+        "Chain(\\mu, Div(Mul(m_e, m_p); Add(m_e, m_p)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "{\\vec P}_{X} = {\\vec p}_e + {\\vec p}_p",
+        "Chain(\\vec{P}_X, Add(\\vec{p}_e, \\vec{p}_p); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "{\\vec p}_{x} = \\frac{m_p {\\vec p}_e - m_e {\\vec p}_p}{m_e + m_p}",
+        "Chain(\\vec{p}_x, Div(Add(Mul(m_p, \\vec{p}_e), Neg(Mul(m_e, \\vec{p}_p))); Add(m_e, m_p)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "H = \\frac{{\\vec P}^2}{2M} + \\frac{{\\vec p}^2}{2\\mu} - \\frac{e^2}{|{\\vec x}|}",
+        "Chain(H, Add(Div(Pow(\\vec{P}; 2); Mul(2, M)), Div(Pow(\\vec{p}; 2); Mul(2, \\mu)), Neg(Div(Pow(e; 2); Bars(\\vec{x})))); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "M\\ddot{\\vec X} = {\\dot {\\vec P}} = 0",
+        "Chain(Mul(M, Call(\\ddot{\\vec{X}})), Call(\\dot{\\vec{P}}), 0; =, =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "\\Psi = \\chi(X)\\psi(x)",
+        "Chain(\\Psi, Mul(Call(\\chi; X), Call(\\psi; x)); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "- \\frac{\\hbar^2}{2M} {\\vec \\nabla}^2_X \\chi = E_{com}\\chi",
+        "Chain(Neg(Mul(Div(Pow(\\hbar; 2); Mul(2, M)), Call(laplacian_X; \\chi))), Mul(E_{com}, \\chi); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "- \\frac{\\hbar^2}{2\\mu} {\\vec \\nabla}^2_x \\psi - \\frac{e^2}{|{\\vec x}|} \\psi = (E - E_{com})\\psi",
+        "Chain(Add(Neg(Mul(Div(Pow(\\hbar; 2); Mul(2, \\mu)), Call(laplacian_x; \\psi))), Neg(Mul(Div(Pow(e; 2); Bars(\\vec{x})), \\psi))), Mul(Add(E, Neg(E_{com})), \\psi); =)",
+        "albionlawrence/quantum_part_1/_sources/chapter10/two_particle_reduction.md",
+    ),
+    (
+        "\\dot{\\mathbf{p}}_W = R_{WB}\\,\\mathbf{v}_B",
+        "Chain(Call(\\dot{\\mathbf{p}}_W), Mul(R_{WB}, \\mathbf{v}_B); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\boldsymbol{\\omega}_W = R_{WB}\\,\\boldsymbol{\\omega}_B",
+        "Chain(\\boldsymbol{\\omega}_W, Mul(R_{WB}, \\boldsymbol{\\omega}_B); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\dot{q}_{WB} = \\frac{1}{2} \\begin{bmatrix} 0 \\\\ \\boldsymbol{\\omega}_W \\end{bmatrix} \\otimes q_{WB}",
+        "Chain(Call(\\dot{q}_{WB}), Operated(\\otimes; Mul(Div(1; 2), MatrixOf(0, \\boldsymbol{\\omega}_W)); Call(q_{WB})); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{F}_{g,W} = m\\,\\mathbf{g}_W(\\mathbf{p}_W)",
+        "Chain(\\mathbf{F}_{g,W}, Mul(m, Call(\\mathbf{g}_W; \\mathbf{p}_W)); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{F}_{g,B} = R_{BW}\\,\\mathbf{F}_{g,W}",
+        "Chain(\\mathbf{F}_{g,B}, Mul(R_{BW}, \\mathbf{F}_{g,W}); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{f}_{g,B} = \\begin{bmatrix} 0 \\\\ \\mathbf{F}_{g,B} \\end{bmatrix}",
+        "Chain(\\mathbf{f}_{g,B}, MatrixOf(0, \\mathbf{F}_{g,B}); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\boldsymbol{\\omega}_\\oplus = \\begin{bmatrix} 0 \\\\ 0 \\\\ \\omega_\\oplus \\end{bmatrix}_W",
+        "Chain(\\boldsymbol{\\omega}_\\oplus, Marked(MatrixOf(0, 0, \\omega_\\oplus); _{ W }); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{v}_{air,W} = \\boldsymbol{\\omega}_\\oplus \\times \\mathbf{p}_W",
+        "Chain(\\mathbf{v}_{air,W}, Cross(\\boldsymbol{\\omega}_\\oplus; \\mathbf{p}_W); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{v}_W = R_{WB}\\mathbf{v}_B",
+        "Chain(\\mathbf{v}_W, Mul(R_{WB}, \\mathbf{v}_B); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{v}_{rel,W} = \\mathbf{v}_W - \\mathbf{v}_{air,W} - \\mathbf{v}_{wind,W}",
+        "Chain(\\mathbf{v}_{rel,W}, Add(\\mathbf{v}_W, Neg(\\mathbf{v}_{air,W}), Neg(\\mathbf{v}_{wind,W})); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{F}_{aero,W} = -\\frac{1}{2}\\rho C_D A \\|\\mathbf{v}_{rel,W}\\|\\, \\mathbf{v}_{rel,W}",
+        "Chain(\\mathbf{F}_{aero,W}, Neg(Mul(Div(1; 2), \\rho, C_D, A, Norm(\\mathbf{v}_{rel,W}), \\mathbf{v}_{rel,W})); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{F}_{T,B} = T(t)\\hat{\\mathbf{t}}_B",
+        "Chain(\\mathbf{F}_{T,B}, Mul(Call(T; t), \\hat{\\mathbf{t}}_B); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\mathbf{f}_{ctrl,B} = \\begin{bmatrix} \\boldsymbol{\\tau}_{ctrl,B}(t,x) \\\\ 0 \\end{bmatrix}",
+        "Chain(\\mathbf{f}_{ctrl,B}, MatrixOf(Call(\\boldsymbol{\\tau}_{ctrl,B}; t, x), 0); =)",
+        "onurtuncer/Aetherion/doc/kinematics_forces_dynamics.rst",
+    ),
+    (
+        "\\tau = I \\dot{\\omega} + \\omega \\times ( I \\omega )",
+        "Chain(\\tau, Add(Mul(I, Call(\\dot{\\omega})), Cross(Call(\\omega); Mul(I, Call(\\omega)))); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\dot{\\omega} = I^{-1} ( \\tau - \\omega \\times ( I \\omega ) )",
+        "Chain(Call(\\dot{\\omega}), Mul(Pow(I; Neg(1)), Add(\\tau, Neg(Cross(Call(\\omega); Mul(I, Call(\\omega)))))); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\dot{\\mathbf{q}} = \\frac{1}{2} \\mathbf{A}_3 \\boldsymbol\\omega",
+        "Chain(Call(\\dot{\\mathbf{q}}), Mul(Div(1; 2), \\mathbf{A}_3, \\boldsymbol{\\omega}); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\ddot{\\mathbf{q}} = \\frac{1}{2} (\\dot{\\mathbf{A}}_3 \\boldsymbol\\omega + \\mathbf{A}_3 \\dot{\\boldsymbol\\omega})",
+        "Chain(Call(\\ddot{\\mathbf{q}}), Mul(Div(1; 2), Add(Mul(Call(\\dot{\\mathbf{A}}_3), Call(\\boldsymbol{\\omega})), Mul(Call(\\mathbf{A}_3), Call(\\dot{\\boldsymbol{\\omega}})))); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\ddot{\\mathbf{q}} = \\frac{1}{2} ( \\dot{\\mathbf{A}}_3 \\boldsymbol\\omega + \\mathbf{A}_3 \\mathbf{I}^{-1} \\left( \\boldsymbol\\tau - \\boldsymbol\\omega \\times \\left( \\mathbf{I} \\boldsymbol\\omega \\right) \\right) )",
+        "Chain(Call(\\ddot{\\mathbf{q}}), Mul(Div(1; 2), Add(Mul(Call(\\dot{\\mathbf{A}}_3), \\boldsymbol{\\omega}), Mul(Call(\\mathbf{A}_3), Pow(\\mathbf{I}; Neg(1)), Add(\\boldsymbol{\\tau}, Neg(Cross(\\boldsymbol{\\omega}; Mul(\\mathbf{I}, \\boldsymbol{\\omega}))))))); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\dot{q} = \\omega q",
+        "Chain(Call(\\dot{q}), Mul(\\omega, Call(q)); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\dot{q}^* = q^* \\omega^*",
+        "Chain(Call(\\dot { q } ^ { * }), Mul(Call(q ^ { * }), \\omega ^ { * }); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\omega = \\frac{1}{2} \\begin{bmatrix} 0 \\\\ \\omega_x \\\\ \\omega_y \\\\ \\omega_z \\end{bmatrix}",
+        "Chain(\\omega, Mul(Div(1; 2), MatrixOf(0, \\omega_x, \\omega_y, \\omega_z)); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\dot{q} = \\begin{bmatrix} q_0 & -q_1 & -q_2 & -q_3 \\\\ q_1 & +q_0 & +q_3 & -q_2 \\\\ q_2 & -q_3 & +q_0 & +q_1 \\\\ q_3 & +q_2 & -q_1 & +q_0 \\end{bmatrix} \\begin{bmatrix} 0 \\\\ \\frac{1}{2} w_0 \\\\ \\frac{1}{2} w_1 \\\\ \\frac{1}{2} w_2 \\end{bmatrix}",
+        "Chain(Call(\\dot{q}), Mul(MatrixOf(q_0, Neg(q_1), Neg(q_2), Neg(q_3), q_1, q_0, q_3, Neg(q_2), q_2, Neg(q_3), q_0, q_1, q_3, q_2, Neg(q_1), q_0), MatrixOf(0, Mul(Div(1; 2), w_0), Mul(Div(1; 2), w_1), Mul(Div(1; 2), w_2))); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "B(q) = \\begin{bmatrix} -q_1 & -q_2 & -q_3 \\\\ +q_0 & -q_3 & +q_2 \\\\ +q_3 & +q_0 & -q_1 \\\\ -q_2 & +q_1 & +q_0 \\end{bmatrix}",
+        "Chain(Call(B; q), MatrixOf(Neg(q_1), Neg(q_2), Neg(q_3), q_0, Neg(q_3), q_2, q_3, q_0, Neg(q_1), Neg(q_2), q_1, q_0); =)",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
+    ),
+    (
+        "\\dot{q} = \\frac{1}{2} \\begin{bmatrix} 0 && \\omega_3 && -\\omega_2 && \\omega_1 \\\\ -\\omega_3 && 0 && \\omega_1 && \\omega_2 \\\\ \\omega_2 && -\\omega_1 && 0 && \\omega_3 \\\\ -\\omega_1 && -\\omega_2 && -\\omega_3 && 0 \\end{bmatrix} q",
+        "Chain(Call(\\dot{q}), Mul(Div(1; 2), MatrixOf(0, \\omega_3, Neg(\\omega_2), \\omega_1, Neg(\\omega_3), 0, \\omega_1, \\omega_2, \\omega_2, Neg(\\omega_1), 0, \\omega_3, Neg(\\omega_1), Neg(\\omega_2), Neg(\\omega_3), 0), Call(q)); =)",
+        "JuliaAstro/GeneralAstrodynamics.jl/docs/src/Attitude.md",
+    ),
+    (
+        "\\frac{\\partial L}{ \\partial q} = \\dot{p}",
+        "Chain(Derivative(Call(L); q, 1; True), Call(\\dot{p}); =)",
+        "BK-Modding/BK-Modding.github.io/_posts/blog1/2022-04-18-calculus-of-variations-and-lagrangian-dynamics.md",
+    ),
+    (
+        "\\frac{\\partial L}{\\partial \\dot{q}} = p",
+        "Chain(Derivative(Call(L); \\dot{q}, 1; True), p; =)",
+        "BK-Modding/BK-Modding.github.io/_posts/blog1/2022-04-18-calculus-of-variations-and-lagrangian-dynamics.md",
+    ),
+    (
+        "L = T - V",
+        "Chain(L, Add(T, Neg(V)); =)",
+        "amshenoy/1b-eng-notes/mechanics/lagrangian.md",
+    ),
+    (
+        "\\frac{d}{dt}(\\frac{\\partial L}{\\partial \\dot{q}}) = \\frac{\\partial L}{\\partial q}",
+        "Chain(Derivative(Derivative(Call(L); \\dot{q}, 1; True); t, 1), Derivative(Call(L); q, 1; True); =)",
+        "amshenoy/1b-eng-notes/mechanics/lagrangian.md",
+    ),
+    (
+        "\\frac{d}{dt}(p) = F",
+        "Chain(Derivative(Call(p); t, 1), F; =)",
+        "amshenoy/1b-eng-notes/mechanics/lagrangian.md",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -29287,5 +30022,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "p(x_1, x_2, x_3, ..., x_n) \\propto\n    \\pi(\\phi(x_1, x_2, x_2, ..., x_n))",
         "pints-team/pints/pints/toy/_twisted_gaussian_banana.py",
+    ),
+    (
+        "\\tau = [0,1]",
+        "TUDelft-CITG/MORE-lecture-notes/book/bicopula/cop_fam.md",
+    ),
+    (
+        "max = L(x_1, x_2) + \\lambda G(x_1, x_2)",
+        "WuZhuoran/wuzhuoran.github.io/ECON-11/ECON-11-Chapter-1-2.md",
+    ),
+    (
+        "I = \\begin{bmatrix} I_xx & 0 & 0 \\\\ 0 & I_yy & 0 \\\\ 0 & 0 & I_zz \\end{bmatrix}",
+        "chuck1/myblog/pages/encyclopedia/physics/Kinematics/Rotation/QuaternionRepresentation/index.md",
     ),
 )

@@ -295,11 +295,13 @@ KINDS = (  # what letters are taken for: kind, and on what they depend
     (r"[\mathcal{F} \mathcal{N}] = 2", {r"[ \mathcal { F } \mathcal { N } ]": ("matrix", "")}),
     (r"\mathbf{a} = a \cdot \hat{\mathbf{e}}", {"a": ("scalar", "")}),
     (r"S = k \left(\frac{\partial \ln Z}{\partial U}\right)_{N, V}", {"k": ("scalar", "")}),
+    (r"H = \hat{H}^0 + \hat{H}^1", {r"\hat { H } ^ { 0 }": ("scalar", ""), r"\hat { H } ^ { 1 }": ("scalar", "")}),
+    (r"y = a_0 x^0 + a_1 x^1 + a_2 x^2", {"x ^ { 1 }": None, "x": ("scalar", "")}),
 )  # fmt: skip
 
 
 @pytest.mark.parametrize(("latex", "kinds"), KINDS)
-def test_letters_are_taken_for_what_is_done_with_them(latex: str, kinds: dict[str, tuple[str, str]]) -> None:
+def test_letters_are_taken_for_what_is_done_with_them(latex: str, kinds: dict[str, tuple[str, str] | None]) -> None:
     _, notation = first_reading(latex)
     found = {name: notation.find(name, 0) for name in kinds}
     assert {name: letter and (letter.kind, letter.depends) for name, letter in found.items()} == kinds
@@ -323,6 +325,12 @@ NOT_READ = {  # where two things may be meant
     r"a = 0.5 b = 0.4 c = 0.3": "do several equations stand in a row",
     r"y = \frac{E[x]}{E(x - 1)}": "the expectation of what is in these brackets",
     r"x \stackrel{?}{=} y": "is no letter",
+    r"\log p(x) = \log p(z) q(x)": "belong to the argument of log",
+    r"\log p(x) = \log p(z) |J|": "belong to the argument of log",
+    r"\text{in 2D: } A = x y": "words among factors",
+    r"y = \infty x": "infinity is no factor",
+    r"\tau = [0, 1]": "all numbers from one to the other, or a list",
+    r"I = I_xx + I_yy": "one subscript, or a product",
 }
 
 
@@ -359,6 +367,11 @@ READ = (  # beside what is not read: one thing is meant
     r"\ell = \log{\frac{a}{b}} + c",
     r"x = \underset{t}{argmax} f(t)",
     r"y = x^{H + 1} H",
+    r"\log p(x) = \log p(z) + q(x)",
+    r"\text{in 2D } A = x y",
+    r"y = \infty",
+    r"\tau \in [0, 1]",
+    r"I = I_{xx} + I_{yy}",
 )
 
 
@@ -376,6 +389,9 @@ TYPED = {  # what is typed otherwise, and reads as the second one
     r"N = [N_1 \, N_2 \, N_3]": r"N = [N_1, N_2, N_3]",
     r"k = 2.8311e-4 x": r"k = 2.8311 \cdot 10^{-4} x",
     r"y = \log_{10}{1 + x}": r"y = \log_{10}(1 + x)",
+    r"H_n\!\left(x\right) = 2 x": r"H_n(x) = 2 x",
+    r"V(x) = V_0 \,\,\,\, 0 \le x": r"V(x) = V_0, \quad 0 \le x",
+    r"A = \begin{bmatrix} a && b \\ c && d \end{bmatrix}": r"A = \begin{bmatrix} a & b \\ c & d \end{bmatrix}",
 }
 
 
@@ -410,6 +426,7 @@ APART = {  # what is read otherwise, and would be read as the second one if a si
     r"E d x(t) = A x(t) dt": r"E d x \cdot t = A x(t) dt",
     r"L(t) = E(t - 1) + a(t) b(t)": r"L(t) = E \cdot (t - 1) + a(t) b(t)",
     r"x = a, \quad \forall p, t \in S": r"x = a, \quad t \in S, \quad \forall p",
+    r"A = \begin{bmatrix} a && b \\ & c & \end{bmatrix}": r"A = \begin{bmatrix} a & b \\ & c \end{bmatrix}",
 }
 
 
@@ -490,6 +507,11 @@ IN_DOUBT = {  # read, but nothing is stated before somebody says what is meant
     r"q^T y = h - T x": "transposed, or raised to the power of T",
     r"\sum_{j=1}^N (a - a_j) R^j = 0": "a power, or an index",
     r"w = (\delta \Sigma)^{-1} x": "a change, or a factor before a letter",
+    r"T = \frac{1}{2} \dot{q}^T M \dot{q}": "transposed, or raised to the power of T",
+    r"max = m a, \quad x = 3": "one name max, or a product",
+    r"S = \omega_{\mu\nu} M^{\mu\nu}": "a power, or a label",
+    r"x_t = E_t x_{t+1}": "what is expected of what follows",
+    r"\eta = \frac{\text{load power}(P_L)}{P}": "words with the letter they stand for, or a function",
 }
 
 
@@ -592,6 +614,14 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = \pi(\phi(x, z))": r"y = \pi(R^2 - r^2)",
     r"b = (y'y)^{-1} a": r"b = y'y + a",
     r"\mathbf{E} = \mathbf{F}_m(\mathbf{r} - \mathbf{r}_i)": r"\mathbf{E} = \mathbf{K}(\mathbf{x} - \mathbf{x}_0)",
+    r"K = \frac{1}{2} \dot{q}^T M \dot{q} + T": r"K = \frac{1}{2} \dot{q}^T M \dot{q}",
+    r"S = \omega_{\mu\nu} M^{\mu\nu}": r"S = \omega_{\mu\nu} M^{2}",
+    r"x_t = E_t x_{t+1}": r"x_t = E_t y_t",
+    r"J = \sum_{i=1}^m h(x^{(i)}) - y^{(i)}": r"J = \sum_{i=1}^m (h(x^{(i)}) - y^{(i)})",
+    r"y = (D A)^T W (D A)": r"y = D^T W (D A)",
+    r"k_j = W_j^K h_j": r"q_i = W_i^Q h_i, \quad k_j = W_j^K h_j",
+    r"L' = L(\vec{v}^2) + L": r"L' = L \vec{v}^2 + L",
+    r"c = \frac{A \cdot B}{\|A\| \|B\|}": r"c = \frac{\mathbf{a} \cdot \mathbf{b}}{\|\mathbf{a}\| \|\mathbf{b}\|}",
 }
 
 

@@ -216,6 +216,16 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
         ),
         [(2, "", "", "a = b"), (1, "", "", "c = d")],
     ),
+    "displays within paragraphs and quotations": (
+        "a.md",
+        "It is\n\\[ a = b \\]\nand then\n\\[ c = d \\]\nfollows.\n\n> Said:\n> \\[ e = f\n>   > g \\]\n> and so.\n",
+        [(2, "", "", "a = b"), (4, "", "", "c = d"), (8, "", "", "e = f > g")],
+    ),
+    "rows that begin with a letter in braces": (
+        "a.tex",
+        BODY + "\\begin{align}\n{\\vec x} &= a \\\\\n{\\vec y} &= b \\\\\n{} &= c\n\\end{align}",
+        [(3, "1", "", r"{\vec x} = a"), (4, "2, 3", "", r"{\vec y} = b {} = c")],
+    ),
 }
 
 
@@ -280,6 +290,27 @@ def test_letters_are_inferred_from_the_whole_document_and_contradictions_told(tm
     assert letters["q"].count == 2
     assert letters["q"].first == "line 3"
     assert letters[r"\mathbf{R}"].phrase == "matrix"
+
+
+CONTRADICTED = {  # what states nothing beside the second formula, and something beside the third
+    "functions named d": (r"d(t) = f(t) + d_0", r"y = f(t)", None),
+    "letters above that stand elsewhere without one below": (r"a_i = X_i^j b_j", r"y = X^j z", r"y = X z"),
+    "letters and signs of a change": (r"V = \delta V_i", r"\delta = \frac{s}{T}", r"\alpha = \frac{s}{T}"),
+    "powers above an index": (r"a_t = b_t I_t^\alpha", r"c = 2 b_t", None),
+    "values of a matrix": (r"\det(J(\theta)) = 0", r"J = \begin{pmatrix} a & b \\ c & d \end{pmatrix}", None),
+}
+
+
+@pytest.mark.parametrize(("latex", "against", "beside"), CONTRADICTED.values(), ids=CONTRADICTED)
+def test_a_formula_that_another_contradicts_states_nothing(
+    latex: str, against: str, beside: str | None, tmp_path: Path
+) -> None:
+    file = tmp_path / "paper.md"
+    for other, stated in ((against, False), (beside, True)):
+        if other:
+            file.write_text(f"$${latex}$$\n\n$${other}$$\n", encoding="utf-8")
+            found = look(file)
+            assert (found.read[0] and not any("line 1" in each.places for each in found.valueless)) is stated
 
 
 def test_what_is_read_and_has_no_value_is_told_with_the_reason_once(tmp_path: Path) -> None:

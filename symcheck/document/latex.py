@@ -495,25 +495,27 @@ def _rows(body: Sequence[Tok]) -> list[list[Tok]]:
     return rows
 
 
+# what may stand before the first sign of a row
+_IDLE = frozenset({"&", r"\quad", r"\qquad", r"\,", r"\;", r"\!", "{", "}", "~", r"\:"})
+
+
 def _continues(before: Sequence[Tok], row: Sequence[Tok]) -> bool:
     """Does a row go on with the formula of the rows before it?"""
-    printed = [tok.text for tok in _outermost(row) if not tok.is_space]
-    own = [
-        text for text in printed if text not in ("&", r"\quad", r"\qquad", r"\,", r"\;", r"\!", "{", "}", "~", r"\:")
-    ]
-    if not own:
+    printed = [tok.text for tok in row if not tok.is_space]
+    begins = next((text for text in printed if text not in _IDLE), "")
+    if not begins:
         return True
     last = next((tok.text for tok in reversed(before) if not tok.is_space and tok.text not in ("&", "~")), "")
     led = _led(row)
     if led is not None and _is_equation(before) and _is_equation(led):
         return False
-    if own[0] in RELATIONS | ARROWS or last in RELATIONS | BINARY or _open(before):
+    if begins in RELATIONS | ARROWS or last in RELATIONS | BINARY or _open(before):
         return True
-    empty = printed[0] == "&"
-    related = any(text in RELATIONS for text in own)
+    empty = next(text for text in printed if text not in "{}") == "&"
+    related = any(tok.text in RELATIONS for tok in _outermost(row))
     if empty and not related and last not in (",", ";", ".") and any(tok.text in RELATIONS for tok in before):
         return True  # a factor
-    return (own[0] in BINARY or own[0] in (")", "]", r"\right")) and (empty or not related)
+    return (begins in BINARY or begins in (")", "]", r"\right")) and (empty or not related)
 
 
 def _joined(before: Sequence[Tok], row: Sequence[Tok]) -> list[Tok]:

@@ -19,6 +19,9 @@ from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
 _NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
+_VALUES = frozenset({"vector", "matrix"})  # what a function here may give, of which letters elsewhere are the values
+_INDICES = frozenset("ijklmn") | {r"\mu", r"\nu"}
+_CHANGE = re.compile(r"(\\delta|\\Delta) (?=[A-Za-z\\])")  # before a name
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -169,10 +172,14 @@ def factors(formulas: Sequence[Printed], seen: Sequence[Seen]) -> set[str]:
 
 
 def in_doubt(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Seen]:
-    """The same, but what may be a name in one formula may be one in all of them."""
+    """The same, but what may be a name in one formula may be one in all of them; a letter is no sign of a change."""
     doubts = {run: each.reason for each in seen for run in _NAME.findall(each.reason)}
     runs, found = _runs(seen), [*seen]
+    alone = {role.letter for each in seen for role in each.roles}
     for k, (formula, each) in enumerate(zip(formulas, seen, strict=True)):
+        changes = [change for role in each.roles if (change := _CHANGE.match(role.letter)) and change[1] in alone]
+        if each.read and changes:
+            found[k] = replace(each, reason=f"{changes[0][1]}: a factor, or the sign of a change?", partly=False)
         if each.read and (run := next((x for x, printed in runs.items() if printed.search(formula.latex)), "")):
             found[k] = replace(each, reason=doubts[run], partly=False)
     return found
@@ -192,7 +199,11 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
     told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
-    found = {r.letter: told[r.letter] for r in seen.roles if told.get(r.letter, r.phrase) != r.phrase}
+    found = {
+        r.letter: told[r.letter]
+        for r in seen.roles
+        if told.get(r.letter, r.phrase) != r.phrase and not (r.kind == "function" and told[r.letter] in _VALUES)
+    }
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
@@ -210,5 +221,9 @@ def _is_labelled(name: str, known: Mapping[str, Letter]) -> bool:
         return False
     below, letters = above.groups()
     if len(letters) == 1 or letters.startswith("\\"):
-        return bool(below) and letters not in known
+        raised = any((other := _LABEL.search(shown(x))) and other.groups() == (None, letters) for x in known)
+        below_others = re.compile(rf"_.*(?<![A-Za-z\\]){re.escape(letters)}(?![A-Za-z])")
+        bases = (shown(x).partition("^")[0] for x in known)
+        index = letters in _INDICES or letters.isupper() or any(map(below_others.search, bases))
+        return bool(below) and index and letters not in known and not raised
     return len(letters) > LONGEST_PRODUCT or len({*letters}) < len(letters) or {*letters}.isdisjoint(known)

@@ -13,6 +13,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 from mdit_py_plugins.myst_role import myst_role_plugin
 from mdit_py_plugins.texmath import texmath_plugin
+from mdit_py_plugins.texmath.index import make_block_func, rules
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.latex import Scanner
@@ -29,6 +30,7 @@ _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and My
 _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMathOperator)(?![A-Za-z])")
 # `\_` before a subscript; in words, which come first, it is the sign itself
 _ESCAPED = re.compile(r"(\\(?:text\w*|mathrm|operatorname|mbox)\s*\{[^{}]*\})|\\_(?=[{\\A-Za-z0-9])")
+_UNQUOTED = re.compile(r"^[^\S\n]*(?:>[^\S\n]?)+", re.MULTILINE)  # the signs of a quotation before its lines
 _QUOTED = re.compile(r"\s*`([^`]+)`\s*")  # the dollars of GitHub and GitLab stand around such quotes
 
 HEADINGS = {"h1": "chapter", "h2": "section"}  # all others are subsections
@@ -46,17 +48,20 @@ _ENVIRONMENT = re.compile(
 def markdown(text: str, scanner: Scanner) -> None:
     """The formulas of Markdown."""
     lines = text.split("\n")
-    at = 0
+    at = quoted = 0
     text = _DIRECTIVES.sub("", _COLONS.sub(r"\1```{math}\3\1```", text))
     for token in _parser().parse(_ENVIRONMENT.sub(r"\1  \2  ", text)):
         at = token.map[0] if token.map else at
+        if token.type in ("blockquote_open", "blockquote_close"):
+            quoted += token.nesting
         if token.type == "heading_open":
             scanner.heading(HEADINGS.get(token.tag, "subsection"))
         elif token.type == "inline":
             _inline(token.children or [], lines, at, scanner)
         elif token.type in ("math_block", "math_block_label", "amsmath"):
             label = token.info if token.type == "math_block_label" else ""
-            scanner.put(_unescaped(token.content), _line(lines, at, token.content), label=label)
+            body = _UNQUOTED.sub("", token.content) if quoted and token.markup == r"\[" else token.content
+            scanner.put(_unescaped(body), _line(lines, at, body), label=label)
         elif token.type == "html_block" and not _HIDDEN.match(token.content):
             _within_html(token.content, at, scanner)
         elif token.type == "fence" and _FENCED.fullmatch(token.info.strip()):
@@ -75,6 +80,8 @@ def _within_html(content: str, at: int, scanner: Scanner) -> None:
 def _parser() -> MarkdownIt:
     parser = MarkdownIt("commonmark", {"maxNesting": MAX_NESTING}).enable("table")
     parser.use(front_matter_plugin).use(texmath_plugin, delimiters="brackets")
+    for rule in rules["brackets"]["block"]:  # displays part paragraphs, as they do where MathJax finds them
+        parser.block.ruler.at(rule["name"], make_block_func(rule), {"alt": ["paragraph", "reference", "blockquote"]})
     parser.use(dollarmath_plugin, double_inline=True, allow_labels=True)
     return parser.use(amsmath_plugin).use(myst_role_plugin)
 

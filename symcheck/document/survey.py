@@ -142,7 +142,7 @@ def _surveyed(latex: str, said: Said) -> Seen:
     asked = plainly(Asked(latex, letters=said))
     reason, partly = "", False
     try:
-        found = readings(asked)
+        found = readings(asked, likely=True)
         inferences, tree = [reading.inference for reading in found], found[0].tree
     except Understood as error:
         reason, partly, inferences, tree = error.reason, True, [error.inference], error.tree

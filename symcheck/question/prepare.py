@@ -261,10 +261,11 @@ def _is_name(latex: str) -> bool:
     return is_letter(spaced) or spaced in names_of_several_tokens([spaced], {})
 
 
-def readings(asked: Asked, size: int = 0) -> list[Reading]:
+def readings(asked: Asked, size: int = 0, *, likely: bool = False) -> list[Reading]:
     """All readings that make sense; SymcheckError with the reason of the first if none does.
 
-    With a size the letters that say how many components or addends there are stand for it.
+    With a size the letters that say how many components or addends there are stand for it. Where a likely one is
+    wanted, the remote ones alone do not count.
     """
     inferences, defined, equations, conditions = _told(asked, size)
     errors = list[SymcheckError]()
@@ -282,7 +283,7 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
             except SymcheckError as error:
                 families = any(x.running and (x.depends or x.kind != "scalar") for x in inference.notation.letters)
                 errors.append(_understood(asked, inference, conditions, str(error)) if families else error)
-        if any(not reading.inference.beside for reading in found):
+        if any(not (x.inference.remote if likely else x.inference.beside) for x in found):
             return found
     raise next((error for error in errors if isinstance(error, Understood)), errors[0])
 

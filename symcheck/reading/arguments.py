@@ -61,6 +61,11 @@ def is_product(args: Sequence[str]) -> bool:
     return len(args) == 1 and is_idle(args[0]) and not is_letter(args[0]) and not _NUMBER.fullmatch(args[0])
 
 
+def is_doubled(blank: Sequence[bool]) -> bool:
+    """Is every second column of a matrix blank, as `&&` between all columns makes it?"""
+    return len(blank) > 2 and all(blank[1::2]) and not any(blank[::2])
+
+
 def is_signed(text: str) -> bool:
     """Is this one number with a sign, which a product has before it?"""
     return _SIGNED.fullmatch(text) is not None

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 from symcheck.reading import tex
-from symcheck.reading.arguments import is_product
+from symcheck.reading.arguments import is_doubled, is_product
 from symcheck.reading.commands import ACCENTS
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
@@ -255,7 +255,15 @@ _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _LABELS = "derivatives, or letters with a label? write them as fractions"
+_DENOTED = "words with the letter they stand for, or a function? leave out one of them"
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
+
+
+# what is expected of the next value of something: `E_t \pi_{t + 1}`
+_EXPECTED = re.compile(
+    r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"
+    r"(?:\\[a-z]+ \{ )?(?:\\?[A-Za-z]+) (?:\} )?_ \{ \2 \+"
+)
 
 
 def _doubted(text: str) -> Iterator[tuple[str, str]]:
@@ -280,6 +288,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         yield r"\Delta", "the power of a change, or times what follows? write brackets"
     if _HYPERGEOMETRIC.search(text):
         yield "F", "a factor before a function, or a hypergeometric one? write the number as a subscript at its left"
+    if "E _ " in text or "E } _ " in text:
+        for expectation, _ in _EXPECTED.findall(text):
+            yield canonical(expectation), "what is expected of what follows, or a factor? write square brackets"
     function = _OF_FUNCTION.search(text)
     if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
         yield "f", f"a factor, or part of the name f{function[1]}? say what it is"
@@ -293,6 +304,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"
+        for words in _WORDS_NAMED.findall(text):
+            yield rf"\text{{{''.join(words.split())}}}", _DENOTED
 
 
 def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
@@ -319,6 +332,10 @@ _BASE = (
     r"|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
 )
 _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
+# words before a letter in brackets: `\text{load power}(P_L)`
+_WORDS_NAMED = re.compile(
+    rf"\\(?:text|mathrm) \{{ ((?:[\w'-] )+~ (?:[\w'~-] )+)\}} (?:\\left )?\( {_BASE}{_INDEX} (?:\\right )?\)"
+)
 # a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA'
 _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
@@ -338,7 +355,7 @@ _PRIMED = re.compile(
 )
 # what may be transposed before a factor, where T is a letter, too
 _POWER_OF_T = re.compile(
-    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol|d+ot) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
     rf" (?={_BASE})"
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
@@ -459,9 +476,10 @@ def _shape(latex: str) -> tuple[int, ...]:
     """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
     if not (found := _ENTRIES.fullmatch(tex.compact(latex))):
         return ()
-    rows = [row for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
-    columns = {row.count("&") + 1 for row in rows}
-    if len(columns) != 1:
+    rows = [row.split("&") for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
+    if len({len(row) for row in rows}) != 1:
         return ()
-    (size, *_) = sizes = (*columns, len(rows)) if found[3] else (len(rows), *columns)
+    blank = [not any(map(str.strip, column)) for column in zip(*rows, strict=True)]
+    columns = len(blank[:: 2 if is_doubled(blank) else 1])
+    (size, *_) = sizes = (columns, len(rows)) if found[3] else (len(rows), columns)
     return sizes if sizes[1] != 1 else (size,)

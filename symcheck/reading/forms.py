@@ -12,6 +12,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import fields
+from functools import cache
 from typing import TypeGuard
 
 from symcheck.core.terms import Node, node
@@ -24,6 +25,7 @@ from symcheck.reading.relations import Relation
 from symcheck.reading.tree import (
     Add,
     Bars,
+    BigSum,
     Call,
     Chain,
     Div,
@@ -96,11 +98,12 @@ def _form(part: object) -> Node:
 
 def _refuse(tree: Tree, notation: Notation) -> None:
     """SymcheckError for what may be meant in two ways."""
-    beside = {part.name for part in nodes(tree) if isinstance(part, Words)}
-    calls = [part for part in nodes(tree) if isinstance(part, Call) and part.arguments]
+    parts = [*nodes(tree)]
+    beside = {part.name for part in parts if isinstance(part, Words)}
+    calls = [part for part in parts if isinstance(part, Call) and part.arguments]
     clear = Counter(part.function for part in calls if not isinstance(part.arguments[0], Add))
-    names = Counter(part for part in nodes(tree) if isinstance(part, Name))
-    for part in nodes(tree):
+    names = Counter(part for part in parts if isinstance(part, Name))
+    for part in parts:
         if isinstance(part, Name) and part not in beside:
             if _WORDS.match(part.letter):
                 raise SymcheckError(f"{to_latex(part)}: words within a formula; write them beside it")
@@ -120,7 +123,7 @@ def _refuse(tree: Tree, notation: Notation) -> None:
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
         if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
             raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
-        if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in nodes(tree):
+        if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in parts:
             raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
         if isinstance(part, Chain) and part.signs[0] == "=" and any(map(_is_pair_in_braces, part.members)):
             raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a set? say what it means")
@@ -146,8 +149,15 @@ def _index_behind(tree: Add) -> str:
     for k, each in enumerate(tree.terms):
         used = ""
         for last in _reaching(each.value if isinstance(each, Neg) else each):
+            rest = tree.terms[k + 1 :]
+            used = used or "".join(map(to_latex, rest))
+            if isinstance(last, BigSum):
+                again = {index for term in rest for x in nodes(term) if isinstance(x, BigSum) for index in x.indices}
+                open_ = (index for index in last.indices if index not in again and _labelled_by(index).search(used))
+                if index := next(open_, ""):
+                    return index
+                continue
             found = _SUMMED.match(last.scripts)
-            used = used or "".join(map(to_latex, tree.terms[k + 1 :]))
             if (
                 found
                 and rf"_{{ {found[1]} " not in used
@@ -157,9 +167,18 @@ def _index_behind(tree: Add) -> str:
     return ""
 
 
-def _reaching(tree: Tree) -> Iterator[Limiting]:
+@cache
+def _labelled_by(index: str) -> re.Pattern[str]:
+    """An index that stands in brackets above a letter: `y^{(i)}`."""
+    return re.compile(rf"\^\s*\{{\s*\(\s*{re.escape(index)}\s*\)\s*\}}")
+
+
+def _reaching(tree: Tree) -> Iterator[Limiting | BigSum]:
     """The sums and products that reach to the end of a term."""
     last = tree.factors[-1] if isinstance(tree, Mul) else tree
+    if isinstance(last, BigSum):
+        yield last
+        yield from _reaching(last.body)
     if isinstance(last, Limiting) and last.operator in ("sum", "prod"):
         yield last
         yield from _reaching(last.body)
@@ -215,6 +234,22 @@ def refuse_operator(tree: Tree, notation: Notation) -> None:
         raise Doubt(
             f"{shown}: a factor, or applied to {to_latex(value.function)}? write \\cdot, or brackets around both"
         )
+
+
+def refuse_factor(tree: Tree, notation: Notation) -> None:
+    """An error for a letter before brackets with a product that is transposed elsewhere: `(A B)^T W (A B)`.
+
+    Parameters
+    ----------
+    tree
+        A relation.
+    notation
+        What the letters mean; only those that were inferred may be factors.
+    """
+    found = [part.value for part in nodes(tree) if isinstance(part, Transpose) and isinstance(part.value, Mul)]
+    for part in nodes(tree) if found and notation.inferred else ():
+        if isinstance(part, Call) and isinstance(part.function, Name) and part.arguments[:1] in [(x,) for x in found]:
+            raise Doubt(f"{to_latex(part.function)}: a factor before brackets, or a function? say what it is")
 
 
 def _is_entry(tree: Tree) -> bool:

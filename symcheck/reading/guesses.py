@@ -85,6 +85,10 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         and not any(place.arguments is None and place.superscript is None for place in of.places)
     ):
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
+    if not of.said and any(map(_holds_power, of.places)):
+        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    if not of.said and _is_normed(of) and sum(map(_is_normed, every.values())) > 1:
+        found = [in_doubt(guess, NORMED) if _is_constant(guess) else guess for guess in found]
     operator = (_OPERATOR.fullmatch(of.spelling) or _OF_SPACE.match(of.spelling)) and not of.said
     operated = operator and any(p.after in OVER or tex.is_letter(p.after) for p in of.places)
     mapped = _DIFFERENTIAL.match(of.spelling) and not of.said and any(p.after in _MAPS for p in of.places)
@@ -257,9 +261,28 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
 
 
 _NAMED = re.compile(r"\\text\{(?:\w\w|[A-Z]\}_)")  # several upright letters, or one with an index
+NORMED = "a vector, or a number? say what it is"
 FACTOR = "a factor before brackets, or a function? say what it is"
 # what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
 _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
+# a power alone, which needs no brackets as a factor
+_POWER = re.compile(r"(?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\})| ')* \^ (?:\d|\{ \d \})")
+
+
+def _holds_power(place: Occurrence) -> bool:
+    """Do the brackets behind it hold a power alone?"""
+    alone = len(place.arguments or ()) == 1 and place.superscript is None and not place.powered
+    return alone and any(map(_POWER.fullmatch, place.arguments or ()))
+
+
+def _is_constant(guess: Guess) -> bool:
+    return guess.letter.kind == "scalar" and not guess.letter.depends
+
+
+def _is_normed(of: Evidence) -> bool:
+    """Does it stand between the signs of a norm, and beside a dot?"""
+    normed = any(place.before == place.after == r"\|" for place in of.places)
+    return normed and any(r"\cdot" in (place.before, place.after) for place in of.places)
 
 
 def _equals_itself(of: Evidence) -> bool:

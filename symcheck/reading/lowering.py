@@ -56,7 +56,15 @@ from symcheck.reading.components import (
 )
 from symcheck.reading.differentials import differential, refuse_uneven, total
 from symcheck.reading.faces import face
-from symcheck.reading.forms import form, is_sequence, refuse_bare, refuse_doubt, refuse_operator, refuse_order
+from symcheck.reading.forms import (
+    form,
+    is_sequence,
+    refuse_bare,
+    refuse_doubt,
+    refuse_factor,
+    refuse_operator,
+    refuse_order,
+)
 from symcheck.reading.functions import SPELLED, applied, extreme
 from symcheck.reading.landau import coefficient, terms_of_order, vanishing, without
 from symcheck.reading.limits import equated, limit, tends, turns
@@ -322,6 +330,8 @@ class Lowering:
         self.kinds = frozenset(type(part) for part in nodes(relation.tree))
         if Total in self.kinds:
             refuse_uneven(relation.tree)
+        if Transpose in self.kinds and Call in self.kinds:
+            refuse_factor(relation.tree, self.notation)
         self.aside = []
         formulas = [*self.relation(relation), *dict.fromkeys(self.aside)]
         names = _names(tuple(formulas))

@@ -201,8 +201,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return None
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
         return STANDARD
-    if inside == ["0"] and not any((of.word, power) in told.raised for power in "123n"):
-        return ""  # nobody prints this power but in a series of them
+    if inside in (["0"], ["1"]) and not any((of.word, power) in told.raised for power in "23n"):
+        return ""  # nobody prints these powers but in a series of them
     bracketed = inside[0] == "(" and _is_label(inside)
     powers = [text for text in inside if (of.word, text) in told.raised] if bracketed else []
     if powers:
@@ -239,6 +239,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(letters[0])
     if letters[0] in _STATES_ABOVE and len(letters) == 1 and not of.framed:
         return POWER_OR_LABEL.format(letters[0])
+    capitals = {above for word, above in told.raised if word == of.word and above.isupper()} - _TRANSPOSING
+    if len(capitals) > 1 and inside[0] in capitals and of.below:
+        return ""  # as in W_i^Q beside W_i^K
     if not of.framed and any(letter in told.numbers for letter in letters):
         return None
     members = {number.partition("_")[0] for number in told.numbers if "_" in number}
@@ -376,7 +379,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
             if framed or above:
                 name, bare = (" ".join(texts[start:to]) for to in (end, low))
                 before = texts[:start]
-                coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}")
+                coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}") and len(_letters(above)) < 2
                 plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(

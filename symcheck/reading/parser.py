@@ -12,6 +12,7 @@ from typing import Any
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
+from symcheck.reading.arguments import is_doubled
 from symcheck.reading.faces import face
 from symcheck.reading.functions import FIELDS, INVERSES
 from symcheck.reading.grammar import ParseNode, parse
@@ -238,7 +239,7 @@ class Builder:
 
     def build(self, node: ParseNode) -> Any:
         """The result of one grammar rule."""
-        return getattr(self, f"on_{node.data}")(node.children)
+        return _RULES[node.data](self, node.children)
 
     def statement(self, node: ParseNode) -> Tree:
         tree = self.checked(self.statement_of(self.build(node.children[0])), 0)
@@ -564,6 +565,9 @@ class Builder:
             whole = not self.notation.bracket and sign == "=" and isinstance(members[0], Name)
             if whole and isinstance(right, Interval) and right.ends == "[]":
                 members[k] = Tuple((right.low, right.high), "[]")  # no letter is equal to an interval of numbers
+        plain = isinstance(members[0], Name) and not _is_styled(members[0])
+        if self.notation.inferred and plain and signs == ("=",) and _is_range(members[1]):
+            raise self.fail(_place(nodes[2]), r"all numbers from one to the other, or a list? write \in for the former")
         numbers = itertools.pairwise(isinstance(member, Number) for member in members)
         if any(sign == r"\sim" and all(pair) for sign, pair in zip(signs, numbers, strict=True)):
             raise self.fail(_place(nodes[0]), "numbers from one to the other? write between which a letter is")
@@ -763,6 +767,8 @@ class Builder:
             self.refuse_words(factors[-1], item, before, behind)
             k = after
             dotted = False
+        if len(factors) > 1 and any(isinstance(factor, Infinity) for factor in factors):
+            raise self.fail(items[0].at, "infinity is no factor; write a comma before what follows, or brackets")
         vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
@@ -798,7 +804,8 @@ class Builder:
         function = _WORD.fullmatch(factor.letter) and any(self.simple(other) for other in behind)
         if beside and factor.letter == r"\text{T}" and _TRANSPOSED.search(self.source):
             raise self.fail(item.at, "the sign that transposes elsewhere, or a factor? write ^ before it")
-        if (beside and _REMARK.match(factor.letter)) or function or ("=" in factor.letter and behind):
+        remark = _REMARK.match(factor.letter) or factor.letter.endswith(":}")
+        if (beside and remark) or function or ("=" in factor.letter and behind):
             raise self.fail(item.at, "words among factors; leave them out, or write a comma before them, or brackets")
 
     def refuse_product(self, item: Item, node: Tree, rest: list[Item], *, alone: bool) -> None:
@@ -1251,6 +1258,9 @@ class Builder:
         factors = tuple(self.atom(item) for item in items[start : k - 1])
         last, k = self.applied(items, k - 1)
         factors += (last,)
+        behind = items[k].node if k < len(items) else None
+        if head.name in LOGARITHMS and isinstance(last, Call) and isinstance(behind, Bars | Norm | Name):
+            raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
         if k < len(items) and self.continues(items[k]) and not self.sum_behind(items[k - 1], items[k]):
             if all(isinstance(factor, Number) for factor in factors):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
@@ -1639,7 +1649,10 @@ class Builder:
         rows = [node.children for node in nodes if hasattr(node, "data")]
         if len({len(row) for row in rows}) > 1:
             raise self.fail(at, "the rows of this matrix differ in length")
-        return tuple(tuple(self.term_of(cell) for cell in row[0::2]) for row in rows)
+        cells = [[self.term_of(cell) for cell in row[0::2]] for row in rows]
+        blank = [all(isinstance(cell, Blank) for cell in column) for column in zip(*cells, strict=True)]
+        every = 2 if is_doubled(blank) else 1
+        return tuple(tuple(row[::every]) for row in cells)
 
     def from_frac(self, nodes: list[ParseNode], at: int) -> Item:
         top, bottom = self.build(nodes[2]), self.build(nodes[5])
@@ -1677,6 +1690,9 @@ class Builder:
             raise self.fail(at, "the bounds of this sum cannot be read")
         letters = tuple(name.letter for name in names if isinstance(name, Name))
         return Item("sum", at, bounds=(letters, low, high))
+
+
+_RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
 
 
 def _is_letter(tree: Tree | None) -> bool:
@@ -1745,6 +1761,13 @@ def _signed(sign: str, term: Tree) -> Tree:
 
 def _is_signed(tree: Tree) -> bool:
     return any(isinstance(node, PlusMinus) for node in nodes(tree))
+
+
+def _is_range(tree: Tree) -> bool:
+    """Are these two numbers in square brackets, the smaller one first?"""
+    ends = tree.items if isinstance(tree, Tuple) and tree.kind == "[]" else ()
+    numbers = [float(end.text) for end in ends if isinstance(end, Number)]
+    return len(numbers) == len(ends) == 2 and numbers[0] < numbers[1]
 
 
 def _is_styled(tree: Tree | None) -> bool:

@@ -56,8 +56,8 @@ _SPELLINGS: Sequence[
         ),
         lambda found: _WIDTHS.sub(", ", found[0]),
     ),
-    # a narrow space before a script
-    (r"\! ", re.compile(r"(?:\\! )+(?=[_^])"), ""),
+    # a narrow space before a script, and between a letter and its arguments
+    (r"\! ", re.compile(r"(?:\\! )+(?=[_^(]|\\left \(|\\[bB]igg?l? \()"), ""),
     # the letter of a sum or an integral above its sign, or below the sign of an integral over it
     ("} ^ { ", re.compile(r"(\\(?:sum|prod) _ \{ (\w) = [^{}]* \} \^ \{ )\2 = (?=[^{}]* \})"), r"\1"),
     (
@@ -98,7 +98,7 @@ _SPELLINGS: Sequence[
     # several spaces that are as wide as a quad
     *(
         (" ".join([each] * 3), re.compile(rf"(?:{re.escape(each)} ){{3,}}"), r"\\quad ")
-        for each in (r"\;", r"\:", "\\ ", "~")
+        for each in (r"\,", r"\;", r"\:", "\\ ", "~")
     ),
     # commas at the ends of the cells of a matrix
     (

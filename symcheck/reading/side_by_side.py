@@ -44,6 +44,7 @@ _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
+_SPELLED = frozenset({"max", "min", "sup", "inf", "var", "cov", "avg", "std", "det"})  # in italics, without brackets
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
@@ -226,7 +227,7 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
 
 def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:
     """May these letters, of which some stand nowhere else, be one name?"""
-    if "o" in run or "O" in run or run in _GREEK:  # an o is hardly a letter
+    if "o" in run or "O" in run or run in _GREEK or run in _SPELLED:  # an o is hardly a letter
         return True
     if len({*run}) > 2 and not run.isupper() and 2 * len(alone) <= len({*run}):
         return False

@@ -97,6 +97,7 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
     behind = toks[end].text if end < len(toks) else ""
     word = "".join(tok.text for tok in toks[k + 1 : end])
     twins = word.isupper() and any(_is_twice(toks, m, base) for m in range(len(toks) - 2))
+    twins = twins or (len(word) == 2 and word.islower() and len({*word}) == 1)  # `I_xx`, or `p_x x`
     meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES) or twins
     return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
 
