@@ -17,6 +17,7 @@ from symcheck import decide
 from symcheck.checker.enclosures import ONE, enclosed
 from symcheck.core.calculus import substituted
 from symcheck.core.terms import node
+from symcheck.question.answer import Status
 from symcheck.question.special import FAMILIES, INTEGRALS, NAMED, written
 
 TRUTH: dict[str, Callable[[Any, Any], Any]] = {
@@ -152,3 +153,13 @@ def test_hermite_polynomials_are_those_that_are_said() -> None:
     assert decide(relation, letters={"H": "probabilist's Hermite polynomial"}).verdict == "proved"
     assert decide(relation, letters={"H": "Hermite polynomial"}).verdict == "refuted"
     assert decide(relation).verdict not in ("proved", "refuted")
+
+
+def test_a_bracket_behind_a_function_with_a_factor_after_it_raises_a_doubt() -> None:
+    """sin(n+1)x is often meant for the sine of the product."""
+    letters = {"U": "Chebyshev polynomial of the second kind"}
+    short = r"U_n(\cos\theta) = \frac{\sin(n+1)\theta}{\sin\theta}"
+    answer = decide(short, given=r"n \in \mathbb{N}", letters=letters)
+    assert (answer.verdict, "brackets" in answer.reason) == (Status.AMBIGUOUS, True)
+    clear = short.replace(r"\sin(n+1)\theta", r"\sin((n+1)\theta)")
+    assert decide(clear, given=r"n \in \mathbb{N}", letters=letters).verdict is Status.PROVED

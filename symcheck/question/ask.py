@@ -43,7 +43,7 @@ from symcheck.question.fields import in_fields
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, covers, false_gradients, of_any_size
+from symcheck.question.matrices import OfAnySize, covers, false_gradients, oblong, of_any_size
 from symcheck.question.measured import ONE, measured
 from symcheck.question.measured import checked as checked_units
 from symcheck.question.parts_of_turns import with_parts_of_turns
@@ -80,6 +80,9 @@ DEFINITION = "it says what something is that occurs nowhere else: a definition, 
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
 LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
 SWAPPED = "which argument of atan2 is the height? it does not fail where the first one is the width"
+SQUARE = (
+    "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
+)
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -226,6 +229,8 @@ def answered(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
+        if answer.verdict is Status.PROVED and asked and _holds_for_square_alone(asked):
+            return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=SQUARE, seconds=seconds)
         if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
@@ -245,6 +250,17 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
         return near[0]
     return found[0][1] if not near and {*remote} in ({Status.PROVED}, {Status.AMBIGUOUS}) else None
+
+
+def _holds_for_square_alone(asked: Asked) -> bool:
+    """Is a relation that is proved of square matrices not so of others, which the letters may be, too?"""
+    with suppress(SymcheckError):
+        for reading in unlowered(asked)[:1]:
+            several = [dict(asked.letters) | said for said in oblong(reading)]
+            answers = [answered(asked.relation, asked.where, asked.given, said, wanted=False) for said in several]
+            verdicts = {answer.verdict for answer in answers}
+            return bool(verdicts) and (Status.REFUTED in verdicts or Status.PROVED not in verdicts)
+    return False
 
 
 def _of_any_size(asked: Asked) -> Answer | None:
@@ -383,12 +399,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
             continue
-        if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
+        false = verdict is Verdict.REFUTED
+        if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
-        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_longer_arguments(reading.tree)):
-            return replace(base, verdict=Status.AMBIGUOUS, reason=LONGER)
-        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_swapped_angles(reading.tree)):
-            return replace(base, verdict=Status.AMBIGUOUS, reason=SWAPPED)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
         said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
@@ -495,7 +508,7 @@ def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, d
             names = ", ".join(sorted({x.partition("_")[0] for x in found.latex.values()}))
             kinds = " and ".join(found.family.names.values())
             return replace(base, verdict=Status.AMBIGUOUS, reason=f"it is false of the {kinds}: say what {names} is")
-        if reason := doubt(reading):
+        if reason := _doubt_of_points(reading):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         order = {} if number is None else {found.base: str(number)}
         point = order | {x: term(value) for x, value in made["point"]["values"].items()}
@@ -564,7 +577,7 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
             at = replace(problem, claim=_with_factorials(problem.claim), definitions=definitions)
             verdict, certificate_, _ = decided_one(at)
             if certificate_ is not None and verdict is Verdict.REFUTED:
-                if reason := doubt(reading):
+                if reason := _doubt_of_points(reading):
                     return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
                 if said := _says_otherwise(printed, reading, None):
                     return replace(base, reason=said)
@@ -608,6 +621,14 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
     if slips is not None and may_be_solved(problem, reading) and all(s["edit"].endswith(EVERYWHERE) for s in slips()):
         return EQUATION
     return EQUATION if is_condition(problem, reading) else ""
+
+
+def _doubt_of_points(reading: Reading) -> str:
+    """Why what fails somewhere may be meant in another way, in which it does not; the empty text if nothing is seen."""
+    if reason := doubt(reading):
+        return reason
+    others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles))
+    return next((why for why, meant in others if _perhaps_otherwise(reading, meant(reading.tree))), "")
 
 
 def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:

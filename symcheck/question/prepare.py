@@ -43,7 +43,7 @@ _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\
 _SCOPED = re.compile(r"\\forall(?![a-zA-Z])|\\in(?![a-zA-Z])|\\text\s*\{\s*[Ff]or")
 # that before a relation, up to a colon
 _ALL_AT_FIRST = re.compile(r"^(\s*\\forall(?![a-zA-Z])[^:=]*?)\s*(?::(?!=)|\\colon(?![a-zA-Z]))")
-LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
+OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
 PRIMED = (*VARIABLES, r"\theta", r"\phi", r"\varphi", "s")  # by which a prime differentiates, if just one is there
@@ -268,7 +268,7 @@ def readings(asked: Asked, size: int = 0) -> list[Reading]:
     """
     inferences, defined, equations, conditions = _told(asked, size)
     errors = list[SymcheckError]()
-    for tried in (SIZES, LARGER):
+    for tried in (SIZES, *OTHERS):
         found = []
         for inference in inferences(tried):
             try:
