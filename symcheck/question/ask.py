@@ -53,11 +53,13 @@ from symcheck.question.prepare import (
     Asked,
     Reading,
     Understood,
+    apart,
     plainly,
     readings,
     sizes,
     unlowered,
     with_scopes,
+    with_whole_ends,
     worded,
 )
 from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences, with_sums
@@ -83,6 +85,7 @@ SWAPPED = "which argument of atan2 is the height? it does not fail where the fir
 SQUARE = (
     "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
 )
+UP_TO = "a whole number (a sum or product runs up to it)"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -151,7 +154,7 @@ def decide(
     checked_units(units, answer.letters)
     if answer.verdict is Status.UNREADABLE:
         return answer
-    asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+    asked = Asked(relation, _several(where), tuple(apart(_several(given))), tuple((letters or {}).items()))
     answer = replace(answer, measuring=partial(measured, asked, units))
     if answer.verdict is not Status.PROVED or not any(unit.endswith(ONE) for unit in units.values()):
         return answer
@@ -180,7 +183,7 @@ def answered(
         plain_letters = tuple(
             (x, phrase) for x, phrase in (letters or {}).items() if x.partition("_")[0] not in declared
         )
-        printed = Asked(relation, _several(where), _several(given), plain_letters)
+        printed = Asked(relation, _several(where), tuple(apart(_several(given))), plain_letters)
         asked = plainly(printed)
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
@@ -207,6 +210,12 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    if open_ and found and asked and (whole := with_whole_ends(asked)) is not None:
+        at_whole = answered(whole.relation, whole.where, whole.given, dict(whole.letters), wanted=False)
+        if at_whole.verdict is Status.PROVED:
+            ends = dict.fromkeys((text.split()[0] for text in whole.given[len(asked.given) :]), UP_TO)
+            taken = at_whole.letters | {x: ends.get(x, said) for x, said in at_whole.letters.items()}
+            return replace(at_whole, letters=taken, seconds=time.perf_counter() - started)
     shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
     if found and asked and not shown_as_names and (sequences := with_sequences(asked)) is not None:
         by_places = answered(
