@@ -459,7 +459,9 @@ def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer |
         latex, taken = _shown(reading.tree, reading.inference)
         base = Answer(Status.UNDECIDED, latex, taken | special.shown(found, declared))
         return _proved_of_family(base, reading, found) or (
-            _refuted_of_family(base, reading, found, bool(declared)) if declared or not found.integrals else None
+            _refuted_of_family(base, reading, found, bool(declared) or special.is_upright(found))
+            if declared or not found.integrals
+            else None
         )
     return None
 
@@ -491,8 +493,10 @@ def _by_indices(asked: Asked) -> Answer | None:
 def _proved_of_family(base: Answer, reading: Reading, found: special.Members) -> Answer | None:
     """Proved by the relations of the family, by members written out, or by induction."""
     (problem,) = reading.problems
-    written = special.written_out(problem, found) if not found.base and not found.integrals else None
-    for stated in (written, *(special.related(problem, found, more) for more in (0, 1))):
+    plain = not found.base and (not found.integrals or not letters(problem.claim))
+    written = special.written_out(problem, found) if plain else None
+    partly = special.written_out(problem, found, partly=True) if found.family.slopes and not found.base else None
+    for stated in (written, partly, *(special.related(problem, found, more) for more in (0, 1))):
         if stated is not None:
             verdict, made, _ = decided_one(stated)
             if made is not None and verdict is Verdict.PROVED:
@@ -510,7 +514,9 @@ def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, d
         if (problem := special.written_out(reading.problems[0], found, number)) is None:
             continue
         by_digits = _refuted_by_digits(jets.without(problem))
-        verdict, made, used = by_digits or ((Verdict.UNDECIDED, None, ()) if found.integrals else decided_one(problem))
+        verdict, made, used = by_digits or (
+            (Verdict.UNDECIDED, None, ()) if found.integrals and letters(problem.claim) else decided_one(problem)
+        )
         if made is None or verdict is not Verdict.REFUTED:
             continue
         if not declared:
