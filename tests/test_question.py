@@ -870,3 +870,9 @@ def test_a_sum_up_to_a_letter_says_that_it_is_a_whole_number() -> None:
     assert decide(r"\sum_{k=0}^n \binom{n}{k} = 2^{n+1}").verdict is Status.REFUTED
     # it is so of all but the first number: nothing is proved of the letter at which it fails
     assert decide(r"\sum_{k=0}^n (-1)^k \binom{n}{k} = 0").verdict is not Status.PROVED
+
+
+def test_a_density_times_its_variable_is_read_and_a_product_whose_order_may_count_is_not() -> None:
+    mean = r"\int_0^1 x\frac{1}{B} x^{a-1} (1-x)^2 dx = \int_0^1 \frac{x^a (1-x)^2}{B} dx"
+    assert decide(mean, given=["a > 0", "B > 0"]).verdict is not Status.UNREADABLE
+    assert "order of its factors" in decide(r"q v w q^{-1} = v w").reason

@@ -33,6 +33,7 @@ from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
+# the sign of a relation
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 # a set of numbers, the part of it above zero, and its dimension: "\mathbb{R}_{>0}^{n}"
