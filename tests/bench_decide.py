@@ -82,8 +82,12 @@ def handbook(drawn: list[Case]) -> None:
         for n, each in enumerate(drawn)
     ]  # fmt: skip
     verdicts, seconds = ours(asked)
-    median = statistics.median(seconds)
-    print(f"\n{len(drawn)} relations of a handbook, half of them false; the median is {median:.3f} s.\n")
+    table(f"{len(drawn)} relations of a handbook, half of them false", drawn, verdicts, seconds)
+
+
+def table(title: str, drawn: list[Case], verdicts: list[str], seconds: list[float]) -> None:
+    """Print how many relations of each part are decided, and how many of these wrongly."""
+    print(f"\n{title}; the median is {statistics.median(seconds):.3f} s.\n")
     print("| part | true | proved | refuted | false | refuted | proved |")
     print("| --- | ---: | ---: | ---: | ---: | ---: | ---: |")
     for part in [*dict.fromkeys(each.family for each in drawn), "all"]:

@@ -328,3 +328,34 @@ def test_what_holds_for_matrices_of_all_sizes_is_proved_for_all(relation: str, c
 @pytest.mark.parametrize(("relation", "context"), NOT_PROVED)
 def test_what_does_not_hold_for_matrices_of_all_sizes_is_not_proved(relation: str, context: dict[str, Any]) -> None:
     assert decide(relation, **context).verdict is not Status.PROVED
+
+
+SQUARE_ALONE = [
+    (r"P^2 = I", {"where": [r"P = A(A^TA)^{-1}A^T"]}),  # of tall matrices it is a projection
+    (r"\det(AA^T) = \det(A^TA)", {"letters": {"A": M}}),
+]
+NUMBERS_ALONE = [
+    (r"e^{A+B} = e^Ae^B", {"letters": {"A": M, "B": M}}),  # these need not commute
+    (r"e^{\mathbf{A} + \mathbf{B}} = e^\mathbf{A} e^\mathbf{B}", {}),
+    (r"\exp(A+B) = \exp(A)\exp(B)", {"letters": {"A": M, "B": M}}),
+]
+
+
+@pytest.mark.parametrize(("relation", "context"), [*SQUARE_ALONE, *NUMBERS_ALONE])
+def test_what_holds_for_square_matrices_or_for_numbers_alone_is_not_proved(
+    relation: str, context: dict[str, Any]
+) -> None:
+    answer = decide(relation, **context)
+    assert answer.verdict is Status.AMBIGUOUS
+    assert "it holds" in answer.reason
+
+
+def test_what_holds_for_matrices_of_different_numbers_of_rows_and_columns_is_still_proved() -> None:
+    answer = decide(r"\operatorname{tr}(AA^T) = \operatorname{tr}(A^TA)", letters={"A": M})
+    assert answer.verdict is Status.PROVED
+    assert (
+        decide(
+            r"\det(AB) = \det(BA)", given=[r"A \in \mathbb{R}^{2 \times 2}", r"B \in \mathbb{R}^{2 \times 2}"]
+        ).verdict
+        is Status.PROVED
+    )

@@ -15,6 +15,8 @@ from symcheck import decide
 from symcheck.checker import check
 from symcheck.cli import cli
 from symcheck.question import Answer, repairs
+from symcheck.question.answer import Status
+from symcheck.question.prepare import apart
 
 
 @pytest.fixture(autouse=True)
@@ -851,3 +853,26 @@ def test_integrals_in_pieces_and_over_a_scaled_letter_are_decided(relation: str)
     answer = decide(relation, where, given)
     assert answer.verdict == verdict, answer.reason
     assert certified(answer)
+
+
+def test_conditions_beside_each_other_are_read_one_by_one() -> None:
+    m, n = r"m \in \mathbb{Z}_{>0}", r"n \in \mathbb{Z}_{>0}"
+    assert [*apart([r"m, n \in \mathbb{Z}_{>0}, m \ne n"])] == [m, n, r"m \ne n"]
+    assert [*apart([rf"{m}, {n}"])] == [m, n]
+    for whole in (r"x > 0, y > 0", r"x \in (0, 1)", r"0 < x, y < 1", r"A \in \mathbb{R}^{2 \times 2}"):
+        assert [*apart([whole])] == [whole]
+
+
+def test_a_sum_up_to_a_letter_says_that_it_is_a_whole_number() -> None:
+    right = decide(r"\sum_{k=0}^n \binom{n}{k} = 2^n")
+    assert right.verdict is Status.PROVED
+    assert "runs up to it" in right.letters["n"]
+    assert decide(r"\sum_{k=0}^n \binom{n}{k} = 2^{n+1}").verdict is Status.REFUTED
+    # it is so of all but the first number: nothing is proved of the letter at which it fails
+    assert decide(r"\sum_{k=0}^n (-1)^k \binom{n}{k} = 0").verdict is not Status.PROVED
+
+
+def test_a_density_times_its_variable_is_read_and_a_product_whose_order_may_count_is_not() -> None:
+    mean = r"\int_0^1 x\frac{1}{B} x^{a-1} (1-x)^2 dx = \int_0^1 \frac{x^a (1-x)^2}{B} dx"
+    assert decide(mean, given=["a > 0", "B > 0"]).verdict is not Status.UNREADABLE
+    assert "order of its factors" in decide(r"q v w q^{-1} = v w").reason

@@ -43,7 +43,7 @@ from symcheck.question.fields import in_fields
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, covers, false_gradients, of_any_size
+from symcheck.question.matrices import OfAnySize, covers, false_gradients, oblong, of_any_size
 from symcheck.question.measured import ONE, measured
 from symcheck.question.measured import checked as checked_units
 from symcheck.question.parts_of_turns import with_parts_of_turns
@@ -53,11 +53,13 @@ from symcheck.question.prepare import (
     Asked,
     Reading,
     Understood,
+    apart,
     plainly,
     readings,
     sizes,
     unlowered,
     with_scopes,
+    with_whole_ends,
     worded,
 )
 from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences, with_sums
@@ -80,6 +82,10 @@ DEFINITION = "it says what something is that occurs nowhere else: a definition, 
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
 LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
 SWAPPED = "which argument of atan2 is the height? it does not fail where the first one is the width"
+SQUARE = (
+    "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
+)
+UP_TO = "a whole number (a sum or product runs up to it)"
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -148,7 +154,7 @@ def decide(
     checked_units(units, answer.letters)
     if answer.verdict is Status.UNREADABLE:
         return answer
-    asked = Asked(relation, _several(where), _several(given), tuple((letters or {}).items()))
+    asked = Asked(relation, _several(where), tuple(apart(_several(given))), tuple((letters or {}).items()))
     answer = replace(answer, measuring=partial(measured, asked, units))
     if answer.verdict is not Status.PROVED or not any(unit.endswith(ONE) for unit in units.values()):
         return answer
@@ -177,7 +183,7 @@ def answered(
         plain_letters = tuple(
             (x, phrase) for x, phrase in (letters or {}).items() if x.partition("_")[0] not in declared
         )
-        printed = Asked(relation, _several(where), _several(given), plain_letters)
+        printed = Asked(relation, _several(where), tuple(apart(_several(given))), plain_letters)
         asked = plainly(printed)
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
@@ -204,6 +210,12 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
+    if open_ and found and asked and (whole := with_whole_ends(asked)) is not None:
+        at_whole = answered(whole.relation, whole.where, whole.given, dict(whole.letters), wanted=False)
+        if at_whole.verdict is Status.PROVED:
+            ends = dict.fromkeys((text.split()[0] for text in whole.given[len(asked.given) :]), UP_TO)
+            taken = at_whole.letters | {x: ends.get(x, said) for x, said in at_whole.letters.items()}
+            return replace(at_whole, letters=taken, seconds=time.perf_counter() - started)
     shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
     if found and asked and not shown_as_names and (sequences := with_sequences(asked)) is not None:
         by_places = answered(
@@ -226,6 +238,8 @@ def answered(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
+        if answer.verdict is Status.PROVED and asked and _holds_for_square_alone(asked):
+            return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=SQUARE, seconds=seconds)
         if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
@@ -245,6 +259,17 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
         return near[0]
     return found[0][1] if not near and {*remote} in ({Status.PROVED}, {Status.AMBIGUOUS}) else None
+
+
+def _holds_for_square_alone(asked: Asked) -> bool:
+    """Is a relation that is proved of square matrices not so of others, which the letters may be, too?"""
+    with suppress(SymcheckError):
+        for reading in unlowered(asked)[:1]:
+            several = [dict(asked.letters) | said for said in oblong(reading)]
+            answers = [answered(asked.relation, asked.where, asked.given, said, wanted=False) for said in several]
+            verdicts = {answer.verdict for answer in answers}
+            return bool(verdicts) and (Status.REFUTED in verdicts or Status.PROVED not in verdicts)
+    return False
 
 
 def _of_any_size(asked: Asked) -> Answer | None:
@@ -383,12 +408,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             status = Status.UNDECIDED
             reasons.append(DEFINITION)
             continue
-        if reason := doubt(reading) if verdict is Verdict.REFUTED else doubt_of_proofs(reading) or held(reading, found):
+        false = verdict is Verdict.REFUTED
+        if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
-        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_longer_arguments(reading.tree)):
-            return replace(base, verdict=Status.AMBIGUOUS, reason=LONGER)
-        if verdict is Verdict.REFUTED and _perhaps_otherwise(reading, with_swapped_angles(reading.tree)):
-            return replace(base, verdict=Status.AMBIGUOUS, reason=SWAPPED)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         slips = cache(partial(repairs, reading, at))
         said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
@@ -437,7 +459,9 @@ def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer |
         latex, taken = _shown(reading.tree, reading.inference)
         base = Answer(Status.UNDECIDED, latex, taken | special.shown(found, declared))
         return _proved_of_family(base, reading, found) or (
-            _refuted_of_family(base, reading, found, bool(declared)) if declared or not found.integrals else None
+            _refuted_of_family(base, reading, found, bool(declared) or special.is_upright(found))
+            if declared or not found.integrals
+            else None
         )
     return None
 
@@ -469,8 +493,10 @@ def _by_indices(asked: Asked) -> Answer | None:
 def _proved_of_family(base: Answer, reading: Reading, found: special.Members) -> Answer | None:
     """Proved by the relations of the family, by members written out, or by induction."""
     (problem,) = reading.problems
-    written = special.written_out(problem, found) if not found.base and not found.integrals else None
-    for stated in (written, *(special.related(problem, found, more) for more in (0, 1))):
+    plain = not found.base and (not found.integrals or not letters(problem.claim))
+    written = special.written_out(problem, found) if plain else None
+    partly = special.written_out(problem, found, partly=True) if found.family.slopes and not found.base else None
+    for stated in (written, partly, *(special.related(problem, found, more) for more in (0, 1))):
         if stated is not None:
             verdict, made, _ = decided_one(stated)
             if made is not None and verdict is Verdict.PROVED:
@@ -488,14 +514,16 @@ def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, d
         if (problem := special.written_out(reading.problems[0], found, number)) is None:
             continue
         by_digits = _refuted_by_digits(jets.without(problem))
-        verdict, made, used = by_digits or ((Verdict.UNDECIDED, None, ()) if found.integrals else decided_one(problem))
+        verdict, made, used = by_digits or (
+            (Verdict.UNDECIDED, None, ()) if found.integrals and letters(problem.claim) else decided_one(problem)
+        )
         if made is None or verdict is not Verdict.REFUTED:
             continue
         if not declared:
             names = ", ".join(sorted({x.partition("_")[0] for x in found.latex.values()}))
             kinds = " and ".join(found.family.names.values())
             return replace(base, verdict=Status.AMBIGUOUS, reason=f"it is false of the {kinds}: say what {names} is")
-        if reason := doubt(reading):
+        if reason := _doubt_of_points(reading):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         order = {} if number is None else {found.base: str(number)}
         point = order | {x: term(value) for x, value in made["point"]["values"].items()}
@@ -564,7 +592,7 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
             at = replace(problem, claim=_with_factorials(problem.claim), definitions=definitions)
             verdict, certificate_, _ = decided_one(at)
             if certificate_ is not None and verdict is Verdict.REFUTED:
-                if reason := doubt(reading):
+                if reason := _doubt_of_points(reading):
                     return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
                 if said := _says_otherwise(printed, reading, None):
                     return replace(base, reason=said)
@@ -608,6 +636,14 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
     if slips is not None and may_be_solved(problem, reading) and all(s["edit"].endswith(EVERYWHERE) for s in slips()):
         return EQUATION
     return EQUATION if is_condition(problem, reading) else ""
+
+
+def _doubt_of_points(reading: Reading) -> str:
+    """Why what fails somewhere may be meant in another way, in which it does not; the empty text if nothing is seen."""
+    if reason := doubt(reading):
+        return reason
+    others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles))
+    return next((why for why, meant in others if _perhaps_otherwise(reading, meant(reading.tree))), "")
 
 
 def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:

@@ -17,6 +17,7 @@ from symcheck.question.order_of_factors import relies_on_order
 from symcheck.question.prepare import DEFINED, VARIABLES, Definitions, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.commands import OVER
+from symcheck.reading.inference import told_size
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.lexer import SIZES, SPACES
 from symcheck.reading.notation import SAID
@@ -47,6 +48,7 @@ INDICES = frozenset("ijklmn") | GREEK
 EXACT = (1, 2, 4, 5, 8)  # denominators of decimals that nobody means to be rounded: 0.5, 0.25, 0.2
 ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
 CONNECTIVES = ("for", "and", "or", "otherwise")  # words that stand between relations, and are no units
+NUMBERS_ALONE = "it holds where its matrices have one row and column, as numbers do, and is not read for larger ones"
 TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
 # a number with a unit: "5\,\text{kg}"
 _UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|rm)\s*\{([^{}]*)\}")
@@ -274,6 +276,8 @@ def doubt_of_proofs(reading: Reading) -> str:
     if relies_on_order(reading.tree, said | {*reading.source[2]}):
         capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
         return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
+    if told_size(1) in inference.choices:
+        return NUMBERS_ALONE
     return _unchanging(reading) or unsaid(reading)
 
 

@@ -80,6 +80,7 @@ class Stated:
     printed: Mapping[str, str]  # hypotheses by their names
     needed: Mapping[str, str]  # that there are the inverses
     taken: Mapping[str, str]
+    shapes: Mapping[str, Shape]  # of the letters
     plain: tuple[Statement, ...] = ()  # the same with determinants as they are printed
     varied: str = ""  # the letter by which something is differentiated
 
@@ -119,6 +120,31 @@ def stated(reading: Reading) -> list[Stated]:
         with suppress(SymcheckError, Malformed, RecursionError):
             found.append(_stated(reading, loose=loose))
     return found
+
+
+def oblong(reading: Reading) -> list[dict[str, str]]:
+    """What vectors and matrices are said to be if numbers of rows and columns that may differ do: 3 and 2, 2 and 3.
+
+    Nothing where all matrices are square for certain, or where that is not known.
+    """
+    kinds = {x.latex: x.kind for x in reading.inference.notation.letters if not x.identity and not x.skew}
+    for said in stated(reading)[:1]:
+        shapes = {x: shape for x, shape in said.shapes.items() if kinds.get(x) in MATRICES}
+        sizes = [
+            *dict.fromkeys(n for shape in shapes.values() for n in shape if isinstance(n, str) and not _is_told(n))
+        ]
+        if all(n == m for x, (n, m) in shapes.items() if kinds[x] == "matrix") or len(sizes) > len(OBLONG):
+            return []
+        return [
+            {x: _as_said(kinds[x], shape, dict(zip(sizes, numbers, strict=False))) for x, shape in shapes.items()}
+            for numbers in (OBLONG, (*OBLONG[1::-1], *OBLONG[2:]))
+        ]
+    return []
+
+
+def _as_said(kind: str, shape: Shape, numbers: Mapping[Size, int]) -> str:
+    n, m = (str(numbers[size]) if size in numbers else _told(size) for size in shape)
+    return f"real {n} {m}" if kind == "matrix" else f"real {n}"
 
 
 def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
@@ -172,7 +198,7 @@ def _stated(reading: Reading, *, loose: bool) -> Stated:
     else:  # determinants in what is assumed make no difference
         assumed = {name: both for name, both in assumed.items() if not any(map(has, both))}
     statements = tuple(Statement(shapes, both, assumed, inverses) for both in sides)
-    return Stated(statements, printed, made.needed, made.taken(shapes), plain, made.varied)
+    return Stated(statements, printed, made.needed, made.taken(shapes), made.letters(shapes), plain, made.varied)
 
 
 def false_gradients(reading: Reading) -> Iterator[list[Problem]]:
@@ -591,15 +617,18 @@ class Lowering:
                 return [self.sized(part, names) for part in parts]
         return term
 
+    def letters(self, shapes: Mapping[str, Shape]) -> dict[str, Shape]:
+        """The shape of each letter."""
+        return {key[0]: shapes[x] for key, x in self.names.items() if isinstance(key, tuple) and x in shapes}
+
     def taken(self, shapes: Mapping[str, Shape]) -> dict[str, str]:
         """What each letter is taken for, with its shape."""
-        letters = {key[0]: shapes[x] for key, x in self.names.items() if isinstance(key, tuple) and x in shapes}
         units = {x.latex: "the identity" for x in self.notation.letters if x.identity}
         return units | {
             x: f"a vector of {_told(n)}, whatever that is"
             if m == 1
             else f"a matrix of {_told(n)} x {_told(m)}, whatever these are"
-            for x, (n, m) in letters.items()
+            for x, (n, m) in self.letters(shapes).items()
             if not (_is_told(n) and _is_told(m))
         }
 
@@ -623,4 +652,5 @@ def _is_told(size: Size) -> bool:
 
 KINDS: dict[str, Shape] = {"scalar": NUMBER, "vector": (0, 1), "matrix": (0, 0), "function": NUMBER}  # 0: any
 MATRICES = ("vector", "matrix")
+OBLONG = (3, 2, 4)  # different numbers of rows and columns
 WORDS = ("unit", "zero", "number", "transpose", "trace", "fact")  # no names of letters

@@ -33,6 +33,8 @@ from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
+# the sign of a relation
+_RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 # a set of numbers, the part of it above zero, and its dimension: "\mathbb{R}_{>0}^{n}"
 _SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
@@ -43,7 +45,7 @@ _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\
 _SCOPED = re.compile(r"\\forall(?![a-zA-Z])|\\in(?![a-zA-Z])|\\text\s*\{\s*[Ff]or")
 # that before a relation, up to a colon
 _ALL_AT_FIRST = re.compile(r"^(\s*\\forall(?![a-zA-Z])[^:=]*?)\s*(?::(?!=)|\\colon(?![a-zA-Z]))")
-LARGER = (4, 1)  # sizes of vectors and matrices where no smaller one makes sense
+OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
 PRIMED = (*VARIABLES, r"\theta", r"\phi", r"\varphi", "s")  # by which a prime differentiates, if just one is there
@@ -138,6 +140,50 @@ def sizes(asked: Asked) -> list[str]:
     for text in (asked.relation, *asked.where):
         found += [place.arguments[1] for place in occurrences(text) if place.role == "index" and place.arguments]
     return [each for each in dict.fromkeys(found) if tex.spelled(each) is not None and each != r"\infty"]
+
+
+def with_whole_ends(asked: Asked) -> Asked | None:
+    """The question with what a sum or product up to a letter says of it: a whole number, not below the first index.
+
+    None where nothing is summed up to a letter of which nothing is said.
+    """
+    known = {letter for letter, _ in asked.letters} | {text.split()[0] for text in asked.given if r"\in" in text}
+    texts = (asked.relation, *asked.where)
+    ends = [place.arguments for text in texts for place in occurrences(text) if place.role == "index"]
+    firsts = {end: int(first) for first, end in filter(None, ends) if first.isdigit() and _is_name(end)}
+    told = {end: first for end, first in firsts.items() if end not in known and end != r"\infty"}
+    if not told:
+        return None
+    said = [text for end, first in told.items() for text in (rf"{end} \in \mathbb{{Z}}", rf"{end} \ge {first}")]
+    return replace(asked, given=(*asked.given, *said))
+
+
+def apart(conditions: Iterable[str]) -> Iterator[str]:
+    r"""Conditions, each of one letter where they are about members of sets: "m, n \in \mathbb{N}, m \ne n"."""
+    for condition in conditions:
+        found, waiting = list[str](), list[str]()
+        for part in _between_commas(condition) if r"\in" in condition else ():
+            if match := _MEMBER.match(part.strip()):
+                found += (rf"{letter.strip()} \in {match[2]}" for letter in (*waiting, match[1]))
+                waiting = []
+            elif _RELATION.search(part):
+                found.append(",".join((*waiting, part)).strip())
+                waiting = []
+            else:
+                waiting.append(part)
+        yield from found if found and not waiting else [condition]
+
+
+def _between_commas(text: str) -> Iterator[str]:
+    """The parts of a text between the commas that stand in no brackets."""
+    depth, start = 0, 0
+    for tok in tex.tokenize(text):
+        depth += tok.text in ("{", "(", "[", r"\{")
+        depth -= tok.text in ("}", ")", "]", r"\}")
+        if tok.text == "," and depth == 0:
+            yield text[start : tok.at]
+            start = tok.at + 1
+    yield text[start:]
 
 
 def declared_sizes(asked: Asked) -> dict[str, tuple[int | str, int | str]]:
@@ -269,7 +315,7 @@ def readings(asked: Asked, size: int = 0, *, likely: bool = False) -> list[Readi
     """
     inferences, defined, equations, conditions = _told(asked, size)
     errors = list[SymcheckError]()
-    for tried in (SIZES, LARGER):
+    for tried in (SIZES, *OTHERS):
         found = []
         for inference in inferences(tried):
             try:

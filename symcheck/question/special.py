@@ -12,13 +12,14 @@ import ast
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache
 
-from symcheck.core.calculus import Unknown, derivative, functions, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, derivative, differentiated, functions, letters, nodes, substituted
 from symcheck.core.problems import Problem
-from symcheck.core.terms import PI, Call, Formula, Malformed, Node, T, Term, mapped, node
+from symcheck.core.terms import PI, Binder, Call, Formula, Malformed, Node, T, Term, mapped, node
+from symcheck.core.verdicts import SymcheckError
 from symcheck.question.prepare import DEFINED, Asked, Reading
 
 ORDER, ARGUMENT = "n", "x"  # in the relations below
@@ -42,6 +43,10 @@ class Family:
         The next member by the two before it, by letter.
     mirrored
         The sign for which f(-n) is that power of f(n), for whole n, by letter.
+    slopes
+        The derivative of some order that is known by others and by lower ones, by letter.
+    ordered
+        Whether members have an order, which is printed below; otherwise it counts as 0.
     """
 
     names: Mapping[str, str]
@@ -49,6 +54,8 @@ class Family:
     first: Mapping[tuple[str, Fraction], str]
     step: Mapping[str, str]
     mirrored: Mapping[str, int]
+    slopes: Mapping[str, tuple[int, str]] = field(default_factory=dict)
+    ordered: bool = True
 
 
 def _polynomials(letter: str, name: str, first: str, second: str, step: str, *relations: str) -> Family:
@@ -56,7 +63,13 @@ def _polynomials(letter: str, name: str, first: str, second: str, step: str, *re
     return Family({letter: name}, relations, start, {letter: step}, {})
 
 
+def _functions(names: Mapping[str, str], slopes: Mapping[str, tuple[int, str]]) -> Family:
+    """Functions without an order: f(n) stands for f."""
+    return Family(names, (), {}, {}, {}, slopes, ordered=False)
+
+
 _HALF = Fraction(1, 2)
+_ELLIPTIC = "complete elliptic integral of the"
 _WAVE = "sqrt(2/(pi*x))"
 FAMILIES = (
     _polynomials(
@@ -138,14 +151,46 @@ FAMILIES = (
             ("y", "second", "-cos(x)/x", "-cos(x)/x**2 - sin(x)/x"),
         )
     ),
+    Family(
+        {"Li": "polylogarithm"}, ("x*d(Li(n)) == Li(n - 1)",),
+        {("Li", Fraction(0)): "x/(1 - x)", ("Li", Fraction(1)): "-log(1 - x)"}, {}, {}, {"Li": (1, "Li(n - 1)/x")},
+    ),
+    _functions(
+        {"Ai": "Airy function of the first kind", "Bi": "Airy function of the second kind"},
+        {"Ai": (2, "x*Ai(n)"), "Bi": (1, "(1/pi + d(Ai(n))*Bi(n))/Ai(n)")},
+    ),
+    *(
+        _functions({letter: f"{name} integral"}, {letter: (1, f"({slope})/x")})
+        for letter, name, slope in (
+            ("Si", "sine", "sin(x)"), ("Ci", "cosine", "cos(x)"), ("Ei", "exponential", "exp(x)"),
+            ("Shi", "hyperbolic sine", "(exp(x) - exp(-x))/2"), ("Chi", "hyperbolic cosine", "(exp(x) + exp(-x))/2"),
+        )
+    ),
+    _functions({"Dawson": "Dawson function"}, {"Dawson": (1, "1 - 2*x*Dawson(n)")}),
+    *(
+        _functions(
+            {k: f"{_ELLIPTIC} first kind of the {of}", e: f"{_ELLIPTIC} second kind of the {of}"},
+            {k: (1, f"({e}(n) - ({rest})*{k}(n))/({c}*x*({rest}))"), e: (1, f"({e}(n) - {k}(n))/({c}*x)")},
+        )
+        for k, e, of, c, rest in (
+            ("K_of_k", "E_of_k", "modulus", 1, "1 - x**2"), ("K_of_m", "E_of_m", "parameter", 2, "1 - x"),
+        )
+    ),
 )  # fmt: skip
 INTEGRALS = {  # members of whole order, as integrals over half a turn, divided by pi
     "J": "cos(n*t - x*sin(t))",
     "I": "exp(x*cos(t))*cos(n*t)",
+    "K_of_k": "pi/(2*sqrt(1 - x**2*sin(t)**2))",
+    "E_of_k": "pi*sqrt(1 - x**2*sin(t)**2)/2",
+    "K_of_m": "pi/(2*sqrt(1 - x*sin(t)**2))",
+    "E_of_m": "pi*sqrt(1 - x*sin(t)**2)/2",
 }
 USUAL = {x: family for family in FAMILIES for x in family.names if x not in ("j", "y")}
 NAMED = {name: (x, family) for family in FAMILIES for x, name in family.names.items()}
-# a letter, perhaps upright, with one subscript
+UPRIGHT = ("Ai", "Bi", "Si", "Ci", "Shi", "Chi", "Ei", "Li")  # names that are printed so say what they are
+# a letter, perhaps upright
+_BARE = re.compile(r"(?:\\(?:text|mathrm)\s*\{\s*)?(?P<stem>[A-Za-z]+)\s*\}?")
+# the same with one subscript
 _MEMBER = re.compile(
     r"(?:\\(?:text|mathrm)\s*\{\s*)?(?P<stem>[A-Za-z]+)\s*\}?\s*_\s*(?:\{(?P<group>.*)\}|(?P<one>\S+))"
 )
@@ -160,6 +205,8 @@ def said(letters_: Iterable[tuple[str, str]]) -> dict[str, str]:
         name = re.sub(r"^(\w+(?:'s)? polynomial|(?:modified |spherical )?Bessel function)s\b", r"\1", name)
         if name in NAMED:
             found[letter.partition("_")[0]] = name
+        elif f"{name} of the modulus" in NAMED:
+            raise SymcheckError(f"{letter}: {name} of the modulus k, or of the parameter m = k^2? say which")
     return found
 
 
@@ -178,7 +225,12 @@ def _with_subscripts(text: str, stems: Iterable[str]) -> Iterator[tuple[str, str
 
 def may_have(texts: Iterable[str], declared: Mapping[str, str]) -> bool:
     """Whether a special function may stand in one of some formulas: a usual or declared letter with a subscript."""
-    return any(applied for text in texts for _, _, applied in _with_subscripts(text, {*USUAL, *declared}))
+    texts = [*texts]
+    plain = [*UPRIGHT, *(x for x, name in declared.items() if not NAMED[name][1].ordered)]
+    bare = re.compile(rf"(?<![A-Za-z\\])(?:{'|'.join(map(re.escape, plain))})(?![A-Za-z])")
+    return any(map(bare.search, texts)) or any(
+        applied for text in texts for _, _, applied in _with_subscripts(text, {*USUAL, *declared})
+    )
 
 
 @dataclass(frozen=True)
@@ -252,13 +304,14 @@ def members(reading: Reading, declared: Mapping[str, str]) -> Members | None:
     for letter in reading.inference.notation.letters:
         if letter.name not in called and letter.stem not in called:
             continue
-        match = _MEMBER.fullmatch(letter.latex)
-        order = _order(match["group"] or match["one"]) if match else None
-        if match is None or order is None:
+        match = _MEMBER.fullmatch(letter.latex) or _BARE.fullmatch(letter.latex)
+        if match is None:
             return None
         stem = match["stem"]
         usual, family = NAMED[declared[stem]] if stem in declared else (stem, USUAL.get(stem))
-        if family is None:
+        below = match["group"] or match["one"] if match.re is _MEMBER else None
+        order = _order(below) if below is not None else Order("", Fraction(0))
+        if family is None or order is None or family.ordered is (below is None):
             return None
         families.append(family)
         found[str(letter.name or letter.stem)], latex[str(letter.name or letter.stem)] = (usual, order), letter.latex
@@ -267,10 +320,16 @@ def members(reading: Reading, declared: Mapping[str, str]) -> Members | None:
     return Members(families[0], found, latex) if one and len(bases) == 1 else None
 
 
+def is_upright(found: Members) -> bool:
+    """Whether the members are printed with names of several upright letters, which say what they are."""
+    return all(usual in UPRIGHT and found.latex[name].startswith("\\") for name, (usual, _) in found.of.items())
+
+
 def is_telling(found: Members) -> bool:
-    """Whether the formula has more than one first member, which may be anything."""
+    """Whether names say what they are, or the formula has more than one first member, which may be anything."""
     orders = [order for _, order in found.of.values()]
-    return len(orders) > 1 or bool(orders[0].base) or orders[0].shift >= 2 or orders[0].shift.denominator > 1
+    several = len(orders) > 1 or bool(orders[0].base)
+    return is_upright(found) or several or orders[0].shift >= 2 or orders[0].shift.denominator > 1
 
 
 # --- relations
@@ -288,7 +347,7 @@ def related(problem: Problem, found: Members, more: int) -> Problem | None:
     """The problem with the relations of the members that occur, and of so many before and behind them."""
     calls = [*_calls(problem.claim)]
     arguments = {call.terms for call in calls}
-    if len(arguments) != 1 or any(len(terms) != 1 for terms in arguments):
+    if not found.family.relations or len(arguments) != 1 or any(len(terms) != 1 for terms in arguments):
         return None
     ((at,),) = arguments
     slopes = max(sum(call.orders) for call in calls) + sum(
@@ -379,7 +438,7 @@ def _part(tree: ast.expr, place: _Place, order: int) -> Term:
             return node(_SIGNS[type(op)], _part(left, place, order), _part(right, place, order))
         case ast.Call(func=ast.Name(id="d"), args=[inner]):
             return _part(inner, place, order + 1)
-        case ast.Call(func=ast.Name(id=("sqrt" | "sin" | "cos" | "exp") as name), args=[inner]):
+        case ast.Call(func=ast.Name(id=("sqrt" | "sin" | "cos" | "exp" | "log") as name), args=[inner]):
             return node(name, _part(inner, place, order))
         case ast.Call(func=ast.Name(id=usual), args=[index]):
             return place.member(usual, place.shift + _ahead(index), order, place.at)
@@ -407,6 +466,8 @@ def written(family_letter: str, name: str, order: Fraction) -> Term | None:
         return node("/", node("integral", inner, "t", 0, PI), PI)
     if (text := family.first.get((family_letter, order))) is not None:
         return _part(_parsed(text), _Place(0, order, ARGUMENT, _no_member), 0)
+    if family_letter not in family.step:
+        return None
     lowest = min((o for x, o in family.first if x == family_letter and (o - order).denominator == 1), default=None)
     if lowest is None or not lowest < order <= MOST:
         return None
@@ -423,24 +484,40 @@ def _no_member(*_: object) -> Term:
     raise Malformed("no member stands there")
 
 
-def written_out(problem: Problem, found: Members, number: int | None = None) -> Problem | None:
-    """The problem with members written out, at a whole number for the letter in their orders."""
-    terms = dict[str, Term]()
-    for name, (usual, order) in found.of.items():
-        own = order.shift + (number or 0)
-        mirror = own.denominator == 1 and own < 0 and usual in found.family.mirrored
-        term = written(usual, found.family.names[usual], -own if mirror else own)
-        if term is None:
+def written_out(problem: Problem, found: Members, number: int | None = None, *, partly: bool = False) -> Problem | None:
+    """The problem with members written out, at a whole number for the letter in their orders.
+
+    Partly: known derivatives alone, in which other members may stand.
+    """
+    family, by = found.family, {} if number is None else {found.base: number}
+    places = {name: (usual, order.shift + (number or 0)) for name, (usual, order) in found.of.items()}
+
+    def member(usual: str, order: Fraction, slopes: int, argument: Term) -> Term:
+        name = next((name for name, place in places.items() if place == (usual, order)), f"{usual}_{order}_of_them")
+        places[name] = usual, order
+        return node("call", name, (slopes,), argument)
+
+    def value(call: Call) -> Term | None:
+        (usual, order), slopes = places[call.function], sum(call.orders)
+        known, text = family.slopes.get(usual, (slopes + 1, ""))
+        if slopes >= known:
+            term, slopes = _part(_parsed(text), _Place(0, order, ARGUMENT, member), 0), slopes - known
+        elif partly and (usual, order) not in family.first:
             return None
-        odd = mirror and own % 2 and found.family.mirrored[usual] < 0
-        terms[name] = node("-", term) if odd else term
-    by = {} if number is None else {found.base: number}
+        else:
+            mirror = order.denominator == 1 and order < 0 and usual in family.mirrored
+            own = written(usual, family.names[usual], -order if mirror else order)
+            if own is None:
+                raise Malformed(f"{call.function} cannot be written out")
+            term = node("-", own) if mirror and order % 2 and family.mirrored[usual] < 0 else own
+        for _ in range(slopes):
+            term = derivative(term, ARGUMENT)
+        return put(term)
 
     def put(tree: T) -> T:
-        if isinstance(tree, Call) and tree.function in terms:
-            term = terms[tree.function]
-            for _ in range(sum(tree.orders)):
-                term = derivative(term, ARGUMENT)
+        if isinstance(tree, Binder) and tree.tag == "diff" and family.slopes and any(_calls(tree)):
+            return put(differentiated(tree))  # type: ignore[return-value]
+        if isinstance(tree, Call) and tree.function in places and (term := value(tree)) is not None:
             return substituted(term, {ARGUMENT: put(tree.terms[0])})  # type: ignore[return-value]
         return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 

@@ -273,6 +273,10 @@ def _is_commutator(tree: object) -> bool:
     return isinstance(tree, Tuple) and tree.kind == "[]" and len(tree.items) == 2
 
 
+def _has_letters(tree: Tree) -> bool:
+    return any(isinstance(part, Name) for part in nodes(tree))
+
+
 def refuse_order(tree: Mul, notation: Notation) -> None:
     """An error for a product of numbers in which a letter stands twice, but not as a power of it.
 
@@ -290,6 +294,9 @@ def refuse_order(tree: Mul, notation: Notation) -> None:
         if not isinstance(name, Name) or name not in names[k + 2 :] or names[k + 1] == name:
             continue
         letter = notation.find(name.letter, len(name.subscripts))
+        own = [factor for factor, other in zip(tree.factors[k:], names[k:], strict=True) if other == name]
+        if name.letter.islower() and any(isinstance(each, Pow) and _has_letters(each.exponent) for each in own):
+            continue  # a density times its variable
         if (
             letter is not None
             and letter.kind == "scalar"

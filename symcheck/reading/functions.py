@@ -76,7 +76,7 @@ SPELLED = {  # other names of the same functions
     "arccsch": "arcsch", "arctan2": "atan2",
 }  # fmt: skip
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
-OF_MATRICES = ("det", "tr", "Tr", "Re", "Im", "rank", "sign", "max", "min", "log")
+OF_MATRICES = ("det", "tr", "Tr", "vec", "Re", "Im", "rank", "sign", "max", "min", "log")
 FIELDS = ("grad", "div", "curl", "rot", "laplacian")  # operators on fields, which take one factor
 OPAQUE = (  # that are read and have no algebraic form
     "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "adj", "span", "sgn", "floor", "ceil", "sn", "cn", "dn", "am",

@@ -225,6 +225,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         unit = Guess(_letter(of, kind="matrix", size=own, identity=True), "the identity", "it stands beside matrices")
         other = Guess(_letter(of, kind="matrix", size=own), "a matrix", "it is capital")
         factor = not any(place.after in _ENDS or place.role == "subscript" for place in of.places)
+        factor &= not _in_kronecker_product(of)
         if latex == r"\mathbf{1}":
             yield unit
         else:  # nobody prints an identity only to multiply by it, as a tensor of inertia is printed
@@ -253,11 +254,18 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     ):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital beside what is transposed")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+    elif latex.isupper() and not of.indices and not of.bound and any(map(_in_kronecker_product, every.values())):
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital in a Kronecker product")
     elif _beside_vectors(of, every):
         kind = "matrix" if latex.startswith(r"\breve") else "vector"  # a dyadic
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is multiplied by a vector")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+def _in_kronecker_product(of: Evidence) -> bool:
+    """Does a capital letter stand before or behind the sign of this product?"""
+    return of.spelling.isupper() and any(r"\otimes" in (place.before, place.after) for place in of.places)
 
 
 _NAMED = re.compile(r"\\text\{(?:\w\w|[A-Z]\}_)")  # several upright letters, or one with an index
@@ -444,7 +452,8 @@ def _matrix_size(every: Mapping[str, Evidence]) -> int | None:
             return each.shape[0]
         if each.said.startswith(("matrix", "skew matrix")):
             return 3
-        if each.square or is_styled(each.spelling, capital=True) or (each.transposed and "T" not in every):
+        transposed = each.transposed and "T" not in every
+        if each.square or is_styled(each.spelling, capital=True) or transposed or _in_kronecker_product(each):
             found = 0
     return found
 

@@ -266,7 +266,7 @@ def _sized(inferences: Sequence[Inference], size: int, *, first: bool) -> Iterat
     made = dict[int, Guess]()  # readings share their guesses
     for inference in inferences:
         if any(map(_unsized, inference.guesses)):
-            told = f"vectors and matrices of {size} components and rows"
+            told = told_size(size)
             for guess in inference.guesses:
                 if id(guess) not in made:
                     made[id(guess)] = _of_size(guess, size)
@@ -274,6 +274,11 @@ def _sized(inferences: Sequence[Inference], size: int, *, first: bool) -> Iterat
             yield replace(inference, guesses=guesses, choices=(*inference.choices, told))
         elif first:
             yield inference
+
+
+def told_size(size: int) -> str:
+    """What is said of a reading whose vectors and matrices are taken to have so many components and rows."""
+    return f"vectors and matrices of {size} components and rows"
 
 
 def _unsized(guess: Guess) -> bool:

@@ -15,6 +15,7 @@ from symcheck.reading.notation import Notation, undotted
 from symcheck.reading.tree import Name
 
 FUNCTIONS = NAMES
+COMMANDED = NAMES - {"vec"}  # of these, behind a backslash: \vec is an arrow
 THIN = frozenset([r"\,", r"\!", r"\displaystyle", r"\limits", r"\nolimits"])
 THICK = frozenset([r"\;", r"\:", "\\ ", "~"])
 WIDE = frozenset([r"\quad", r"\qquad", r"\hfill"])
@@ -275,7 +276,7 @@ class Lexer(tex.Reader):
             self.i += 1
             kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
             self.emit(kind, RELATIONS.get(text, text), at)
-        elif tex.is_letter(text) or text == r"\partial" or text[1:] in FUNCTIONS:
+        elif tex.is_letter(text) or text == r"\partial" or text[1:] in COMMANDED:
             self.letter()
         else:
             meant = self.notation.resembling(text)
@@ -807,7 +808,7 @@ class Lexer(tex.Reader):
     def letter(self) -> None:
         """A letter with its subscripts, the name of a function, or a differential."""
         at = self.at()
-        if self.peek() == r"\partial" or (self.peek()[1:] in FUNCTIONS and not self.notation.knows(self.peek())):
+        if self.peek() == r"\partial" or (self.peek()[1:] in COMMANDED and not self.notation.knows(self.peek())):
             word = self.peek()
             self.i += 1
         else:
@@ -816,7 +817,7 @@ class Lexer(tex.Reader):
         number = word in NUMBERS and self.peek() == "_"  # of Reynolds, with an index
         if (
             word.startswith("\\")
-            and (plain in FUNCTIONS or plain == "diag")
+            and (plain in (FUNCTIONS if word.startswith(r"\text{") else COMMANDED) or plain == "diag")
             and not (number or self.notation.knows(word))
         ):
             if plain == "log" and self.peek() == "_":

@@ -108,6 +108,7 @@ from symcheck.reading.tree import (
     Name,
     Neg,
     Norm,
+    Operated,
     Or,
     Pair,
     Path,
@@ -1266,6 +1267,13 @@ class Lowering:
             raise Unsaid(f"{to_latex(tree)} is a cross product of two vectors only; check the notation")
         return [minus(times(u[p], v[q]), times(u[q], v[p])) for p, q in ((1, 2), (2, 0), (0, 1))]
 
+    def of_operated(self, tree: Operated, env: Env) -> Value:
+        """Kronecker's product of matrices; of vectors the sign means one of several things."""
+        a, b = self.value(tree.left, env), self.value(tree.right, env)
+        if tree.sign != r"\otimes" or len(shape(a)) != 2 or len(shape(b)) != 2:
+            raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
+        return [[multiplied(x, y) for x in left for y in right] for left in a for right in b]
+
     def of_transpose(self, tree: Transpose, env: Env) -> Value:
         if not self.defined:
             refuse_bare(tree, self.notation)
@@ -1456,6 +1464,13 @@ def _trace(tree: Tree, value: Value) -> Value:
     return plus(value[k][k] for k in range(size[0]))
 
 
+def _columns(tree: Tree, value: Value) -> Value:
+    """The columns of a matrix, one below the other."""
+    if len(shape(value)) != 2:
+        raise Unsaid(f"{to_latex(tree)}: only a matrix has columns")
+    return [entry for column in zip(*value, strict=True) for entry in column]
+
+
 def _part(k: int) -> Callable[[Tree, Value], Value]:
     def of(tree: Tree, value: Value) -> Value:
         if not any(isinstance(part, Complex) for part in flat(value)):
@@ -1466,7 +1481,7 @@ def _part(k: int) -> Callable[[Tree, Value], Value]:
 
 
 OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matrices, and parts of complex numbers
-    "det": determinant, "tr": _trace, "Tr": _trace, "Re": _part(0), "Im": _part(1),
+    "det": determinant, "tr": _trace, "Tr": _trace, "vec": _columns, "Re": _part(0), "Im": _part(1),
 }  # fmt: skip
 
 

@@ -11,7 +11,7 @@ from functools import lru_cache
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, ROMAN, known
-from symcheck.reading.lexer import CLOSE, FUNCTIONS, NUMBERS, OPEN, SIZES, SPACES
+from symcheck.reading.lexer import CLOSE, COMMANDED, FUNCTIONS, NUMBERS, OPEN, SIZES, SPACES
 from symcheck.reading.notation import undotted
 
 BOLD = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec"})
@@ -453,7 +453,7 @@ def _spelled(variables: Sequence[Occurrence]) -> tuple[str, ...]:
 
 
 _BEFORE_SIGN = SPACES | {"{", "}"}
-FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in FUNCTIONS) | {r"\operatorname"}
+FUNCTIONS_SPELLED = frozenset(f"\\{name}" for name in COMMANDED) | {r"\operatorname"}
 
 
 def words(tokens: Sequence[str] | None) -> list[str]:

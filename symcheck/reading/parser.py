@@ -1184,6 +1184,8 @@ class Builder:
             assert given is not None
             return self.postfixed(Call(head.name, (given,)), items[k]), k + 1
         if k < len(items) and items[k].kind == "group":
+            if head.name == "vec" and items[k].postfix == "TRANSPOSE":  # of the column: that of a matrix stands inside
+                return self.postfixed(Call("vec", self.entries(items[k].listing)), items[k]), k + 1
             if items[k].postfix:
                 raise self.fail(items[k].at, f"does this power belong to {head.name} or to its argument?")
             return self.powered(head, self.entries(items[k].listing)), k + 1
