@@ -3308,7 +3308,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I \\mathbf J_Q(\\mathbf q) &= \\begin{bmatrix} {}_I \\mathbf J_P \\\\ {}_I \\mathbf J_R \\end{bmatrix} \\\\ &= \\begin{bmatrix} \\mathds{1}_{3\\times 3} && -\\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\\\ \\mathbf{0}_{3 \\times 3} && \\mathbf C_{I\\!B} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{R_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\end{aligned}",
-        "Chain(Call(\\prescript { } { I } { \\mathbf { J } } _ { Q }; \\mathbf{q}), MatrixOf(\\prescript { } { I } { \\mathbf { J } } _ { P }, \\prescript { } { I } { \\mathbf { J } } _ { R }), MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(\\mathbf{C}_{IB}, \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q })), Blank(), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; \\mathbf{q}_j)), Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{IB}, Blank(), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))); =, =)",
+        "Chain(Call(\\prescript { } { I } { \\mathbf { J } } _ { Q }; \\mathbf{q}), MatrixOf(\\prescript { } { I } { \\mathbf { J } } _ { P }, \\prescript { } { I } { \\mathbf { J } } _ { R }), MatrixOf(Marked(1; _{ 3 \\times 3 }), Neg(Mul(\\mathbf{C}_{IB}, \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q })), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; \\mathbf{q}_j)), Marked(0; _{ 3 \\times 3 }), \\mathbf{C}_{IB}, Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))); =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -4263,7 +4263,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{ {\\boldsymbol{y}}}^* = \\left(\\begin{array}{ccccc} t_1^*\\quad & & \\cdots\\quad & & t_M^* \\end{array}\\right)^\\mathrm{T}",
-        "Chain(\\boldsymbol { y } ^ { * }, Transpose(MatrixOf(t _ { 1 } ^ { * }, Blank(), Dots(), Blank(), t _ { M } ^ { * })); =)",
+        "Chain(\\boldsymbol { y } ^ { * }, Transpose(MatrixOf(t _ { 1 } ^ { * }, Dots(), t _ { M } ^ { * })); =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -6333,7 +6333,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I\\mbox{\\boldmath $\\omega$}_{I\\!Q} &= {}_I\\mbox{\\boldmath $\\omega$}_{I\\!B} + {}_I\\mbox{\\boldmath $\\omega$}_{B\\!Q} \\\\ &= \\begin{bmatrix} \\mathbf{0}_{3 \\times 3} && \\mathbf C_{I\\!B} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{R_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\cdot \\mathbf u \\end{aligned}",
-        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I Q }, Add(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I B }, \\prescript { } { I } { \\boldsymbol { \\omega } } _ { B Q }), Mul(MatrixOf(Marked(0; _{ 3 \\times 3 }), Blank(), \\mathbf{C}_{IB}, Blank(), Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))), \\mathbf{u}; 1); =, =)",
+        "Chain(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I Q }, Add(\\prescript { } { I } { \\boldsymbol { \\omega } } _ { I B }, \\prescript { } { I } { \\boldsymbol { \\omega } } _ { B Q }), Mul(MatrixOf(Marked(0; _{ 3 \\times 3 }), \\mathbf{C}_{IB}, Mul(\\mathbf{C}_{IB}, Call(\\prescript { } { B } { \\mathbf { J } } _ { R _ { q _ { j } } }; \\mathbf{q}_j))), \\mathbf{u}; 1); =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -6383,7 +6383,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{bmatrix} \\mathbf{M}_k && 0 \\\\ 0 && \\mathbf{M}_d \\\\ \\end{bmatrix} \\begin{bmatrix} \\dot{\\bar{q}} \\\\ \\dot{\\bar{u}} \\end{bmatrix} + \\begin{bmatrix} \\bar{g}_k(\\bar{u}, \\bar{q}, t) \\\\ \\bar{g}_d(\\bar{u}, \\bar{q}, t) \\end{bmatrix} = \\begin{bmatrix} 0 \\\\ 0 \\end{bmatrix}",
-        "Chain(Add(Mul(MatrixOf(\\mathbf{M}_k, Blank(), 0, 0, Blank(), \\mathbf{M}_d), MatrixOf(Call(\\dot{\\bar{q}}), Call(\\dot{\\bar{u}}))), MatrixOf(Call(\\bar{g}_k; Call(\\bar{u}), Call(\\bar{q}), t), Call(\\bar{g}_d; Call(\\bar{u}), Call(\\bar{q}), t))), MatrixOf(0, 0); =)",
+        "Chain(Add(Mul(MatrixOf(\\mathbf{M}_k, 0, 0, \\mathbf{M}_d), MatrixOf(Call(\\dot{\\bar{q}}), Call(\\dot{\\bar{u}}))), MatrixOf(Call(\\bar{g}_k; Call(\\bar{u}), Call(\\bar{q}), t), Call(\\bar{g}_d; Call(\\bar{u}), Call(\\bar{q}), t))), MatrixOf(0, 0); =)",
         "moorepants/learn-multibody-dynamics/eom.rst",
     ),
     (
@@ -6548,7 +6548,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{ {\\boldsymbol{y}}} = \\left(\\begin{array}{ccccc} y_1\\quad & & \\cdots\\quad & & y_N \\end{array}\\right)^\\mathrm{T}",
-        "Chain(\\boldsymbol{y}, Transpose(MatrixOf(y_1, Blank(), Dots(), Blank(), y_N)); =)",
+        "Chain(\\boldsymbol{y}, Transpose(MatrixOf(y_1, Dots(), y_N)); =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -6848,7 +6848,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{aligned} {}_I \\mathbf v_{Q} &= {}_I \\mathbf v_{B} + \\dot{\\mathbf C}_{I\\!B} \\cdot {}_B\\mathbf r_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} + \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mbox{\\boldmath $\\omega$}}_{I\\!B} \\cdot {}_B\\mathbf r_{B\\!Q} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} - \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} + \\mathbf C_{I\\!B} \\cdot {}_B\\dot{\\mathbf r}_{B\\!Q} \\\\ &= {}_I \\mathbf v_{B} - \\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} \\cdot {}_B\\mbox{\\boldmath $\\omega$}_{I\\!B} + \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\cdot \\dot{\\mathbf q}_j \\\\ &= \\begin{bmatrix} \\mathds{1}_{3\\times 3} && -\\mathbf C_{I\\!B} \\cdot {}_B\\hat{\\mathbf r}_{B\\!Q} && \\mathbf C_{I\\!B} \\cdot {}_B \\mathbf J_{P_{q_j}}(\\mathbf q_j) \\end{bmatrix} \\cdot \\mathbf u \\end{aligned}",
-        "Chain(\\prescript { } { I } { \\mathbf { v } } _ { Q }, Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\dot{\\mathbf{C}}_{IB}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q })), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { I B }, Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q }); 2), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }; 2)), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }; 2)), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)), Call(\\dot{\\mathbf{q}}_j); 2)), Mul(MatrixOf(Marked(1; _{ 3 \\times 3 }), Blank(), Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q })), Blank(), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)))), \\mathbf{u}; 1); =, =, =, =, =)",
+        "Chain(\\prescript { } { I } { \\mathbf { v } } _ { Q }, Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\dot{\\mathbf{C}}_{IB}), Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q })), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\boldsymbol { \\omega } } } _ { I B }, Call(\\prescript { } { B } { \\mathbf { r } } _ { B Q }); 2), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }; 2)), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\dot { \\mathbf { r } } } _ { B Q }))), Add(\\prescript { } { I } { \\mathbf { v } } _ { B }, Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q }, \\prescript { } { B } { \\boldsymbol { \\omega } } _ { I B }; 2)), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)), Call(\\dot{\\mathbf{q}}_j); 2)), Mul(MatrixOf(Marked(1; _{ 3 \\times 3 }), Neg(Mul(Call(\\mathbf{C}_{IB}), \\prescript { } { B } { \\hat { \\mathbf { r } } } _ { B Q })), Mul(Call(\\mathbf{C}_{IB}), Call(\\prescript { } { B } { \\mathbf { J } } _ { P _ { q _ { j } } }; Call(\\mathbf{q}_j)))), \\mathbf{u}; 1); =, =, =, =, =)",
         "ANYbotics/kindr/doc/cheatsheet/cheatsheet_kindr1.tex",
     ),
     (
@@ -9733,7 +9733,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "X = \\left(\\begin{array}{ccccc} { {\\boldsymbol{x}}}_1\\quad & & \\cdots\\quad & & { {\\boldsymbol{x}}}_N \\end{array}\\right)^\\mathrm{T}",
-        "Chain(X, Transpose(MatrixOf(\\boldsymbol{x}_1, Blank(), Dots(), Blank(), \\boldsymbol{x}_N)); =)",
+        "Chain(X, Transpose(MatrixOf(\\boldsymbol{x}_1, Dots(), \\boldsymbol{x}_N)); =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (
@@ -10878,7 +10878,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "{ {\\boldsymbol{r}}}_{ {\\boldsymbol{\\theta}}} = \\left(\\begin{array}{ccccc} y_1 - \\mu_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{x}}}_1)\\quad & & \\cdots\\quad & & y_N - \\mu_{ {\\boldsymbol{\\theta}}}({ {\\boldsymbol{x}}}_N) \\end{array}\\right)^\\mathrm{T}",
-        "Chain(\\boldsymbol{r}_{\\boldsymbol\\theta}, Transpose(MatrixOf(Add(y_1, Neg(Call(\\mu_{\\boldsymbol\\theta}; \\boldsymbol{x}_1))), Blank(), Dots(), Blank(), Add(y_N, Neg(Call(\\mu_{\\boldsymbol\\theta}; \\boldsymbol{x}_N))))); =)",
+        "Chain(\\boldsymbol{r}_{\\boldsymbol\\theta}, Transpose(MatrixOf(Add(y_1, Neg(Call(\\mu_{\\boldsymbol\\theta}; \\boldsymbol{x}_1))), Dots(), Add(y_N, Neg(Call(\\mu_{\\boldsymbol\\theta}; \\boldsymbol{x}_N))))); =)",
         "dfm/celerite/paper/ms.tex",
     ),
     (

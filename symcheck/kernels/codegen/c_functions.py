@@ -163,11 +163,12 @@ static INLINE double stirling(double x)
 }}
 """,
     "gamma_ratio": f"""\
-/* Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity. Where x or x + h is small the functional
-   equation moves both up by {SHIFT}, to where Stirling's series holds; of two logarithms the difference is formed. */
+/* Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others. Where x or x + h is small
+   the functional equation moves both up by {SHIFT}, to where Stirling's series holds; of two logarithms the
+   difference is formed. */
 static INLINE double gamma_ratio(double x, double h)
 {{
-    const double y = x > 0x1p100 ? 0x1p100 : x; /* beyond, the ratio is 1 */
+    const double y = x > 0x1p100 ? 0x1p100 : x > 0.0 && x + h > 0.0 ? x : NAN; /* beyond, the ratio is 1 */
     const int small = y < {SHIFT}.0 || y + h < {SHIFT}.0;
     const double moved = small ? y + {SHIFT}.0 : y;
     const double logarithm = (moved + (h - 0.5)) * log1p(h / moved) - h + (stirling(moved + h) - stirling(moved));

@@ -177,11 +177,11 @@ def expm1_ratio(x: float, expm1: Callable[[float], float]) -> float:
 
 
 def gamma_ratio(x: float, h: float) -> float:
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity.
+    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others.
 
     Where one of them is small the functional equation moves both up to where Stirling's series holds.
     """
-    x = 1 / TINY if x > 1 / TINY else x
+    x = 1 / TINY if x > 1 / TINY else x if x > 0.0 and x + h > 0.0 else math.nan
     small = min(x, x + h) < SHIFT
     moved = x + SHIFT if small else x
     value = math.exp((moved + (h - 0.5)) * math.log1p(h / moved) - h + (stirling(moved + h) - stirling(moved)))
