@@ -60,6 +60,9 @@ CASE = re.compile(
     r"\b(?:for|with|if|when|set|setting|substituting|putting|taking|letting|assuming|where)\b", re.IGNORECASE
 )
 WHERE = re.compile(r"\b(?:for|if|when) \$", re.IGNORECASE)  # words before a formula that bounds letters
+NEGATIVE = re.compile(
+    r"(?:<|\\leq?(?![a-z]))\s*(?:0|-)|(?:0|-[^<>]*)\s*(?:>|\\geq?(?![a-z]))"
+)  # a bound of negative numbers
 # words that end with what comes of it
 RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
@@ -228,9 +231,10 @@ class Checks:
                     yield question
 
     def _is_bounded(self, k: int) -> bool:
-        """Is a display said to hold where letters are above or below a bound, as it then does for some values?"""
+        """Is a display said to hold within bounds, as it then does for some positive numbers?"""
         m = next((m for m in range(k - 1, -1, -1) if self.formulas[m].display), -1)
-        bounds = all(not self.seen[n].links for n in range(m + 1, k))
+        between = range(m + 1, k)
+        bounds = all(not self.seen[n].links and not NEGATIVE.search(self.formulas[n].latex) for n in between)
         return bounds and self.formulas[k].display and self.is_said(k, WHERE) and not PURPOSE.search(self._words(k))
 
     def continued(self, asked: Iterable[Question], proved: Container[Question]) -> Iterator[int]:
