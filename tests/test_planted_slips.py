@@ -109,6 +109,8 @@ SOUND = {
     "rounded numbers": r"The sine is $$\sin 30^\circ + 0.1 = 0.5 + 0.1 = 0.6$$ and $$2 \cdot 0.33 = 0.7$$",
     "a length beside its vector": "With\n$$\\mathbf{r} = [x, y, 0]$$\nand\n$$r^2 = x^2 + y^2$$\nwe get\n$$r = 2 x$$\n",
     "another case": "The speed\n$$v = \\sqrt{\\frac{m}{r}}$$\nFor $E = 0$ it becomes\n$$v = \\sqrt{\\frac{2 m}{r}}$$",
+    "a half angle": "The half-angle formulas of trigonometric functions give\n"
+    r"$$\sin\frac{\theta}{2} = \mathrm{sgn}(\sin\theta) \sqrt{\frac{1 - \cos\theta}{2}}$$",
     "negative numbers": r"For $x < 0$ we have $$y = \sqrt{x^2} + 3 x = -x + 3 x$$",
     "a naive implication": r"It is wrong to say that $$a^2 = b^2 \Rightarrow a = b$$",
     "other sections": "# Orbits\n\n## Circles\n\n$$v = \\sqrt{\\frac{m}{r}}$$\n\n$$h = r v$$\n\n$$h = \\sqrt{m r}$$\n\n"

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import operator
 import random
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.proof.algebra.polynomial import unfold
 from symcheck.question.antiderivatives import FAULTS
+from symcheck.question.cases import CASE
 from symcheck.question.prepare import Asked, plainly, readings
 from symcheck.reading import to_sympy
 
@@ -17,6 +20,9 @@ if TYPE_CHECKING:
 COUNTING = frozenset("ijklmnpqNMKL")  # letters that are whole numbers in many texts
 POINTS = 10  # positive numbers, large and small, that are tried for all letters together
 ENOUGH = 2  # points at which it holds, that are no accident
+HOLDS: dict[str, Callable[[float, float], bool]] = {  # of the signs of conditions
+    "=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
+}  # fmt: skip
 CLOSE = 1e-9  # relative difference of sides that are equal; they are worked out to 15 digits
 
 
@@ -34,7 +40,15 @@ def holds_elsewhere(asked: Asked) -> bool | None:
     return sum(known) >= ENOUGH if len(known) > ENOUGH else None
 
 
-def _sides(asked: Asked) -> list[tuple[Expr, Expr]]:
+class Component(NamedTuple):
+    """Both sides of a component, and what holds in the case of which it speaks: a sign, and what has it."""
+
+    left: Expr
+    right: Expr
+    case: tuple[tuple[str, Expr], ...]
+
+
+def _sides(asked: Asked) -> list[Component]:
     """Both sides of each component, with the definitions put in."""
     from sympy.core.function import AppliedUndef
 
@@ -44,21 +58,25 @@ def _sides(asked: Asked) -> list[tuple[Expr, Expr]]:
         left, right = (to_sympy(unfold(side, definitions)) for side in problem.claim.terms)
         if left.has(AppliedUndef) or right.has(AppliedUndef):
             raise SymcheckError("nothing is known of a function")
-        found.append((left, right))
+        stated = [f for name, formulas in problem.hypotheses if name == CASE for f in formulas]
+        case = [(f.tag, [to_sympy(unfold(side, definitions)) for side in f.terms]) for f in stated]
+        found.append(Component(left, right, tuple((tag, first - second) for tag, (first, second) in case)))
     return found
 
 
-def _at(sides: list[tuple[Expr, Expr]], seed: int) -> bool | None:
-    """Whether all components hold at one point; None if one of them has no value there."""
-    symbols = sorted({x for pair in sides for side in pair for x in side.free_symbols}, key=str)
+def _at(sides: list[Component], seed: int) -> bool | None:
+    """Whether all components hold at one point of their case; None if one of them has no value there."""
+    symbols = sorted({x for each in sides for side in each[:2] for x in side.free_symbols}, key=str)
     numbers = random.Random(seed)
     whole = numbers.sample(range(2, 7 + len(symbols)), len(symbols))  # different ones: equal ones are a case
     values = {
         x: n if x.name.partition("_")[0] in COUNTING else numbers.uniform(0.2, 1.0 + seed)
         for x, n in zip(symbols, whole, strict=True)
     }
-    for pair in sides:
-        left, right = (side.subs(values).evalf(15) for side in pair)
+    for each in sides:
+        if not all(HOLDS[sign](float(gap.subs(values)), 0.0) for sign, gap in each.case):
+            continue
+        left, right = (side.subs(values).evalf(15) for side in each[:2])
         if not (left.is_real and right.is_real and left.is_number and right.is_number):
             return None
         if abs(left - right) > CLOSE * max(abs(left), abs(right), 1):

@@ -19,6 +19,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.document.letters import depends_on
 from symcheck.document.survey import Said
 from symcheck.question.antiderivatives import FAULTS
+from symcheck.question.cases import CASE
 from symcheck.question.prepare import Asked, alone_of, plainly, readings, worded
 from symcheck.question.repairs import likely, missing
 from symcheck.reading import to_latex, to_sympy
@@ -225,6 +226,8 @@ def _of(problems: Iterable[Problem]) -> Iterator[Equation]:
     for problem in problems:
         if any(letters_of(value) & letters_of(problem.claim) for _, value in problem.definitions):
             raise SymcheckError("a value is defined here, and not compared")
+        if any(name == CASE for name, _ in problem.hypotheses):
+            raise SymcheckError("it is stated case by case")
         sides = tuple(_plain(to_sympy(side)) for side in problem.claim.terms)
         symbols = tuple(sorted(set().union(*(side.free_symbols for side in sides)), key=str))
         shared = frozenset.intersection(*(frozenset(side.free_symbols) for side in sides))
