@@ -60,9 +60,8 @@ CASE = re.compile(
     r"\b(?:for|with|if|when|set|setting|substituting|putting|taking|letting|assuming|where)\b", re.IGNORECASE
 )
 WHERE = re.compile(r"\b(?:for|if|when) \$", re.IGNORECASE)  # words before a formula that bounds letters
-NEGATIVE = re.compile(
-    r"(?:<|\\leq?(?![a-z]))\s*(?:0|-)|(?:0|-[^<>]*)\s*(?:>|\\geq?(?![a-z]))"
-)  # a bound of negative numbers
+# a bound of negative numbers
+NEGATIVE = re.compile(r"(?:<|\\leq?(?![a-z]))\s*(?:0|-)|(?:0|-[^<>]*)\s*(?:>|\\geq?(?![a-z]))")
 # words that end with what comes of it
 RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",

@@ -73,9 +73,10 @@ def _at(sides: list[Component], seed: int) -> bool | None:
         x: n if x.name.partition("_")[0] in COUNTING else numbers.uniform(0.2, 1.0 + seed)
         for x, n in zip(symbols, whole, strict=True)
     }
-    for each in sides:
-        if not all(HOLDS[sign](float(gap.subs(values)), 0.0) for sign, gap in each.case):
-            continue
+    applying = [each for each in sides if all(HOLDS[sign](float(gap.subs(values)), 0.0) for sign, gap in each.case)]
+    if not applying:
+        return None
+    for each in applying:
         left, right = (side.subs(values).evalf(15) for side in each[:2])
         if not (left.is_real and right.is_real and left.is_number and right.is_number):
             return None

@@ -98,10 +98,9 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
             label = (found[1] or found[2]) if found else ""
             scanner.put(_unescaped(part.content), _line(lines, at, part.content), label)
         elif part.type == "math_inline" or (part.type == "myst_role" and part.meta.get("name") == "math"):
-            printed = (
-                f"${part.content}$" if part.type == "math_inline" else part.content
-            )  # a letter stands in words, too
-            scanner.put(_unescaped(part.content), _line(lines, at, printed), display=False)
+            dollar = "$" if part.type == "math_inline" else ""  # without it a letter is found in words, too
+            line = _line(lines, at, f"{dollar}{part.content}{dollar}")
+            scanner.put(_unescaped(part.content), line, display=False)
         elif part.type == "myst_role" and part.meta.get("name") == "eq":
             scanner.words(rf"\eqref{{{part.content}}}")
     scanner.end()

@@ -81,7 +81,7 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     if not points:
         return None
     points = _with_further(points, own)
-    zero = _zero(given)
+    zero = {symbol for symbol, value in points[0].items() if value == 0}
     asked, given = ([_without(each, zero) for each in every] for every in (asked, given))
     symbols = [symbol for symbol in points[0] if symbol not in zero]
     if not symbols:
@@ -176,7 +176,8 @@ def _zero(equations: Iterable[Equation]) -> set[Symbol]:
     for each in equations:
         if len(each.symbols) == 1:
             with np.errstate(all="ignore"):
-                (there, *elsewhere) = (abs(complex(left - right)) for left, right in map(each.sides, (0.0, 0.7, 1.3)))
+                sides = map(each.sides, np.array((0.0, 0.7, 1.3)))  # of NumPy's, of which 1/0 is no error
+                (there, *elsewhere) = (abs(complex(left - right)) for left, right in sides)
             if there == 0 and all(gap > EQUAL for gap in elsewhere):
                 found.update(each.symbols)
     return found

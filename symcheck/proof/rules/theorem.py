@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
@@ -45,7 +45,7 @@ class Instance(NamedTuple):
 
     def said(self, definitions: Mapping[str, Term]) -> Said:
         """What it says of the terms it is applied to; Unsupported if it says nothing of such terms."""
-        given = {parameter: _unfolded(argument, definitions) for parameter, argument in self.given}
+        given = {parameter: _put(argument, definitions, unfold) for parameter, argument in self.given}
         try:
             premises, conclusion = theorems.instance(self.name, given, dict(self.numbers))
         except (Malformed, Unknown) as error:
@@ -54,7 +54,7 @@ class Instance(NamedTuple):
 
     def at(self, mean: Mapping[str, Term]) -> Instance:
         """The theorem applied to other terms; its letter is new there, too."""
-        given = tuple((parameter, _at(argument, mean)) for parameter, argument in self.given)
+        given = tuple((parameter, _put(argument, mean, substituted)) for parameter, argument in self.given)
         numbers = tuple((letter, substituted(number, mean)) for letter, number in self.numbers)
         return self._replace(given=given, numbers=numbers)
 
@@ -130,18 +130,14 @@ def enclosure(term: Term, digits: int, numbers: Mapping[str, Term]) -> Instance:
     return Instance(ENCLOSURE, (("t", term), ("digits", digits)), "", tuple(numbers.items()))
 
 
-def _at(argument: Term | Lambda, mean: Mapping[str, Term]) -> Term | Lambda:
+def _put(
+    argument: Term | Lambda, mean: Mapping[str, Term], change: Callable[[Term, Mapping[str, Term]], Term]
+) -> Term | Lambda:
+    """The argument with terms put for letters, but for those that it binds."""
     if isinstance(argument, int | str | Node):
-        return substituted(argument, mean)
+        return change(argument, mean)
     own, body = argument
-    return own, substituted(body, {x: term for x, term in mean.items() if x not in own})
-
-
-def _unfolded(argument: Term | Lambda, definitions: Mapping[str, Term]) -> Term | Lambda:
-    if isinstance(argument, int | str | Node):
-        return unfold(argument, definitions)
-    own, body = argument
-    return own, unfold(body, {name: term for name, term in definitions.items() if name not in own})
+    return own, change(body, {name: term for name, term in mean.items() if name not in own})
 
 
 def _opened(formula: Formula, letter: str) -> Formula:

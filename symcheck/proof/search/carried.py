@@ -81,9 +81,8 @@ class _Carrier:
     def carry(self, stated: Formula, proof: Step, goal: Formula, depth: int) -> Step | None:
         """The proof of a goal where so many facts are assumed, to which the proof of what is stated refers."""
         about = substituted(stated, self.mean)
-        own = Whole(proof, self.whole.atoms, self.whole.positive).at(self.mean)
         if about == goal:
-            return own
+            return self._about(proof)
         if stated.tag != goal.tag:
             return None
         match proof:
@@ -98,7 +97,11 @@ class _Carrier:
         found = [self._follows(fact, number, part, depth + len(facts)) for number, (fact, part) in pairs]
         if (proofs := _all(found)) is None:
             return None
-        return Have(about, own, Each(proofs) if goal.tag == "and" else proofs[0])
+        return Have(about, self._about(proof), Each(proofs) if goal.tag == "and" else proofs[0])
+
+    def _about(self, proof: Step) -> Whole:
+        """A part of the proof, about the other terms."""
+        return Whole(proof, self.whole.atoms, self.whole.positive).at(self.mean)
 
     def _each(
         self, stated: Sequence[Formula], parts: Sequence[Step], goals: Sequence[Formula], depth: int
