@@ -34,6 +34,9 @@ COMPARED = [
     (r"x = 3 y", SIDES, Found(holds=True, bound=True)),
     (r"x = 3 y", SIDES[:1], Found(holds=False, bound=False)),
     (r"x = 3 w", SIDES, None),
+    (r"y = 2 z", (r"\frac{1}{x} = 2", "y = 4 x z"), Found(holds=True, bound=True)),  # at x = 0 there is no value
+    (r"y = 2 z", ("x = 0", "y = 4 x + 2 z"), Found(holds=True, bound=True)),
+    (r"y = 3 z", ("x = 0", "y = 4 x + 2 z"), Found(holds=False, bound=True)),
     (r"x = 3 y", (*SIDES, "x = x + 1"), None),
 ]
 
