@@ -151,6 +151,12 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
             *[(11, "", "", x) for x in ("d = 4", "e = 5")],
         ],
     ),
+    "directives of MyST between colons, in a list, in a note, and one that is never closed": (
+        "a.md",
+        "- text\n  :::{math}\n  :label: one\n  a = 1\n  :::\n\n::::{note}\n:::{math}\nb = 2\n:::\n::::\n\n"
+        ":::{math}\nc = 3\n",
+        [(4, "one", "", "a = 1"), (9, "", "", "b = 2"), (14, "", "", "c = 3")],
+    ),
     "reStructuredText": (
         "a.rst",
         "A\n=\n\n.. math::\n   :label: ab\n\n   a = b\n\n   c &= d \\\\\n   &= e\n\nText :math:`f = g`, :ref:`ab`.\n\n"

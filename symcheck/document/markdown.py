@@ -23,8 +23,8 @@ MAX_NESTING = 50  # lists and quotations in one another; deeper ones are left ou
 _FENCED = re.compile(r"\{math\}|math")  # the language of a fence that is a formula
 _OPTION = re.compile(r"\s*:(\w+):[^\S\n]*(.*)\n?")  # `:label: name`, at the top of a fence
 _LABEL = re.compile(r"\s*(?:\(([\w:.-]+)\)|\{#([\w:.-]+)[^}]*\})")  # behind a formula: `(name)` or `{#name}`
-# a directive of MyST that is a formula, between colons
-_COLONS = re.compile(r"^([ \t]*)(:::+)[ \t]*\{math\}(.*?\n)^\1\2[ \t]*$", re.DOTALL | re.MULTILINE)
+# a directive of MyST that is a formula, between colons, or up to the end
+_COLONS = re.compile(r"^([ \t]*)(:::+)[ \t]*\{math\}(.*?\n)(?:[ \t]*\2[ \t]*$|\Z)", re.DOTALL | re.MULTILINE)
 _DIRECTIVES = re.compile(r"^:::.*$", re.MULTILINE)  # the lines of Quarto and MyST around a part, which itself is read
 # a macro is defined, in what the code of a notebook prints
 _DEFINES = re.compile(r"\\(?:def|let|(?:re)?newcommand|providecommand|DeclareMathOperator)(?![A-Za-z])")
