@@ -155,7 +155,7 @@ DOCUMENTS: dict[str, tuple[str, str, Placed]] = {
         "a.md",
         "- text\n  :::{math}\n  :label: one\n  a = 1\n  :::\n\n::::{note}\n:::{math}\nb = 2\n:::\n::::\n\n"
         ":::{math}\nc = 3\n",
-        [(4, "one", "", "a = 1"), (9, "", "", "b = 2"), (14, "", "", "c = 3")],
+        [(4, "", "one", "a = 1"), (9, "", "", "b = 2"), (14, "", "", "c = 3")],
     ),
     "reStructuredText": (
         "a.rst",
