@@ -9,6 +9,7 @@ import pytest
 from sampling import every
 
 from symcheck import look
+from symcheck.document.checks import NEGATIVE
 
 
 class Planted(NamedTuple):
@@ -121,3 +122,15 @@ SOUND = {
 @pytest.mark.parametrize("name", every(2, SOUND))
 def test_nothing_is_said_against_a_sound_text(name: str, tmp_path: Path) -> None:
     assert told(tmp_path, SOUND[name]) == []
+
+
+# the points that are tried are positive
+BOUNDS = {
+    "x < 0": True, r"x \le -1": True, r"x \leq 0": True, "-2 < x < -1": True, "0 > x": True, r"x \leqslant 0": True, r"-1 \ge x": True,
+    "x > 0": False, r"x \ge 1": False, "0 < x < 1": False, r"x \leftarrow 0": False, r"x \leqslant 5": False,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("bound", "negative"), BOUNDS.items())
+def test_bounds_below_which_numbers_are_negative_are_known(bound: str, negative: bool) -> None:
+    assert (NEGATIVE.search(bound) is not None) is negative

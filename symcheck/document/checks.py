@@ -61,7 +61,9 @@ CASE = re.compile(
 )
 WHERE = re.compile(r"\b(?:for|if|when) \$", re.IGNORECASE)  # words before a formula that bounds letters
 # a bound of negative numbers
-NEGATIVE = re.compile(r"(?:<|\\leq?(?![a-z]))\s*(?:0|-)|(?:0|-[^<>]*)\s*(?:>|\\geq?(?![a-z]))")
+NEGATIVE = re.compile(
+    r"(?:<|\\le(?:q(?:slant)?)?(?![a-z]))\s*(?:0|-)|(?:0|-[^<>]*)\s*(?:>|\\ge(?:q(?:slant)?)?(?![a-z]))"
+)
 # words that end with what comes of it
 RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
