@@ -126,7 +126,8 @@ def test_nothing_is_said_against_a_sound_text(name: str, tmp_path: Path) -> None
 
 # the points that are tried are positive
 BOUNDS = {
-    "x < 0": True, r"x \le -1": True, r"x \leq 0": True, "-2 < x < -1": True, "0 > x": True, r"x \leqslant 0": True, r"-1 \ge x": True,
+    "x < 0": True, r"x \le -1": True, r"x \leq 0": True, "-2 < x < -1": True, "0 > x": True,
+    r"x \leqslant 0": True, r"-1 \ge x": True,
     "x > 0": False, r"x \ge 1": False, "0 < x < 1": False, r"x \leftarrow 0": False, r"x \leqslant 5": False,
 }  # fmt: skip
 
