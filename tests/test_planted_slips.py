@@ -76,6 +76,53 @@ $$\boldsymbol{\omega} \times (\boldsymbol{\omega} \times \mathbf{r}) = \begin{bm
     "an identity with a number": Planted(
         r"We use the hyperbolic identity $$\cosh^2 c SLIP \sinh^2 c = 1$$", "-", "+", 1
     ),
+    "a matrix made of a vector": Planted(
+        r"""The error of the rate is defined as
+$$\delta\bm\omega = \bm\omega - \bm\nu$$
+With the gain $[P]$ the rate of the function is
+$$\dot V = \delta\bm\omega^T \left(-[P] \delta\bm\omega - [\tilde{\bm\omega}] \bm h + [\tilde{\bm\nu}] \bm h\right)
+= \delta\bm\omega^T \left(-[P] \delta\bm\omega - [\widetilde{\delta\bm\omega}] \bm h\right)
+= - SLIP\delta\bm\omega^T [P] \delta\bm\omega$$
+""",
+        "",
+        "2 ",
+        4,
+    ),
+    "labels in two types": Planted(
+        r"""The rate of the function is
+$$\dot V_{\omega} = \bm x^T \left([J_{RW}] \bm y + [K] \bm z\right)$$
+Let us assume that a torque acts that is not known. Substituting the motion leads to
+$$\dot V_{\bm\omega} = - \bm x^T [P] \bm x SLIP \bm x^T \bm L$$
+It yields the motion
+$$[J_{\text{RW}}] \bm y + [P] \bm x + [K] \bm z = \bm L$$
+""",
+        "+",
+        "-",
+        4,
+    ),
+    "a rate of change": Planted(
+        r"""The function is
+$$V = \frac{1}{2} \kappa x^2 + \frac{1}{4} \gamma x^4$$
+and the motion is
+$$\dot x = -\beta x$$
+so that its rate is
+$$\dot V = SLIP \beta \kappa x^2 - \beta \gamma x^4$$
+""",
+        "-",
+        "",
+        6,
+    ),
+    "a function of any component": Planted(
+        r"""To control how fast it reaches its limit, we add a term:
+$$\label{f} f(\sigma_i) = \arctan\left((k \sigma_i + c \sigma_i^3) \frac{\pi}{2 w}\right) \frac{2 w}{\pi}$$
+Using the definition in \eqref{f}, its slope is
+$$\frac{\partial f}{\partial\sigma_i}
+= \frac{k + SLIP c \sigma_i^2}{1 + (k \sigma_i + c \sigma_i^3)^2 \left(\frac{\pi}{2 w}\right)^2}$$
+""",
+        "3",
+        "2",
+        4,
+    ),
     "sections of a chapter": Planted(CHAPTERS, "a (1 - e)", "a (1 + e)", 17),
     "colons around a formula": Planted(
         ":::{math}\n:label: eq:one\na = b + 2 c\n:::\nand\n:::{math}\n:label: eq:two\nb = c - d\n:::\n"

@@ -55,6 +55,7 @@ CONNECTING = re.compile(
 OPERATION = re.compile(r"(?:simplif|rearrang|expand|collect|divid|multiply|cancel|factor)\w*")
 # words that say that a display follows from those to which they refer
 REFERRING = re.compile(r"\b(?:substitut|subsitut|insert|plug|combin|eliminat|add|subtract|solv)\w*\b", re.IGNORECASE)
+USING = re.compile(r"\b(?:us(?:e|ing)|from|by)\b", re.IGNORECASE)  # words before those that are named, too
 # words before a formula that give a letter a value
 CASE = re.compile(
     r"\b(?:for|with|if|when|set|setting|substituting|putting|taking|letting|assuming|where)\b", re.IGNORECASE
@@ -69,6 +70,8 @@ RESULTING = re.compile(
     r"\b(?:becomes?|left with|(?:get|have|obtain|find)s?|(?:give|yield)s?|(?:reduce|simplifie|lead)s? to)\W*$",
     re.IGNORECASE,
 )
+# words that end with what something is
+DEFINED = re.compile(r"\b(?:defined|given|written|expressed)\b[^.,;]*\b(?:as|by)\W*$", re.IGNORECASE)
 # to a label, or to a number in brackets
 REFERENCE = re.compile(r"ref\{([^{}]+)\}|\{([^{}\s]+)\}|\(([\w.]+)\)|@(eq-[\w-]+)")
 ROUNDED = re.compile(r"\d[.,]\d")  # a number that may be so, so that sides are equal to some digits only
@@ -207,7 +210,9 @@ class Checks:
 
     def is_statement(self, k: int) -> bool:
         """Is a display printed as something that holds, by the words before it?"""
-        return self.formulas[k].display and self.is_said(k) and not PURPOSE.search(self._words(k))
+        words = self._words(k)
+        aside = REFERRING if self.named(k, words)[1] else None
+        return self.formulas[k].display and self.is_said(k, aside) and not PURPOSE.search(words)
 
     def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
@@ -215,10 +220,16 @@ class Checks:
         return self.seen[k].plain and self.seen[k].is_sayable and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
-        """The last words before a formula; of displays below each other those before the first."""
+        """The last words before a formula; of displays below each other those before the first.
+
+        The sentence that says from what it follows, or what it defines, stands for itself.
+        """
         while k and self.formulas[k].display and self.formulas[k - 1].display and not self.formulas[k].before:
             k -= 1
-        return ". ".join(re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)[-SENTENCES:])
+        sentences = re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)
+        last = sentences[-1]
+        alone = DEFINED.search(last) or (REFERRING.search(last) and RESULTING.search(last))
+        return ". ".join(sentences[-1 if alone else -SENTENCES :])
 
     def suspicious(self) -> Iterator[Question]:
         """Relations that ought to hold by what stands before them."""
@@ -256,7 +267,8 @@ class Checks:
     def _referred(self, k: int) -> Question | None:
         """Whether an equation follows from those that the words before it name, if it has no other letters."""
         formula = self.formulas[k]
-        if not (formula.display and REFERRING.search(formula.before) and self.is_said(k, REFERRING)):
+        referring = REFERRING.search(formula.before) or USING.search(formula.before)
+        if not (formula.display and referring and self.is_said(k, REFERRING)):
             return None
         if k and self.formulas[k - 1].before == formula.before and self.formulas[k - 1].display:
             return None

@@ -26,12 +26,17 @@ AROUND = 3  # words before so many formulas, from one on, tell what it rests on:
 LATER = "later"  # the kind of questions of which nothing is proved
 MOST_STEPS = 2000  # of the search for sets
 SAID = 8  # times that it is said what a letter is; one of which it is said more often is another one in each case
+SAME = 2  # sources that say what the same is as the relation, of which one holds in another case
 ANEW = 2  # sections that say what a letter is, which means the same in all of them all the same
 COMPARED = 12  # of these sets, those that bind the letters of the equation
 ASKED = 8  # of these, those that are asked, where it holds
 EXPLAINED = 4  # of these, those for which slips of the pen are looked for, where it fails
 # words before a relation that do not make it a condition, if it may follow from others
 DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|find)\b", re.IGNORECASE)
+# the same before what alone says what a letter is: there these words name things
+NAMING = re.compile(
+    rf"{DERIVED.pattern}|(?<!in the )\blimit(?:s|ed)?\b|\b(?:laws?|models?|examples?|consider\w*)\b", re.IGNORECASE
+)
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
 FOLLOWING = 1.2  # for all sets of a relation
@@ -255,13 +260,15 @@ class Derived:
         places = [*range(k - 1, -1, -1)]
         if later:
             places = [m for m in (*range(k + 1, k + 1 + FAR), *places[:FAR]) if m in self.usable]
-        pool = [each for m in places if m in self.stated and self._serves(m, k) for each in self.usable[m]]
+        stated = self.stated | self.named[k]
+        pool = [each for m in places if m in stated and self._serves(m, k) for each in self.usable[m]]
         found = []
         for each in self.usable[k]:
             sets = sorted(
                 _closed(each, pool), key=lambda every: (len(every), sum(abs(k - one.number) for one in every))
             )
             sets = [every for every in sets if not later or any(one.number > k for one in every)]
+            sets = [every for every in sets if sum(one.link.left == each.link.left for one in every) < SAME]
             own = self.checks.referred[k].sources if k in self.checks.referred and not later else ()
             named = tuple(every[0] for m in own if (every := self.usable.get(m)))
             if named:
@@ -294,7 +301,8 @@ class Derived:
 
     def is_said(self, k: int) -> bool:
         """Is a formula printed as something that holds, or follows?"""
-        return k in self.checks.referred or self.checks.is_said(k, DERIVED)
+        once = any(self.said[x] == 1 for x in self.heads(k))
+        return k in self.checks.referred or self.checks.is_said(k, NAMING if once else DERIVED)
 
     def is_telling(self, question: Question, linked: Set[tuple[int, int]] = frozenset()) -> bool:
         """Is it something wrong if a relation fails, where letters mean the same in sections that are linked?"""

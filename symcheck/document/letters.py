@@ -10,7 +10,7 @@ from functools import cache
 
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
-from symcheck.document.survey import Role, Said, Seen, is_sayable
+from symcheck.document.survey import SKEW, Role, Said, Seen, is_sayable
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
@@ -22,6 +22,12 @@ _NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
 _VALUES = frozenset({"vector", "matrix"})  # what a function here may give, of which letters elsewhere are the values
 _INDICES = frozenset("ijklmn") | {r"\mu", r"\nu"}
 _CHANGE = re.compile(r"(\\delta|\\Delta) (?=[A-Za-z\\])")  # before a name
+# a label below a name, all of it in one type
+_TYPED = re.compile(r"_\{\s*\\(?:text|mathrm|mathbf|boldsymbol|bm|mathit)\s*(?:\{([^{}]*)\}|(\\?[A-Za-z]+))\s*\}")
+_WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
+_BARE = re.compile(r"[\s{}]")  # what may be left out between the tokens of a name
+# a name with a tilde in brackets, and what stands below it
+_TILDE = re.compile(r"\[\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}(_.+)?\]")
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -70,7 +76,25 @@ def letters(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Letter]:
             if role.kind != "differential":
                 places.setdefault(role.letter, []).append((role, formula))
     every = {letter: Counter(role.phrase for role, _ in roles if _tells(role)) for letter, roles in places.items()}
-    return [_letter(letter, roles, _common(every[letter], every)) for letter, roles in places.items()]
+    found = [_letter(letter, roles, _common(every[letter], every)) for letter, roles in places.items()]
+    vectors = {each.letter: shown(each.letter) for each in found if each.phrase.startswith("vector")}
+    named = {_BARE.sub("", face(v)): v for v in vectors.values()} | {_BARE.sub("", x): v for x, v in vectors.items()}
+    return [_of_vector(each, named) for each in found]
+
+
+def _of_vector(letter: Letter, named: Mapping[str, str]) -> Letter:
+    r"""The same, but `[\tilde{\omega}]` is made of omega, where that is a vector in the document."""
+    below = _TILDE.fullmatch(shown(letter.letter)) if letter.phrase == "matrix" else None
+    if below is None or not (vector := named.get(_BARE.sub("", "".join(filter(None, below.groups()))))):
+        return letter
+    return replace(letter, taken=f"the skew matrix of {vector}", why="it stands in brackets", phrase=f"{SKEW} {vector}")
+
+
+def of_vectors(every: Sequence[Letter]) -> dict[str, str]:
+    """The matrices that are made of vectors, each with its vector."""
+    names = {shown(each.letter): each.letter for each in every}
+    made = {each.letter: each.phrase.removeprefix(SKEW).strip() for each in every if each.phrase.startswith(SKEW)}
+    return {letter: names[vector] for letter, vector in made.items() if vector in names}
 
 
 def _tells(role: Role) -> bool:
@@ -127,7 +151,7 @@ def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
     for role in seen.roles:
         phrase = known[role.letter].phrase if role.letter in known else ""
         phrase = phrase if depends_on(phrase) <= own else ""
-        open_ = not role.sure or not role.phrase
+        open_ = not role.sure or not role.phrase or phrase.startswith(SKEW)
         if open_ and role.kind not in ("index", "differential", "number") and is_sayable(phrase):
             found[role.letter] = phrase
     return found
@@ -146,8 +170,12 @@ def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> lis
     return [each for each in every if each.letter in read or each.letter not in named]
 
 
-def in_one_face(formulas: Sequence[Printed], every: Sequence[Letter]) -> list[Printed]:
-    """The formulas, in which what is a vector, or a matrix, in bold and in plain type is one letter, in plain type."""
+def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[Printed]:
+    """The formulas, in which what is a vector, or a matrix, in bold and in plain type is one letter, in plain type.
+
+    So is what stands below a name in different type.
+    """
+    formulas = _in_one_type(formulas, seen, every)
     kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
     plain = {bold: face(bold).removesuffix("}") for bold in kinds}
     both = {bold: letter for bold, letter in plain.items() if kinds[bold] == kinds.get(letter)}
@@ -155,6 +183,28 @@ def in_one_face(formulas: Sequence[Printed], every: Sequence[Letter]) -> list[Pr
         return [*formulas]
     printed = re.compile("|".join(re.escape(bold) + r"(?!_)" for bold in sorted(both)))
     return [replace(f, latex=printed.sub(lambda found: f"{{{both[found[0]]}}}", f.latex)) for f in formulas]
+
+
+def _in_one_type(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[Printed]:
+    """The formulas, with labels in plain type below names where both types are used, and nowhere beside each other."""
+    names = {shown(each.letter): each.letter for each in every}
+    typed = {name: plain for name in names if (plain := _TYPED.sub(_untyped, name)) != name}
+    alike = {_BARE.sub("", name): name for name in names if name not in typed}
+    both = {name: alike[key] for name, plain in typed.items() if (key := _BARE.sub("", plain)) in alike}
+    beside = [{role.letter for role in each.roles} for each in seen]
+    labels = {
+        label[0]: label[0].startswith(_WORDS) or not any({names[name], names[other]} <= letters for letters in beside)
+        for name, other in both.items()
+        for label in _TYPED.finditer(name)
+    }
+    if not any(labels.values()):
+        return [*formulas]
+    printed = [replace(f, latex=_TYPED.sub(lambda m: _untyped(m) if labels.get(m[0]) else m[0], f.latex)) for f in formulas]
+    return printed
+
+
+def _untyped(label: re.Match[str]) -> str:
+    return f"_{{{label[1] or label[2]}}}"
 
 
 def factors(formulas: Sequence[Printed], seen: Sequence[Seen]) -> set[str]:

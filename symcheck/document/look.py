@@ -16,7 +16,7 @@ from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided, fails
 from symcheck.document.derived import LATER, Derived, blamed, sought, with_proofs
-from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, in_one_face, letters
+from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, in_one_face, letters, of_vectors
 from symcheck.document.measuring import UNKNOWN, measured_by, measurings
 from symcheck.document.printed import Printed, Source
 from symcheck.document.roles import Roles
@@ -197,7 +197,7 @@ def look(file: str | PathLike[str], *, jobs: int = 0, progress: Progress = lambd
 
 def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     seen, every = known(printed.formulas, work)
-    if (formulas := in_one_face(printed.formulas, every)) != [*printed.formulas]:
+    if (formulas := in_one_face(printed.formulas, seen, every)) != [*printed.formulas]:
         seen, every = known(formulas, work)
     checks = Checks(formulas, seen, every)
     alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
@@ -324,7 +324,9 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     found = zip(formulas, seen, strict=True)
     seen = [_in_place(each.again(better[f.latex]), f) if f.latex in better else each for f, each in found]
     seen = in_doubt(formulas, seen)
-    return seen, letters(formulas, seen)
+    every = letters(formulas, seen)
+    vectors = of_vectors(every)
+    return [each.made_of(vectors) for each in seen], every
 
 
 def _in_place(seen: Seen, formula: Printed) -> Seen:

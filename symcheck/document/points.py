@@ -39,6 +39,7 @@ FAR = 8.0  # logarithm beyond which letters have run away to zero or infinity
 SMALL = 1e-9  # what is left of an equation that holds
 EQUAL = 1e-6  # relative difference of sides that are equal at such a point
 DIFFERENCE = 1e-6  # for derivatives
+MOST_RATES = 12  # that are worked out: equations of motion of three letters have six
 RANK = 1e-5  # relative size of what is no more than noise
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -49,6 +50,8 @@ class Equation(NamedTuple):
     symbols: tuple[Symbol, ...]
     sides: Callable[..., Any]
     shared: frozenset[Symbol]  # the letters on both sides
+    plain: tuple[Expr, Expr]  # the sides with a letter for each function and rate of change
+    unknown: frozenset[Expr]  # these functions and rates
 
 
 class Placed(NamedTuple):
@@ -72,10 +75,12 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     Nor where one side alone has further letters, unless it is asked whether it holds for all values of these.
     """
     try:
-        asked, given = [*_equations(relation, letters)], _all(sources, letters)
+        asked = [*_equations(relation, letters)]
+        unknown = _unknown(asked)
+        given = _all(sources, letters, unknown)
         own, known = ({symbol for equation in every for symbol in equation.symbols} for every in (asked, given))
         free = {symbol for equation in asked for symbol in equation.shared}
-        points = _points(sources, letters) if further or own <= known | free else ()
+        points = _points(sources, letters, unknown) if further or own <= known | free else ()
     except (SymcheckError, *FAULTS):
         return None
     if not points:
@@ -100,9 +105,14 @@ def idle(relation: str, sources: tuple[str, ...], letters: Said) -> frozenset[in
         asked, each = _equations(relation, letters), [_equations(source, letters) for source in sources]
     except SymcheckError:
         return frozenset()
+    unknown = _unknown(chain(asked, *each))
     own = [{symbol for equation in every for symbol in equation.symbols} for every in (asked, *each)]
     with np.errstate(all="ignore"):
         found = {n for n, every in enumerate(each) if _hold(every, _with_further(({},) * POINTS, own[n + 1]))}
+    for every, symbols in zip(each, own[1:], strict=True):
+        for rate in _rates(every, unknown):
+            symbols.difference_update({side for equation in every for side in equation.plain} - own[0])
+            symbols.update(rate.symbols)
     while True:
         count = Counter(symbol for n, symbols in enumerate(own, -1) if n not in found for symbol in symbols)
         alone = {n for n, symbols in enumerate(own[1:]) if n not in found and any(count[x] == 1 for x in symbols)}
@@ -133,7 +143,8 @@ def _on_a_branch(asked: Sequence[Equation], given: Sequence[Equation], symbols: 
 def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[str]:
     """The relations one slip of the pen away that hold where the sources do, the likeliest first."""
     try:
-        points = _points(sources, letters)
+        unknown = _unknown(_equations(relation, letters))
+        points = _points(sources, letters, unknown)
         reading = readings(plainly(Asked(relation, sources, (), letters)))[0]
     except (SymcheckError, *FAULTS):
         return
@@ -146,16 +157,50 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
                 yield to_latex(slip.tree)
 
 
-def _all(sources: tuple[str, ...], letters: Said) -> list[Equation]:
-    return [equation for source in sources for equation in _equations(source, letters)]
+def _unknown(equations: Iterable[Equation]) -> frozenset[Expr]:
+    return frozenset(term for each in equations for term in each.unknown)
+
+
+def _all(sources: tuple[str, ...], letters: Said, unknown: frozenset[Expr]) -> list[Equation]:
+    """The equations of sources, and what follows from them for rates of change among what is unknown elsewhere."""
+    found = [equation for source in sources for equation in _equations(source, letters)]
+    return [*found, *_rates(found, unknown | _unknown(found))]
+
+
+def _rates(given: Sequence[Equation], unknown: Set[Expr]) -> Iterator[Equation]:
+    """The rates of change among what is unknown, by equations that say what is differentiated."""
+    from sympy import Derivative, Symbol
+    from sympy.core.function import AppliedUndef
+
+    solved = {side: other for each in given for side, other in (each.plain, each.plain[::-1]) if side.is_Symbol}
+    functions = {_letter(x): x for x in unknown if isinstance(x, AppliedUndef)}
+    open_ = {_letter(x): x for x in unknown if isinstance(x, Derivative)}
+    done = set[Symbol]()
+    while left := [rate for name, rate in open_.items() if name not in done][: MOST_RATES - len(done)]:
+        for rate in left:
+            done.add(_letter(rate))
+            side = solved.get(_letter(rate.expr))
+            if side is None or not all(by.is_Symbol for by in rate.variables):
+                continue
+            for by in rate.variables:
+                total = side.diff(by)
+                for symbol in sorted(side.free_symbols - {by}, key=str):
+                    of = open_.get(symbol, functions.get(symbol))
+                    if of is not None and by in of.free_symbols:
+                        open_.setdefault(_letter(of.diff(by)), of.diff(by))
+                        total += side.diff(symbol) * _letter(of.diff(by))
+                side = total
+            yield _equation((_letter(rate), side), frozenset())
 
 
 @lru_cache(1024)
-def _points(sources: tuple[str, ...], letters: Said) -> tuple[dict[Symbol, float], ...]:
+def _points(
+    sources: tuple[str, ...], letters: Said, unknown: frozenset[Expr]
+) -> tuple[dict[Symbol, float], ...]:
     """Points at which all equations hold, with letters of the same signs; none if the first is not found."""
     if not sources:
         return ({},) * ANYWHERE
-    zero = _zero(equations := _all(sources, letters))
+    zero = _zero(equations := _all(sources, letters, unknown))
     equations, fixed = [_without(each, zero) for each in equations], dict.fromkeys(zero, 0.0)
     symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
     numbers, placed = np.random.default_rng(1), _placed(equations, symbols)
@@ -193,7 +238,7 @@ def _without(equation: Equation, zero: Set[Symbol]) -> Equation:
         given = dict(zip(free, values, strict=True))
         return equation.sides(*(given.get(symbol, 0.0) for symbol in equation.symbols))
 
-    return Equation(free, sides, equation.shared - zero)
+    return Equation(free, sides, equation.shared - zero, equation.plain, equation.unknown)
 
 
 def _hold(equations: Iterable[Equation], points: Sequence[dict[Symbol, float]]) -> bool:
@@ -222,17 +267,25 @@ def _read(text: str, letters: Said) -> tuple[Equation, ...]:
 
 def _of(problems: Iterable[Problem]) -> Iterator[Equation]:
     """The equations that these problems claim."""
-    from sympy import lambdify
+    from sympy import Derivative
+    from sympy.core.function import AppliedUndef
 
     for problem in problems:
         if any(letters_of(value) & letters_of(problem.claim) for _, value in problem.definitions):
             raise SymcheckError("a value is defined here, and not compared")
         if any(name == CASE for name, _ in problem.hypotheses):
             raise SymcheckError("it is stated case by case")
-        sides = tuple(_plain(to_sympy(side)) for side in problem.claim.terms)
-        symbols = tuple(sorted(set().union(*(side.free_symbols for side in sides)), key=str))
-        shared = frozenset.intersection(*(frozenset(side.free_symbols) for side in sides))
-        yield Equation(symbols, lambdify(symbols, sides, "numpy"), shared)
+        left, right = (to_sympy(side) for side in problem.claim.terms)
+        unknown = left.atoms(AppliedUndef, Derivative) | right.atoms(AppliedUndef, Derivative)
+        yield _equation((_plain(left), _plain(right)), frozenset(unknown))
+
+
+def _equation(sides: tuple[Expr, Expr], unknown: frozenset[Expr]) -> Equation:
+    from sympy import lambdify
+
+    symbols = tuple(sorted(set().union(*(side.free_symbols for side in sides)), key=str))
+    shared = frozenset.intersection(*(frozenset(side.free_symbols) for side in sides))
+    return Equation(symbols, lambdify(symbols, sides, "numpy"), shared, sides, unknown)
 
 
 def _signs(count: int, equations: Sequence[Placed]) -> Iterator[Array]:
@@ -246,16 +299,21 @@ def _signs(count: int, equations: Sequence[Placed]) -> Iterator[Array]:
 
 def _plain(side: Expr) -> Expr:
     """A side with a letter for each function and rate of change: nothing but their values counts."""
-    from sympy import Derivative, Symbol
+    from sympy import Derivative
     from sympy.core.function import AppliedUndef
 
-    def letter(term: Expr) -> Symbol:
-        named = isinstance(term, AppliedUndef) and all(isinstance(each, Symbol) for each in term.args)
-        return Symbol(term.func.__name__ if named else str(term), real=True)
-
     for kind in (Derivative, AppliedUndef):
-        side = side.replace(lambda term, kind=kind: isinstance(term, kind), letter)
+        side = side.replace(lambda term, kind=kind: isinstance(term, kind), _letter)
     return side
+
+
+def _letter(term: Expr) -> Symbol:
+    """The letter for a function, or its rate of change."""
+    from sympy import Symbol
+    from sympy.core.function import AppliedUndef
+
+    named = isinstance(term, AppliedUndef) and all(isinstance(each, Symbol) for each in term.args)
+    return Symbol(term.func.__name__ if named else str(term), real=True)
 
 
 def _placed(equations: Iterable[Equation], symbols: Sequence[Symbol]) -> list[Placed]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -74,6 +74,19 @@ class Seen:
     parts: tuple[str, ...] = ()  # why links of it are not read alone, if it is not as a whole
     premises: tuple[Link, ...] = ()  # of an implication
     conclusions: tuple[Link, ...] = ()
+    skew: tuple[tuple[str, str], ...] = ()  # matrices, each with the vector of which it is made
+
+    def made_of(self, vectors: Mapping[str, str]) -> Seen:
+        """The same, in which a matrix that is made of a vector stands for this."""
+        if not (skew := tuple((r.letter, vectors[r.letter]) for r in self.roles if r.letter in vectors)):
+            return self
+        own = dict(skew)
+
+        def named(link: Link) -> Link:
+            left, right = (frozenset(own.get(x, x) for x in names) for names in link.names)
+            return replace(link, names=(left, right))
+
+        return replace(self, skew=skew, links=tuple(map(named, self.links)))
 
     @property
     def read(self) -> bool:
@@ -112,7 +125,9 @@ class Seen:
     @property
     def names(self) -> frozenset[str]:
         """The letters that stand for something."""
-        return frozenset(role.letter for role in self.roles if role.kind not in ("index", "differential", "number"))
+        own = dict(self.skew)
+        letters = (role.letter for role in self.roles if role.kind not in ("index", "differential", "number"))
+        return frozenset(own.get(letter, letter) for letter in letters)
 
 
 def surveyed(latex: str, said: Said = ()) -> Seen:
@@ -225,8 +240,9 @@ def is_sayable(phrase: str) -> bool:
     return phrase.split(" ")[0] in _SAYABLE and phrase != "function"
 
 
+SKEW = "skew matrix of"  # a vector
 # first words of phrases that `decide` takes
-_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar", "constant"})
+_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar", "constant", "skew"})
 
 
 def _names(tree: Tree) -> Iterator[str]:

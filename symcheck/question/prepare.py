@@ -22,12 +22,12 @@ from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
-from symcheck.reading.evidence import spelling, spellings
+from symcheck.reading.evidence import canonical, spelling, spellings
 from symcheck.reading.inference import SIZES, Inference, inferred
 from symcheck.reading.lexer import SPACES
 from symcheck.reading.lowering import JUMPS
 from symcheck.reading.names import is_letter, names_of_several_tokens
-from symcheck.reading.occurrences import occurrences
+from symcheck.reading.occurrences import occurrences, words
 from symcheck.reading.parser import dependence
 from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
@@ -265,7 +265,7 @@ def definitions(
             others.append(equation)
             continue
         name, arguments = head
-        if name in found or name in spellings(parts[1]):
+        if name in found or name in spellings(parts[1]) or not _is_for_all(arguments, parts[1]):
             others.append(equation)
         else:
             found[name] = (parts[0], arguments or _varied(name, parts[1], formulas), parts[1])
@@ -285,6 +285,9 @@ def _varied(name: str, right: str, formulas: Sequence[str]) -> tuple[str, ...]:
     return tuple(free) if len(free) == 1 else ()
 
 
+_EACH = frozenset("ijk")  # indices for any of several letters; n and 0 tell one of a sequence
+
+
 def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
     """The letter that is defined, with its arguments, if the left side is nothing else."""
     places = [place for place in occurrences(left) if place.role != "subscript"]
@@ -294,11 +297,25 @@ def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
     if first.arguments is None:
         return (spelling(first), ()) if _is_name(left) and not rest else None
     name, bracket, _ = left.partition("(")
-    if [place.word for place in rest] != [*first.arguments] or not bracket or not left.rstrip().endswith(")"):
+    own = [spelling(place) for place in rest]
+    letters_ = [canonical(each) if is_letter(each) else "" for each in first.arguments]
+    if own != letters_ or not bracket or not left.rstrip().endswith(")"):
         return None
     if not _is_name(name.removesuffix(r"\left").rstrip()):
         return None
-    return spelling(first), first.arguments
+    return spelling(first), tuple(own)
+
+
+def _is_for_all(arguments: Sequence[str], right: str) -> bool:
+    """Does an equation say what a function is everywhere: not at a letter with a label, nor another for each index?"""
+    for each in arguments:
+        below = {x for place in occurrences(each)[:1] for x in words(place.subscript)}
+        others = [p for p in occurrences(right) if p.role != "subscript" and spelling(p) != each]
+        if below and (not below <= _EACH or each not in spellings(right)):
+            return False
+        if any(below.intersection(words(place.subscript)) for place in others):
+            return False
+    return True
 
 
 def _is_name(latex: str) -> bool:

@@ -116,9 +116,10 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         if _SQUARE_OR_CHANGE.search(formula):
             product = r"\delta" in formula and _COEFFICIENTS.search(formula) is not None
             changes = [x for x in _matrices_and_differences(formula) if not (product and x.startswith(r"\delta"))]
-            found |= {x: _unit(x, formula) for x in changes if x not in found}
+            found |= {x: _unit(x, formula) for x in changes if re.sub(r"[\s{}]", "", x) not in declared | found.keys()}
         if _ACCENT.search(formula):
-            found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in found}
+            within = " ".join(found)
+            found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in within}
         if _ABBREVIATED.search(formula):
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
@@ -584,9 +585,14 @@ def _is_word(inside: Sequence[str]) -> bool:
 
 
 def _bracketed(texts: tuple[str, ...], start: int) -> int:
-    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one."""
+    """Where a matrix in brackets ends that begins here: one letter with its scripts, or two capitals; 0 without one.
+
+    The letter may be the change of another one, below an accent.
+    """
     end = texts.index("]", start) if "]" in texts[start:] else 0
     inner = [*texts[start + 1 : end]]
+    if inner[1:2] == ["{"] and inner[2:3] in ([r"\delta"], [r"\Delta"]) and inner[3:4] != ["}"]:
+        del inner[2]  # an accent over the change of a letter
     styles = {r"\mathcal"} if texts[end + 1 : end + 2] == ("^",) else STYLES  # or an inverse product
     letters = [text for text in _outside_scripts(inner) if text not in styles]
     pair = len(letters) == 2 and all(len(text) == 1 and text.isupper() for text in letters)
