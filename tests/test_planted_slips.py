@@ -88,6 +88,17 @@ $$\dot V = \delta\bm\omega^T \left(-[P] \delta\bm\omega - [\tilde{\bm\omega}] \b
         "2 ",
         4,
     ),
+    "a frame at the left": Planted(
+        r"""The rate of the parameters is
+$$\dot{\bm\sigma} = \frac{1}{4} \leftexp{B}{\bm\omega}_{B/R}$$
+so that the function $V = 2 \bm\sigma^T \bm\sigma$ changes by
+$$\dot V = SLIP \bm\sigma^T \left(\leftexp{B}{\bm\omega}_{B/R}\right)$$
+where $\bm\omega_{B/R}$ is the angular velocity.
+""",
+        "",
+        "2",
+        4,
+    ),
     "labels in two types": Planted(
         r"""The rate of the function is
 $$\dot V_{\omega} = \bm x^T \left([J_{RW}] \bm y + [K] \bm z\right)$$

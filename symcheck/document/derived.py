@@ -447,6 +447,7 @@ def blamed(
             votes = Counter(x for places in now.values() for x in {same[m] for m in places})
             share = {x: count / (count + held[x] + 1) for x, count in votes.items()}
             most = {x for x in votes if share[x] == max(share.values())}
+            most &= _joined(min(most), [{same[m] for m in places} for places in left.values()])
             voted = {m for places in now.values() for m in places if same[m] in most}
             found = _explained(left, voted, same, work, until)
             beside = {m for slip in found.values() for m in _open(slip.question, same, right)} - found.keys()
@@ -490,6 +491,15 @@ def _explained(
     found = {m: slip for m, task in chosen.items() if (slip := told[task]) is not None}
     most = {same[m] for m, slip in found.items() if 2 * slip.repaired > len(tasks[m])}
     return {m: slip for m, slip in found.items() if same[m] in most}
+
+
+def _joined(first: Place, sets_: Sequence[Set[Place]]) -> set[Place]:
+    """What stands in one of some sets with something, or with what stands in one with it, and so on."""
+    found, more = set[Place](), {first}
+    while more - found:
+        found |= more
+        more = {x for each in sets_ if found & each for x in each}
+    return found
 
 
 def _open(question: Question, same: Mapping[Place, Place], right: Set[Place]) -> Iterator[Place]:

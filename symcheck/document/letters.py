@@ -14,6 +14,7 @@ from symcheck.document.survey import SKEW, Role, Said, Seen, is_sayable
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
+from symcheck.reading.lowering import SHAPES_DIFFER
 from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
 from symcheck.reading.side_by_side import ONE_NAME
 
@@ -24,6 +25,10 @@ _INDICES = frozenset("ijklmn") | {r"\mu", r"\nu"}
 _CHANGE = re.compile(r"(\\delta|\\Delta) (?=[A-Za-z\\])")  # before a name
 # a label below a name, all of it in one type
 _TYPED = re.compile(r"_\{\s*\\(?:text|mathrm|mathbf|boldsymbol|bm|mathit)\s*(?:\{([^{}]*)\}|(\\?[A-Za-z]+))\s*\}")
+_FRAMED = re.compile(r"\\prescript(\\?\w)(.+)")  # a name with a frame at its left, bare
+_AT_LEFT = re.compile(
+    r"\{\s*\}\s*\^\s*(?:\{[^{}]*\}|\\?\w)(?=\s*(?:\{\s*)*\\(?:bm|boldsymbol|mathbf|vec)\b)"
+)  # how it is printed
 _WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
 _BARE = re.compile(r"[\s{}]")  # what may be left out between the tokens of a name
 # a name with a tilde in brackets, and what stands below it
@@ -72,9 +77,11 @@ def letters(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Letter]:
     """All letters in the order of appearance."""
     places: dict[str, list[tuple[Role, Printed]]] = {}
     for formula, each in zip(formulas, seen, strict=True):
+        doubtful = SHAPES_DIFFER in each.reason
         for role in each.roles:
             if role.kind != "differential":
-                places.setdefault(role.letter, []).append((role, formula))
+                own = replace(role, known=False) if doubtful else role
+                places.setdefault(role.letter, []).append((own, formula))
     every = {letter: Counter(role.phrase for role, _ in roles if _tells(role)) for letter, roles in places.items()}
     found = [_letter(letter, roles, _common(every[letter], every)) for letter, roles in places.items()]
     vectors = {each.letter: shown(each.letter) for each in found if each.phrase.startswith("vector")}
@@ -173,9 +180,9 @@ def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> lis
 def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[Printed]:
     """The formulas, in which what is a vector, or a matrix, in bold and in plain type is one letter, in plain type.
 
-    So is what stands below a name in different type.
+    So is what stands below a name in different type, and a vector with the name of its frame at its left.
     """
-    formulas = _in_one_type(formulas, seen, every)
+    formulas = _without_frames(_in_one_type(formulas, seen, every), every)
     kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
     plain = {bold: face(bold).removesuffix("}") for bold in kinds}
     both = {bold: letter for bold, letter in plain.items() if kinds[bold] == kinds.get(letter)}
@@ -199,8 +206,19 @@ def _in_one_type(formulas: Sequence[Printed], seen: Sequence[Seen], every: Seque
     }
     if not any(labels.values()):
         return [*formulas]
-    printed = [replace(f, latex=_TYPED.sub(lambda m: _untyped(m) if labels.get(m[0]) else m[0], f.latex)) for f in formulas]
+    printed = [
+        replace(f, latex=_TYPED.sub(lambda m: _untyped(m) if labels.get(m[0]) else m[0], f.latex)) for f in formulas
+    ]
     return printed
+
+
+def _without_frames(formulas: Sequence[Printed], every: Sequence[Letter]) -> list[Printed]:
+    """The formulas without the frame at the left of vectors, if there is one frame alone and they stand without it."""
+    names = {_BARE.sub("", shown(each.letter)) for each in every}
+    framed = [each for name in names if (each := _FRAMED.fullmatch(name))]
+    if len({each[1] for each in framed}) != 1 or not any(each[2] in names for each in framed):
+        return [*formulas]
+    return [replace(f, latex=_AT_LEFT.sub("", f.latex)) for f in formulas]
 
 
 def _untyped(label: re.Match[str]) -> str:
@@ -249,10 +267,12 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
     told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
+    unlike = SHAPES_DIFFER in seen.reason  # if letters before brackets are functions
     found = {
         r.letter: told[r.letter]
         for r in seen.roles
-        if told.get(r.letter, r.phrase) != r.phrase and not (r.kind == "function" and told[r.letter] in _VALUES)
+        if told.get(r.letter, r.phrase) != r.phrase
+        and (unlike or not (r.kind == "function" and told[r.letter] in _VALUES))
     }
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))

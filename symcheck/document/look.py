@@ -27,13 +27,14 @@ from symcheck.document.units import Told
 from symcheck.document.work import Progress, Work, proved_of, undecided
 from symcheck.question import Answer, Status
 from symcheck.question.measured import LIMIT
+from symcheck.reading.lowering import SHAPES_DIFFER
 
 # what distinguishes two refusals of one kind: the place, and what is printed there
 _PLACE = re.compile(r",? at character \d+: .*$", re.DOTALL)
 _BOUNDS = re.compile(r"(\S+) ≤ (.*) and \2 ≤ (\S+)", re.DOTALL)  # as the decision tells the value of a difference
 # reasons of which each names another printed term
 VALUELESS = (
-    "has no algebraic form", "states no relation", "do not compare", "is no product", "a scalar is expected here",
+    "has no algebraic form", "states no relation", SHAPES_DIFFER, "is no product", "a scalar is expected here",
     "stands without its arguments", "an index of a name is not summed over",
 )  # fmt: skip
 COMPARING = 7.0  # seconds in which relations are compared; documents of 400 displays take as long

@@ -7,13 +7,14 @@ macros and do not expand them, and whole TeX engines (plasTeX) lose the printed 
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.packages import PACKAGES
+from symcheck.document.packages import PACKAGES, USUAL
 
 MAX_MADE = 1_000_000  # tokens that macros of one document make; those of a book of 500 pages make half of it
 MAX_FILES = 30  # included files within one another; TeX itself has 15
@@ -89,6 +90,9 @@ class Expander:
     environments: dict[str, tuple[Macro, tuple[Tok, ...]]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     made: int = 0
+
+    def __post_init__(self) -> None:
+        deque(self.run(tokens(USUAL)), maxlen=0)
 
     def run(self, toks: Sequence[Tok]) -> Iterator[Tok]:
         """What is left of the tokens."""

@@ -68,4 +68,7 @@ PACKAGES = {
     "braket": r"\newcommand{\Set}[1]{\left\{#1\right\}}",
     "accents": r"\newcommand{\ring}[1]{\mathring{#1}}",
     "tensor": r"\newcommand{\tensor}[2]{#1#2}",
+    "leftidx": r"\newcommand{\leftidx}[3]{{}#1{#2}#3}",
 }
+# what files of authors' own define alike wherever they do, for scripts at the left
+USUAL = r"\newcommand{\leftexp}[2]{{}^{#1}{#2}}\newcommand{\leftsub}[2]{{}_{#1}{#2}}"

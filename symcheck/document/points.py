@@ -5,6 +5,7 @@ Nothing is proved or refuted by these points: they tell which questions are wort
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
@@ -62,7 +63,7 @@ class Placed(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Whether a relation holds for solutions of its sources, and whether these bind its letters to each other."""
+    """Whether a relation holds for solutions of its sources, and whether these bind its letters as much as it does."""
 
     holds: bool
     bound: bool
@@ -94,7 +95,8 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
     with np.errstate(all="ignore"):
         jacobian = _jacobian(_placed(given, symbols), np.array([points[0][symbol] for symbol in symbols]))
         rest = [k for k, symbol in enumerate(symbols) if symbol not in own]
-        bound = _rank(jacobian) > _rank(jacobian[:, rest])
+        parts = max(_rank(_jacobian(_placed(asked, symbols), np.array([points[0][x] for x in symbols]))), 1)
+        bound = _rank(jacobian) - _rank(jacobian[:, rest]) >= parts
         return Found(_hold(asked, points) or (bound and _on_a_branch(asked, given, symbols)), bound)
 
 
@@ -190,13 +192,12 @@ def _rates(given: Sequence[Equation], unknown: Set[Expr]) -> Iterator[Equation]:
                         open_.setdefault(_letter(of.diff(by)), of.diff(by))
                         total += side.diff(symbol) * _letter(of.diff(by))
                 side = total
-            yield _equation((_letter(rate), side), frozenset())
+            if side != 0:  # or nothing is known of what changes
+                yield _equation((_letter(rate), side), frozenset())
 
 
 @lru_cache(1024)
-def _points(
-    sources: tuple[str, ...], letters: Said, unknown: frozenset[Expr]
-) -> tuple[dict[Symbol, float], ...]:
+def _points(sources: tuple[str, ...], letters: Said, unknown: frozenset[Expr]) -> tuple[dict[Symbol, float], ...]:
     """Points at which all equations hold, with letters of the same signs; none if the first is not found."""
     if not sources:
         return ({},) * ANYWHERE
@@ -252,10 +253,19 @@ def _hold(equations: Iterable[Equation], points: Sequence[dict[Symbol, float]]) 
 
 
 def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
-    own = ((x, phrase) for x, phrase in letters if x in text and all(y in text for y in depends_on(phrase)))
+    bare = _bare(text)
+    own = (
+        (x, phrase) for x, phrase in letters if _bare(x) in bare and all(_bare(y) in bare for y in depends_on(phrase))
+    )
     if not (found := _read(text, tuple(own))):
         raise SymcheckError("no equation is read here")
     return found
+
+
+@lru_cache(4096)
+def _bare(text: str) -> str:
+    """A text without what may be left out between its tokens."""
+    return re.sub(r"[\s{}]", "", text)
 
 
 @lru_cache(4096)
@@ -375,5 +385,6 @@ def _is_found(points: Array) -> np.ndarray[Any, np.dtype[np.bool_]]:
 def _rank(jacobian: Array) -> int:
     if not jacobian.size or not np.all(np.isfinite(jacobian)):
         return 0
-    sizes = np.linalg.svd(jacobian, compute_uv=False)
+    lengths = np.linalg.norm(jacobian, axis=1, keepdims=True)
+    sizes = np.linalg.svd(jacobian / np.fmax(lengths, SMALL), compute_uv=False)
     return int(np.sum(sizes > RANK * max(float(sizes[0]), RANK)))

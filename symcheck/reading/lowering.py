@@ -130,6 +130,7 @@ from symcheck.reading.tree import (
     with_children,
 )
 
+SHAPES_DIFFER = "do not compare"  # sides of different shapes
 MAX_FACTORIAL = 1000  # its digits fill a page
 Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot be written out
 
@@ -546,7 +547,7 @@ class Lowering:
                 if several and not any(face(part.letter) for part in nodes(side) if isinstance(part, Name)):
                     raise SymcheckError(f"{to_latex(side)}: a function, or a factor before a vector? write \\cdot")
             raise Unsaid(
-                f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) do not compare; check the notation"
+                f"{to_latex(left)} ({says(a)}) and {to_latex(right)} ({says(b)}) {SHAPES_DIFFER}; check the notation"
             )
         return a, b
 
