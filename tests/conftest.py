@@ -14,6 +14,24 @@ from click.testing import CliRunner, Result
 ROOT = Path(__file__).resolve().parent.parent
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """`--cases N`, for further Pythons: they differ in what all cases of a test do, and seldom in one of many."""
+    parser.addoption("--cases", type=int, default=0, help="of each test run no more than so many cases, evenly spread")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out cases beyond those wanted, of what is not slow."""
+    wanted = config.getoption("--cases")
+    by_test: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        if not item.get_closest_marker("slow"):
+            by_test.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    spread = ((cases, -(-len(cases) // wanted)) for cases in by_test.values() if wanted and len(cases) > wanted)
+    left_out = {id(case) for cases, step in spread for k, case in enumerate(cases) if k % step}
+    config.hook.pytest_deselected(items=[item for item in items if id(item) in left_out])
+    items[:] = [item for item in items if id(item) not in left_out]
+
+
 @pytest.fixture(autouse=True)
 def no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whoever runs the tests may have a terminal of some width."""
