@@ -109,7 +109,7 @@ $$[J_{\text{RW}}] \bm y + [P] \bm x + [K] \bm z = \bm L$$
 """,
         "+",
         "-",
-        4,
+        6,  # or line 4, with which it is told
     ),
     "a rate of change": Planted(
         r"""The function is

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import permutations
 
 from symcheck.document.checks import REFERRING, Checks, Definition, Place, Question
-from symcheck.document.points import Found, compared, idle, slips
+from symcheck.document.points import Found, compared, idle, slips, sources_of
 from symcheck.document.roles import OF_KNOWN, Roles
 from symcheck.document.survey import SMALLEST
 from symcheck.document.work import Work
@@ -41,6 +41,7 @@ WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
 FOLLOWING = 1.2  # for all sets of a relation
 SLIPS = 4.0  # seconds for the slips in one relation
+UNBOUND = 1.0  # if the others do not bind its letters, so that a slip has to bring in others
 EXPLAINING = 12.0  # for all slips that may explain why a relation fails
 
 
@@ -183,9 +184,15 @@ class Slip:
 def _slip(question: Question) -> str:
     """The relation after the likeliest slip with which it holds; "" if none is found."""
     with suppress(OutOfTime), limited(SLIPS):
-        if _holds(question):
+        points = compared(question.relation, question.where, question.letters, further=True)
+        if points is not None and points.holds:
             return ""
-        return next(slips(question.relation, question.where, question.letters), "")
+        if points is not None and points.bound:
+            return next(slips(question.relation, question.where, question.letters), "")
+        found = ""
+        with suppress(OutOfTime), limited(UNBOUND):
+            found = next(slips(question.relation, question.where, question.letters), "")
+        return found or next(sources_of(question.relation, question.where, question.letters), "")
     return ""
 
 
@@ -198,8 +205,11 @@ def _explaining(task: tuple[tuple[tuple[Question, str], ...], tuple[Question, ..
 
 
 def _holds(question: Question) -> bool:
+    """Does the relation hold where its sources do, or one of these by the relation and the others?"""
     points = compared(question.relation, question.where, question.letters, further=True)
-    return points is not None and points.holds
+    if points is not None and (points.holds or points.bound):
+        return points.holds
+    return question.relation in sources_of(question.relation, question.where, question.letters, slipped=False)
 
 
 def exchanged(question: Question, place: Place) -> Question:

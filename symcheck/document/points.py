@@ -159,6 +159,21 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
                 yield to_latex(slip.tree)
 
 
+def sources_of(relation: str, others: tuple[str, ...], letters: Said, slipped: bool = True) -> Iterator[str]:
+    """The relation after a slip, or as it is, from which with all others but the last one this last one follows."""
+    *rest, last = others
+    texts: Iterable[str] = (relation,)
+    if slipped:
+        try:
+            texts = (to_latex(slip.tree) for slip in likely(readings(plainly(Asked(relation, (), (), letters)))[0]))
+        except (SymcheckError, *FAULTS):
+            return
+    for text in texts:
+        found = compared(last, (*rest, text), letters)
+        if found is not None and found.holds and found.bound:
+            yield text
+
+
 def _unknown(equations: Iterable[Equation]) -> frozenset[Expr]:
     return frozenset(term for each in equations for term in each.unknown)
 

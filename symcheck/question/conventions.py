@@ -62,7 +62,8 @@ def _held(reading: Reading) -> str:
 def _marks(reading: Reading, known: Set[str]) -> str:
     """The doubt about primes beside dots, letters above functions, and brackets that may be those of a function."""
     places = occurrences(reading.source[0].relation)
-    both = {place.word for place in places if place.dots} & {place.word for place in places if place.primes} - known
+    own = [place for place in places if place.word not in known]
+    both = {spelling(place) for place in own if place.dots} & {spelling(place) for place in own if place.primes}
     if both:
         return f"is the prime of {min(both)} the same derivative as its dot? write one of them, or say what it is"
     applied = [part.function for _, part in walk(reading.tree) if isinstance(part, Call)]

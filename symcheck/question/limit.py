@@ -8,6 +8,7 @@ from __future__ import annotations
 import signal
 import threading
 import time
+import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
@@ -19,6 +20,15 @@ class OutOfTime(BaseException):
     """The limit was reached; no error, which libraries drop where one way of theirs fails and go on to the next."""
 
 
+def _is_finalizing(frame: FrameType | None) -> bool:
+    """Does the interpreter clean up, where it prints what is raised and drops it? The limit is told again."""
+    while frame is not None:
+        if frame.f_code.co_name == "__del__" or frame.f_code.co_filename == weakref.__file__:
+            return True
+        frame = frame.f_back
+    return False
+
+
 @contextmanager
 def limited(seconds: float) -> Iterator[None]:
     """Raise OutOfTime in what is inside once it has used so many seconds; an outer limit stays in force."""
@@ -27,7 +37,8 @@ def limited(seconds: float) -> Iterator[None]:
         return
 
     def stop(number: int, frame: FrameType | None) -> None:
-        raise OutOfTime
+        if not _is_finalizing(frame):
+            raise OutOfTime
 
     before, started = signal.signal(signal.SIGPROF, stop), time.process_time()
     left, _ = signal.setitimer(signal.ITIMER_PROF, seconds, AGAIN)
