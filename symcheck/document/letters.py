@@ -14,7 +14,7 @@ from symcheck.document.survey import SKEW, Role, Said, Seen, is_sayable
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
-from symcheck.reading.lowering import SHAPES_DIFFER
+from symcheck.reading.lowering import AND_OTHER, SHAPES_DIFFER
 from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
 from symcheck.reading.side_by_side import ONE_NAME
 
@@ -29,6 +29,7 @@ _FRAMED = re.compile(r"\\prescript(\\?\w)(.+)")  # a name with a frame at its le
 _AT_LEFT = re.compile(
     r"\{\s*\}\s*\^\s*(?:\{[^{}]*\}|\\?\w)(?=\s*(?:\{\s*)*\\(?:bm|boldsymbol|mathbf|vec)\b)"
 )  # how it is printed
+_HATTED = re.compile(r"\\hat\{[a-z]\}")  # a letter in plain type with a hat: a unit vector, or an estimate
 _WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
 _BARE = re.compile(r"[\s{}]")  # what may be left out between the tokens of a name
 # a name with a tilde in brackets, and what stands below it
@@ -254,9 +255,9 @@ def in_doubt(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Seen]:
 
 
 def _runs(seen: Sequence[Seen]) -> dict[str, re.Pattern[str]]:
-    """What may be one name, and how it is printed, the longest first."""
+    """What may be one name, and how it is printed, the longest first; in square brackets it is a matrix."""
     every = sorted({run for each in seen for run in _NAME.findall(each.reason)}, key=len, reverse=True)
-    return {run: re.compile(r"(?<![A-Za-z\\])" + r"\s*".join(run) + "(?![A-Za-z])") for run in every}
+    return {run: re.compile(r"(?<![A-Za-z\\\[])" + r"\s*".join(run) + "(?![A-Za-z])") for run in every}
 
 
 def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
@@ -274,6 +275,10 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
         if told.get(r.letter, r.phrase) != r.phrase
         and (unlike or not (r.kind == "function" and told[r.letter] in _VALUES))
     }
+    if unlike or AND_OTHER in seen.reason:  # what has a hat has a direction, then
+        found = {
+            r.letter: "vector" for r in seen.roles if r.kind == "scalar" and _HATTED.match(shown(r.letter))
+        } | found
     if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found

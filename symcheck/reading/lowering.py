@@ -131,6 +131,7 @@ from symcheck.reading.tree import (
 )
 
 SHAPES_DIFFER = "do not compare"  # sides of different shapes
+AND_OTHER = "and something else"  # addends of different shapes
 MAX_FACTORIAL = 1000  # its digits fill a page
 Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot be written out
 
@@ -787,7 +788,7 @@ class Lowering:
         values = [self.value(term, env) for term in tree.terms]
         shapes = {shape(value) for value in values}
         if len(shapes) > 1:
-            raise Unsaid(f"{to_latex(tree)} adds a {says(values[0])} and something else; check the notation")
+            raise Unsaid(f"{to_latex(tree)} adds a {says(values[0])} {AND_OTHER}; check the notation")
         return zipped(added, values)
 
     def of_neg(self, tree: Neg, env: Env) -> Value:
