@@ -876,3 +876,32 @@ def test_a_density_times_its_variable_is_read_and_a_product_whose_order_may_coun
     mean = r"\int_0^1 x\frac{1}{B} x^{a-1} (1-x)^2 dx = \int_0^1 \frac{x^a (1-x)^2}{B} dx"
     assert decide(mean, given=["a > 0", "B > 0"]).verdict is not Status.UNREADABLE
     assert "order of its factors" in decide(r"q v w q^{-1} = v w").reason
+
+
+@pytest.mark.parametrize(
+    ("relation", "letters", "verdict"),
+    [
+        (r"[\tilde{\bm\omega}] \bm b = \bm\omega \times \bm b", {r"[\tilde{\bm{\omega}}]": r"\bm\omega"}, "proved"),
+        (r"[\tilde\omega] \bm b = -\bm\omega \times \bm b", {r"[\tilde\omega]": r"\bm\omega"}, "refuted"),
+        (r"[\widetilde{\delta\bm\omega}] \bm b = \delta\bm\omega \times \bm b", {}, "ambiguous"),
+    ],
+)
+def test_a_name_in_brackets_can_be_said_to_be_made_of_a_vector(
+    relation: str, letters: dict[str, str], verdict: str
+) -> None:
+    said = {name: f"skew matrix of {vector}" for name, vector in letters.items()}
+    assert decide(relation, letters=said).verdict == verdict
+
+
+def test_frames_at_the_left_may_be_typed_as_they_are_shown() -> None:
+    shown, typed = r"\prescript{A}{}{\mathbf{x}}_b", r"{}^A\mathbf{x}_b"
+    assert decide(f"{shown} + {typed} = 2 {typed}").verdict == "proved"
+    for broken in (r"\prescript{A}{}", r"\prescript{A}", r"\prescript"):
+        assert decide(f"{broken} = 0").verdict in ("unreadable", "undecided")
+
+
+def test_a_function_of_a_letter_with_an_index_is_said_for_all_of_them_and_with_a_label_for_one() -> None:
+    assert decide(r"f(y) = 2 y^2", [r"f(\sigma_i) = \sigma_i^2"]).verdict == "refuted"
+    assert decide(r"f(\sigma_1) = \sigma_1^2", [r"f(\sigma_i) = \sigma_i^2"]).verdict == "proved"
+    for one in (r"f(x_0) = x_0^2", r"f(x_1) = x_1^2", r"f(x_n) = x_n^2", r"f(x_i) = k_i x_i^2"):
+        assert decide(r"f(y) = 2 y^2", [one]).verdict not in ("proved", "refuted")

@@ -49,6 +49,7 @@ ARGUMENTS = {
     r"\begin": 1,
     r"\end": 1,
     r"\tag": 1,
+    r"\prescript": 3,
 }
 ARGUMENTS |= dict.fromkeys(STYLES | ACCENTS | ROMAN | {r"\text", r"\operatorname", r"\mathrm"}, 1)
 
