@@ -212,6 +212,8 @@ def test_any_tree_survives_printing(tree):
     assume(not any(isinstance(each, Interval) for each in lists))  # which is read as a list there
     derived = [node.body for node in nodes(tree) if isinstance(node, Derivative)]
     assume(not any(isinstance(each, Tuple) for each in derived))  # it may be a product, and is refused
+    powers = [node.exponent for node in nodes(tree) if isinstance(node, Pow)]
+    assume(all(each.arguments for each in powers if isinstance(each, Call)))  # a function above a letter is asked about
 
     def undotted(tree):  # a bracket behind a function is printed with a dot, which shows between vectors
         return re.sub(r"dotted=\([\d, ]*\)", "", repr(tree))
