@@ -168,6 +168,23 @@ def test_vectors_in_plain_letters_are_known_by_what_they_are_equal_to(tmp_path: 
     assert not look(tmp_path / "right" / "paper.md").findings
 
 
+TWO_WAYS = r"""# A function in two ways
+
+The function is
+$$V_{\bm\omega} = \alpha (\beta + \gamma)^2$$
+and for equal angles
+$$\gamma = \beta$$
+so that altogether
+$$V_{\omega} = 4 \alpha \beta^2$$
+"""
+
+
+def test_what_is_printed_in_two_ways_is_made_one_letter_by_a_rule_that_is_told(tmp_path: Path) -> None:
+    audit = begun(tmp_path, TWO_WAYS, "paper.md")
+    assert r'rules=[r"_{\bm\omega} -> _{\omega}"]' in (audit / "audit.py").read_text(encoding="utf-8")
+    assert [*verdicts(audit).values()] == ["proved"]
+
+
 def test_a_misprint_in_the_source_changes_the_verdict_and_is_told(tmp_path: Path) -> None:
     audit = begun(tmp_path, SHORT)
     assert verdicts(audit) == {"2": "proved", "2.1": "proved"}

@@ -10,6 +10,7 @@ from functools import cache
 
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
+from symcheck.document.rewriting import Rule, rewritten
 from symcheck.document.survey import SKEW, Role, Said, Seen, is_sayable
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
@@ -25,10 +26,8 @@ _INDICES = frozenset("ijklmn") | {r"\mu", r"\nu"}
 _CHANGE = re.compile(r"(\\delta|\\Delta) (?=[A-Za-z\\])")  # before a name
 # a label below a name, all of it in one type
 _TYPED = re.compile(r"_\{\s*\\(?:text|mathrm|mathbf|boldsymbol|bm|mathit)\s*(?:\{([^{}]*)\}|(\\?[A-Za-z]+))\s*\}")
-_FRAMED = re.compile(r"\\prescript(\\?\w)(.+)")  # a name with a frame at its left, bare
-_AT_LEFT = re.compile(
-    r"\{\s*\}\s*\^\s*(?:\{[^{}]*\}|\\?\w)(?=\s*(?:\{\s*)*\\(?:bm|boldsymbol|mathbf|vec)\b)"
-)  # how it is printed
+# a vector with a frame at its left, bare
+_FRAMED = re.compile(r"\\prescript(\\?\w)((?:\\hat)?\\(?:bm|boldsymbol|mathbf|vec).+)")
 _HATTED = re.compile(r"\\hat\{[a-z]\}")  # a letter in plain type with a hat: a unit vector, or an estimate
 _WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
 _BARE = re.compile(r"[\s{}]")  # what may be left out between the tokens of a name
@@ -181,9 +180,9 @@ def without_parts_of_names(every: Sequence[Letter], seen: Sequence[Seen]) -> lis
 def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[Printed]:
     """The formulas, in which what is a vector, or a matrix, in bold and in plain type is one letter, in plain type.
 
-    So is what stands below a name in different type, and a vector with the name of its frame at its left.
+    So is what is printed in two ways else.
     """
-    formulas = _without_frames(_in_one_type(formulas, seen, every), every)
+    formulas = by_rules(formulas, rules(seen, every))
     kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
     plain = {bold: face(bold).removesuffix("}") for bold in kinds}
     both = {bold: letter for bold, letter in plain.items() if kinds[bold] == kinds.get(letter)}
@@ -193,8 +192,18 @@ def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequen
     return [replace(f, latex=printed.sub(lambda found: f"{{{both[found[0]]}}}", f.latex)) for f in formulas]
 
 
-def _in_one_type(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[Printed]:
-    """The formulas, with labels in plain type below names where both types are used, and nowhere beside each other."""
+def by_rules(formulas: Sequence[Printed], texts: Sequence[str]) -> list[Printed]:
+    """The formulas after rules of rewriting."""
+    own = [Rule.of(text) for text in texts]
+    return [replace(each, latex=rewritten(each.latex, own)[0]) for each in formulas]
+
+
+def rules(seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
+    """Rules of rewriting that make one letter of what a document means by one, where it prints it in two ways.
+
+    These are labels in different type below a name, where both types are used, and nowhere beside each other; and the
+    frame at the left of vectors, if there is one frame alone, and they stand without it, too.
+    """
     names = {shown(each.letter): each.letter for each in every}
     typed = {name: plain for name in names if (plain := _TYPED.sub(_untyped, name)) != name}
     alike = {_BARE.sub("", name): name for name in names if name not in typed}
@@ -205,21 +214,13 @@ def _in_one_type(formulas: Sequence[Printed], seen: Sequence[Seen], every: Seque
         for name, other in both.items()
         for label in _TYPED.finditer(name)
     }
-    if not any(labels.values()):
-        return [*formulas]
-    printed = [
-        replace(f, latex=_TYPED.sub(lambda m: _untyped(m) if labels.get(m[0]) else m[0], f.latex)) for f in formulas
-    ]
-    return printed
-
-
-def _without_frames(formulas: Sequence[Printed], every: Sequence[Letter]) -> list[Printed]:
-    """The formulas without the frame at the left of vectors, if there is one frame alone and they stand without it."""
-    names = {_BARE.sub("", shown(each.letter)) for each in every}
-    framed = [each for name in names if (each := _FRAMED.fullmatch(name))]
-    if len({each[1] for each in framed}) != 1 or not any(each[2] in names for each in framed):
-        return [*formulas]
-    return [replace(f, latex=_AT_LEFT.sub("", f.latex)) for f in formulas]
+    found = [f"{label} -> {_TYPED.sub(_untyped, label)}" for label, alone in labels.items() if alone]
+    bare = {_BARE.sub("", shown(role.letter)) for each in seen if each.read for role in each.roles}
+    framed = [_FRAMED.fullmatch(name) for name in bare if name.startswith(r"\prescript")]
+    vectors = [each for each in framed if each is not None]
+    if len(vectors) == len(framed) and len({x[1] for x in vectors}) == 1 and any(x[2] in bare for x in vectors):
+        found.append(f"{{}}^{{{vectors[0][1]}}} -> ")
+    return found
 
 
 def _untyped(label: re.Match[str]) -> str:

@@ -18,7 +18,7 @@ from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.checks import Checks
 from symcheck.document.guesses import guessed
-from symcheck.document.letters import Letter, shown, without_parts_of_names
+from symcheck.document.letters import Letter, by_rules, rules, shown, without_parts_of_names
 from symcheck.document.lock import LOCK, UPDATE, Accepted, accepted, digest, keys, load, located, written
 from symcheck.document.look import known
 from symcheck.document.printed import Printed
@@ -46,6 +46,7 @@ class Draft:
     guesses: Sequence[Guess]
     said: Sequence[str] = ()  # what is wrong with the source itself, and what is left out of it
     units: Mapping[str, Told] = field(default_factory=dict)  # by letter, where the source says one for all of it
+    rules: Sequence[str] = ()  # by which it is rewritten before it is read
     keys: Sequence[str] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -73,8 +74,10 @@ class Draft:
 def drafted(file: Path, work: Work) -> Draft:
     """A source, read, with what each relation is taken for."""
     printed = source(file)
-    formulas = printed.formulas
-    seen, every = known(formulas, work)
+    seen, every = known(printed.formulas, work)
+    own = rules(seen, every)
+    if (formulas := by_rules(printed.formulas, own)) != [*printed.formulas]:
+        seen, every = known(formulas, work)
     every = without_parts_of_names(every, seen)
     said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
     said += [f"{file}: left out: {note}" for note in printed.notes]
@@ -85,7 +88,7 @@ def drafted(file: Path, work: Work) -> Draft:
         for x in each.names:
             scopes.setdefault(x, []).append(formula.scope)
     units = {x: told for x, own in scopes.items() if (told := of_document(x, printed.told, own))}
-    return Draft(file, formulas, every, guesses, said, units)
+    return Draft(file, printed.formulas, every, guesses, said, units, (*own, *_spelled(formulas)))
 
 
 def new(file: Path, folder: Path, work: Work) -> list[str]:
@@ -130,7 +133,7 @@ def text(draft: Draft, folder: Path) -> str:
             "    __file__,",
             f"    {_quoted(path)},",
             *([f"    letters=(\n{letters_}\n    ),"] if draft.letters else []),
-            *([f"    rules=[{', '.join(map(_quoted, rules))}],"] if (rules := _spelled(draft.formulas)) else []),
+            *([f"    rules=[{', '.join(map(_quoted, draft.rules))}],"] if draft.rules else []),
             ")",
             "",
             *_body(draft, names),
