@@ -191,6 +191,29 @@ FAULTS = {
 }
 
 
+def test_an_edit_of_a_letter_decides_anew_only_where_it_stands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from symcheck.audit import decide
+
+    audit = begun(
+        tmp_path, SHORT.replace(r"\end{document}", r"\[ a + \frac{a}{b} = \frac{a b + a}{b}. \] \end{document}")
+    )
+    before, decided = verdicts(audit), list[str]()
+    assert list(before) == ["2", "2.1", "2.2"]
+    function = decide.decide
+    monkeypatch.setattr(decide, "decide", lambda id: (decided.append(id), function(id))[1])
+    assert verdicts(audit) == before
+    assert decided == []
+    file = audit / "audit.py"
+    code, energies = file.read_text(encoding="utf-8"), ["audit:1", "audit:2", "audit:2.1"]
+    for unit, changed in (("kg", energies), ("", energies)):
+        edited = re.sub(r'letter\("m"[^)]*\)', f'letter("m", unit="{unit}")', code)
+        assert edited != code
+        file.write_text(edited, encoding="utf-8")
+        assert verdicts(audit) == before
+        assert decided == changed
+        decided.clear()
+
+
 @pytest.mark.parametrize("case", FAULTS)
 def test_a_lock_that_is_none_is_one_line(case: str, tmp_path: Path) -> None:
     audit = begun(tmp_path, SHORT)
