@@ -212,6 +212,14 @@ def test_an_edit_of_a_letter_decides_anew_only_where_it_stands(tmp_path: Path, m
         assert verdicts(audit) == before
         assert decided == changed
         decided.clear()
+    paper = tmp_path / "paper.tex"
+    paper.write_text("\n" + paper.read_text(encoding="utf-8").replace("a b + a", "a + a b"), encoding="utf-8")
+    moved = json.loads(run("check", audit, "--jobs", 0, "--json").stdout)["items"]
+    assert [(item["verdict"], item["line"]) for item in moved if item["id"] in ("audit:2", "audit:2.1")] == [
+        ("proved", 6),
+        ("proved", 8),
+    ]
+    assert decided == ["audit:2.2"]  # where something is printed otherwise
 
 
 @pytest.mark.parametrize("case", FAULTS)

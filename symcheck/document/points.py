@@ -138,8 +138,10 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
     except (SymcheckError, *FAULTS):
         return
     alone = alone_of(reading)
-    values = _Values(points) if points else None
-    for slip in chain(likely(reading), missing(reading)) if values is not None else ():
+    if not points:
+        return
+    values = _Values(points)
+    for slip in chain(likely(reading), missing(reading)):
         with suppress(SymcheckError, *FAULTS), np.errstate(all="ignore"):
             equations = [*_sides(worded(alone, slip.tree))]
             if any(side.free_symbols for both in equations for side in both) and values.hold(equations):
@@ -165,7 +167,7 @@ class _Values:
         if tree.is_Symbol:  # of which the points say nothing
             return self.numbers.uniform(0.3, 1.7, self.points)
         if not tree.args:
-            return complex(tree) if tree.is_real is False else float(tree)  # type: ignore[call-overload]
+            return complex(tree) if tree.is_real is False else float(tree)
         if all(isinstance(part, Expr) for part in tree.args):
             return _evaluated(tree.func, len(tree.args))(*map(self.of, tree.args))
         symbols = [*tree.free_symbols]
@@ -183,7 +185,7 @@ class _Values:
 
 @cache
 def _evaluated(function: Any, count: int) -> Callable[..., Any]:
-    """A function of SymPy as one of NumPy; to write out one for each expression takes far longer than to evaluate it."""
+    """A function of SymPy as one of NumPy; to write out one for each expression would take far longer."""
     from sympy import Add, Dummy, Mul, Pow
 
     if function in (Add, Mul):
