@@ -13,7 +13,7 @@ from stand_in import correction
 from symcheck.core.verdicts import SLIPS, Group, Origin, Reading, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.views import terminal
-from symcheck.views.model import Fault, Relation, errata, erring
+from symcheck.views.model import Fault, Relation, errata, erring, headline
 
 WRONG = Record(
     id="toy:2.1",
@@ -90,8 +90,9 @@ def test_what_stands_beside_the_right_form_is_called_printed_where_it_is(kind: s
 
 def test_the_errata_are_counted_with_what_they_are() -> None:
     empty = replace(WRONG, id="toy:2.9", verdict=Verdict.PROVED)
-    said = "2 errata: 1 refuted, 1 that say nothing or are read as they must be meant"
+    said = "2 errata: 1 refuted, 1 that says nothing or is read as it must be meant"
     assert erring([WRONG, empty, GROUPS[Group.DAMAGED]]) == said
+    assert erring([WRONG, empty, empty]) == "3 errata: 1 refuted, 2 that say nothing or are read as they must be meant"
     assert erring([WRONG]) == "1 erratum, refuted"
     assert erring([WRONG, ROW]) == "2 errata, all refuted"
     assert erring([]) == "no errata"
@@ -154,3 +155,15 @@ def test_a_different_reason_stands_in_its_row() -> None:
     text = told(ROW, replace(ROW, id="toy:2.1V.6a"), replace(ROW, id="toy:2.1V.7a", reason="stands alone"))
     line = next(line for line in text.splitlines() if "2.1V.7a" in line)
     assert "stands alone" in line
+
+
+def test_the_head_of_a_ledger_says_why_there_are_more_errata_than_refutations() -> None:
+    empty = replace(WRONG, id="toy:2.9", verdict=Verdict.PROVED)
+    assert list(headline([WRONG, empty]))[-1] == erring([WRONG, empty])
+    assert not any("errat" in line for line in headline([WRONG]))
+
+
+def test_large_counts_are_parted_by_commas() -> None:
+    first, *more = headline([WRONG] * 1200)
+    assert first == "1,200 relations: 0 proved, 1,200 refuted, 0 undecided"
+    assert any(line.startswith("Refuted: 1,200 ") for line in more)

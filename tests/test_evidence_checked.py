@@ -217,6 +217,7 @@ def deciding(*forged: Record) -> Any:
     return SimpleNamespace(
         expand=decide.expand,
         fingerprint=decide.fingerprint,
+        placed=decide.placed,
         weigh=decide.weigh,
         decide=lambda id: answers.get(id, DECIDED.get(id) or decide.decide(id)),
     )

@@ -208,6 +208,37 @@ FAULTS = {
 }
 
 
+def test_an_edit_of_a_letter_decides_anew_only_where_it_stands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from symcheck.audit import decide
+
+    audit = begun(
+        tmp_path, SHORT.replace(r"\end{document}", r"\[ a + \frac{a}{b} = \frac{a b + a}{b}. \] \end{document}")
+    )
+    before, decided = verdicts(audit), list[str]()
+    assert list(before) == ["2", "2.1", "2.2"]
+    function = decide.decide
+    monkeypatch.setattr(decide, "decide", lambda id: (decided.append(id), function(id))[1])
+    assert verdicts(audit) == before
+    assert decided == []
+    file = audit / "audit.py"
+    code, energies = file.read_text(encoding="utf-8"), ["audit:1", "audit:2", "audit:2.1"]
+    for unit, changed in (("kg", energies), ("", energies)):
+        edited = re.sub(r'letter\("m"[^)]*\)', f'letter("m", unit="{unit}")', code)
+        assert edited != code
+        file.write_text(edited, encoding="utf-8")
+        assert verdicts(audit) == before
+        assert decided == changed
+        decided.clear()
+    paper = tmp_path / "paper.tex"
+    paper.write_text("\n" + paper.read_text(encoding="utf-8").replace("a b + a", "a + a b"), encoding="utf-8")
+    moved = json.loads(run("check", audit, "--jobs", 0, "--json").stdout)["items"]
+    assert [(item["verdict"], item["line"]) for item in moved if item["id"] in ("audit:2", "audit:2.1")] == [
+        ("proved", 6),
+        ("proved", 8),
+    ]
+    assert decided == ["audit:2.2"]  # where something is printed otherwise
+
+
 @pytest.mark.parametrize("case", FAULTS)
 def test_a_lock_that_is_none_is_one_line(case: str, tmp_path: Path) -> None:
     audit = begun(tmp_path, SHORT)

@@ -29,6 +29,7 @@ from symcheck.core.words import term
 from symcheck.numeric import wheels
 from symcheck.papers import load
 from symcheck.papers.mirer2009 import derivation
+from symcheck.views.latex import is_formula, standing_alone
 from symcheck.views.notebook import (
     committed,
     compare,
@@ -252,6 +253,31 @@ def test_a_formula_that_is_written_in_below_a_cell_is_decided(capsys: pytest.Cap
     formula.value, orthogonal.value = text.replace("+ =", "="), False
     button.click()
     assert "without: A is orthogonal" in capsys.readouterr().out
+
+
+def test_what_no_program_can_set_as_a_formula_is_shown_as_it_is() -> None:
+    parts = (Math("printed", "(р = IT}, р„ = /Л„)"), Math("read", "p = i"), Math("right", "p = -i"))
+    markdown = Output(parts)._repr_mimebundle_()["text/markdown"]
+    assert markdown.startswith("*printed:*\n\n```text\n(р = IT}, р„ = /Л„)\n```\n\n$\\begin{array}")
+    assert markdown.count("displaystyle") == 2
+
+
+ROW = re.compile(
+    r"\\textsf\{[^}]*\} & \\displaystyle (.*?)(?: \\\\\[6pt\] |\\end\{array\}\$)", re.DOTALL
+)  # of a display
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_formula_of_a_notebook_can_be_set(name: str) -> None:
+    texts = [
+        output.data.get("text/markdown", "")
+        for cell in committed.committed(name).cells
+        for output in cell.get("outputs", ())
+    ]
+    assert [row for text in texts for row in ROW.findall(text) if not is_formula(row)] == []
+    cells = [cell for text in texts for line in text.splitlines() for cell in re.split(r" ?\| ?|<br>", line)]
+    formulas = [cell[1:-1] for cell in cells if re.fullmatch(r"\$[^$]+\$", cell) and "array" not in cell]
+    assert [each for each in formulas if standing_alone(each) != each] == []
 
 
 def test_a_step_shows_how_it_is_derived() -> None:

@@ -132,6 +132,34 @@ def test_a_claim_says_first_whether_it_is_right(given: Record, said: str) -> Non
     assert strings[int(place[1])] == said
 
 
+def test_what_lacks_a_hypothesis_alone_is_shown_once_with_the_hypothesis() -> None:
+    given = record(
+        "1",
+        printed="x = y",
+        read="x = y",
+        corrected="x = y (given: y is a number)",
+        verdict=Verdict.REFUTED,
+        reading=Reading.NEEDS_HYPOTHESIS,
+        kind="missing hypothesis",
+        origin=Origin.PAPER,
+        erratum=correction(added=("y is a number",)),
+    )
+    text = page([given], TOY)
+    (claim,) = folded(text, "claims-toy")["claims"]
+    for shown in (text, claim):
+        assert '<dt>right if</dt><dd class="prose">y is a number</dd>' in shown
+        assert "<dt>correct</dt>" not in shown
+    (other,) = folded(page([wrong("1", "x = y", "x = -y")], TOY), "claims-toy")["claims"]
+    assert "<dt>correct</dt>" in other
+    assert "<dt>right if</dt>" not in other
+
+
+def test_where_no_claim_uses_another_one_that_is_said() -> None:
+    said = "No claim here is said to use another one."
+    assert said in page([record("1")], TOY)
+    assert said not in page([record("1"), record("2", uses=("toy:1",))], TOY)
+
+
 def test_whether_it_is_right_is_said_of_every_reading_and_origin() -> None:
     assert {*Origin} == {*FAULT}
     wrong_only, of_documents = {Reading.NEEDS_HYPOTHESIS}, {Reading.STATED, Reading.REWRITTEN}

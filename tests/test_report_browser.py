@@ -182,6 +182,38 @@ def test_nor_is_there_in_what_is_folded_out(opened: Callable[..., Page], place: 
     assert [(each["id"], each["nodes"][0]["html"]) for each in found] == []
 
 
+def test_nor_is_there_in_what_comes_and_goes(opened: Callable[..., Page]) -> None:
+    """The keys, what is found first, an unknown place, a damaged formula, what a point of the graph says, notes."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    def faults() -> list[tuple[str, str]]:
+        found = Axe().run(page).response["violations"]
+        return [(each["id"], each["nodes"][0]["html"]) for each in found]
+
+    page = opened("#ledger", bypass_csp=True)
+    page.get_by_label("Search").fill("(2.12)")
+    page.locator("#best li").first.wait_for()
+    assert faults() == []
+    page.locator("#ledger-title").click()
+    page.keyboard.press("?")
+    page.get_by_role("dialog").wait_for()
+    assert faults() == []
+    page.get_by_role("button", name="Close").click()
+    page.evaluate(GO, "#mirer2009:2.71")
+    page.get_by_role("status").filter(has_text="There is no").wait_for()
+    assert faults() == []
+    page.evaluate(GO, "#pictures")
+    page.locator("details.graph:not([open])").filter(has_text="mirer2009").locator("summary").click()
+    page.locator('.arcs a[href="#mirer2009:2.12"]').focus()
+    page.get_by_role("tooltip").locator("math").wait_for()
+    assert faults() == []
+    page.evaluate(GO, "#mirer2009:1.2.4")
+    noted(page, "A note")
+    page.evaluate(GO, "#review")
+    page.locator("#notes").get_by_role("link", name="mirer2009:1.2.4").wait_for()
+    assert faults() == []
+
+
 AXE = """const [source, done] = arguments;
 new Function(source)();
 axe.run().then((found) => done(found.violations.map((each) => [each.id, each.nodes[0].html])));"""

@@ -12,7 +12,7 @@ from symcheck.audit.context import Context
 from symcheck.audit.dimensions import of_formulas, of_text
 from symcheck.audit.judge import Unit, judge, problems, units
 from symcheck.audit.needs import Proved, listed, need
-from symcheck.audit.obligation import Obligation, expand, fingerprint, obligation_of, users
+from symcheck.audit.obligation import Obligation, expand, fingerprint, obligation_of, placed, users
 from symcheck.audit.repair import corrected
 from symcheck.core.claims import Assertion, Declaration, Erratum, Hypothesis
 from symcheck.core.ids import Id
@@ -21,7 +21,7 @@ from symcheck.ledger import Correction, Record
 from symcheck.papers.places import places
 from symcheck.reading import read, to_latex
 
-__all__ = ["decide", "decide_declared", "expand", "fingerprint", "weigh"]
+__all__ = ["decide", "decide_declared", "expand", "fingerprint", "placed", "weigh"]
 
 
 def decide(id: str) -> tuple[Record, ...]:

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache, partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from msgspec import structs
+
 from symcheck import papers
 from symcheck.core.claims import Assertion, Declaration, Definition, Paper, Section
 from symcheck.core.ids import Id
 from symcheck.core.problems import Method
 from symcheck.core.verdicts import SymcheckError
+from symcheck.ledger import Record
 from symcheck.papers.places import places
 from symcheck.reading import Notation
 
@@ -120,9 +123,22 @@ def _paper_context(key: str) -> str:
 def fingerprint(obligation: Obligation) -> str:
     """Hash of all a result depends on: declaration, notation, definitions, lemmas, our sources, library versions.
 
-    What is asked about has all of it in the question.
+    What is asked about has all of it in the question, wherever it stands in the source: `placed` says where that is.
     """
     key, item = obligation.paper.key, obligation.item
-    asked = repr((obligation.section.number, users(key).get(item.number), _digest_of_sources(key)))
-    text = _content(item) + str(places(key).get(item.number)) + (asked if item.question else _paper_context(key))
+    if item.question:
+        context = repr((obligation.section.number, users(key).get(item.number), _digest_of_sources(key)))
+        item = replace(item, source=replace(item.source, line=0, lines={}))
+    else:
+        context = _paper_context(key)
+    text = _content(item) + str(places(key).get(item.number)) + context
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+def placed(obligation: Obligation, records: Sequence[Record]) -> tuple[Record, ...]:
+    """Records of a declaration, of which one that is asked about may have been decided when it stood on other lines."""
+    source = obligation.item.source
+    if not obligation.item.question:
+        return tuple(records)
+    own = (source.lines.get(record.id.removeprefix(obligation.id), source.line) for record in records)
+    return tuple(structs.replace(record, line=line) for record, line in zip(records, own, strict=True))

@@ -40,6 +40,10 @@ class Decider(Protocol):
         """A hash of everything the records of a declaration depend on."""
         ...
 
+    def placed(self, obligation: Any, records: Sequence[Record], /) -> tuple[Record, ...]:
+        """Records of the cache, with the lines on which the declaration stands now."""
+        ...
+
     def decide(self, id: str, /) -> tuple[Record, ...]:
         """The records of one declaration; called in a worker process."""
         ...
@@ -84,7 +88,7 @@ def audit(
     needed = _with_lemmas(wanted, obligations)
     fingerprints = {id: decide.fingerprint(obligations[id]) for id in needed}
     with _uncollected():
-        kept = cache.find(fingerprints)
+        kept = {id: decide.placed(obligations[id], rows) for id, rows in cache.find(fingerprints).items()}
         kept = kept if weigh else checked.unweighed(kept)
         records = {id: rows for id, rows in checked.accepted(kept).items() if rows == kept[id]}
     if refused := len(kept) - len(records):

@@ -47,6 +47,7 @@ from symcheck.reading.evidence import spellings
 from symcheck.reading.inference import inferred, notation_of
 
 MANY = 5  # places that are named one by one
+_TOKEN = re.compile(r"\\[A-Za-z]+|[^\s{}_^]")  # a command or a character; groups and scripts make no letter another one
 
 D = TypeVar("D", bound=Declaration)
 
@@ -322,7 +323,7 @@ class Document:
         section = {number: f.scope[0] for number, f in zip(self.numbers, self.formulas, strict=True)}
         declared = {name: item for name, item in names.items() if isinstance(item, Declaration)}
         claimed = {item.number for item in declared.values() if isinstance(item, Claim | Definition)}
-        declared = {name: self._beside(item, claimed) for name, item in declared.items()}
+        declared = {name: _with_its_letters(self._beside(item, claimed)) for name, item in declared.items()}
         last = max(section.values(), default=0)
         for k in range(last + 1):
             module = ModuleType(f"section_{k}")
@@ -344,6 +345,24 @@ class Document:
         )
         beside = islice((each for each in near if spellings(each[1]) <= own), MOST_CONDITIONS)
         return replace(item, question=replace(item.question, near=tuple(beside)))
+
+
+def _with_its_letters(item: Declaration) -> Declaration:
+    """A declaration that is told of no letters but its own, so that another one that is edited leaves its answer valid.
+
+    Who shares a command or a character with it may be one of its own.
+    """
+    asked = item.question
+    if not isinstance(asked, Inquiry):
+        return item
+    errata = item.errata.values() if isinstance(item, Claim) else ()
+    mended = (text for each in errata for text in (each.corrected, *(need.states for need in each.needs)))
+    own = {token for text in (asked.text, *asked.assumed, *mended) for token in _TOKEN.findall(text)}
+    letters, units = (
+        tuple((letter, said) for letter, said in every if not own.isdisjoint(_TOKEN.findall(letter)))
+        for every in (asked.letters, asked.units)
+    )
+    return replace(item, question=replace(asked, letters=letters, units=units))
 
 
 def _guessed(said: Said) -> list[Any]:

@@ -9,7 +9,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
-from functools import lru_cache
+from functools import cache, lru_cache, reduce
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -26,7 +26,7 @@ from symcheck.question.repairs import likely, missing
 from symcheck.reading import to_latex, to_sympy
 
 if TYPE_CHECKING:
-    from sympy import Expr, Symbol
+    from sympy import Basic, Expr, Symbol
 
     from symcheck.core.problems import Problem
 
@@ -151,12 +151,71 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
     except (SymcheckError, *FAULTS):
         return
     alone = alone_of(reading)
-    for slip in chain(likely(reading), missing(reading)) if points else ():
+    if not points:
+        return
+    values = _Values(points)
+    for slip in chain(likely(reading), missing(reading)):
         with suppress(SymcheckError, *FAULTS), np.errstate(all="ignore"):
-            equations = [*_of(worded(alone, slip.tree))]
-            own = {symbol for equation in equations for symbol in equation.symbols}
-            if own and _hold(equations, _with_further(points, own)):
+            equations = [*_sides(worded(alone, slip.tree))]
+            if any(side.free_symbols for both in equations for side in both) and values.hold(equations):
                 yield to_latex(slip.tree)
+
+
+class _Values:
+    """Values of expressions at several points. What many relations have in common is evaluated once."""
+
+    def __init__(self, points: Sequence[Mapping[Symbol, float]]) -> None:
+        self.points = len(points)
+        self.known: dict[Basic, Any] = {x: np.array([point[x] for point in points]) for x in points[0]}
+        self.numbers = np.random.default_rng(4)
+
+    def of(self, tree: Basic) -> Any:
+        if tree not in self.known:
+            self.known[tree] = self._of(tree)
+        return self.known[tree]
+
+    def _of(self, tree: Basic) -> Any:
+        from sympy import Expr
+
+        if tree.is_Symbol:  # of which the points say nothing
+            return self.numbers.uniform(0.3, 1.7, self.points)
+        if not tree.args:
+            return complex(tree) if tree.is_real is False else float(tree)
+        if all(isinstance(part, Expr) for part in tree.args):
+            return _evaluated(tree.func, len(tree.args))(*map(self.of, tree.args))
+        symbols = [*tree.free_symbols]
+        return _written(symbols, tree)(*map(self.of, symbols))
+
+    def hold(self, equations: Iterable[tuple[Expr, Expr]]) -> bool:
+        """Whether equations hold at several of the points."""
+        held = np.full(self.points, True)
+        for both in equations:
+            left, right = (np.asarray(self.of(side), complex) for side in both)
+            left, right = (np.where(side.imag == 0, side.real, np.nan) for side in (left, right))
+            held &= np.abs(left - right) <= EQUAL * np.fmax(np.abs(left) + np.abs(right), EQUAL)
+        return int(np.count_nonzero(held)) >= min(ENOUGH, self.points)
+
+
+@cache
+def _evaluated(function: Any, count: int) -> Callable[..., Any]:
+    """A function of SymPy as one of NumPy; to write out one for each expression would take far longer."""
+    from sympy import Add, Dummy, Mul, Pow
+
+    if function in (Add, Mul):
+        combined = np.add if function is Add else np.multiply
+        return lambda *values: reduce(combined, values)
+    if function is Pow:
+        return np.float_power
+    letters = [Dummy() for _ in range(count)]
+    return _written(letters, function(*letters))
+
+
+def _written(symbols: Sequence[Symbol], *sides: Basic) -> Callable[..., Any]:
+    """A function of NumPy with the values of these sides; of one alone, its value."""
+    from sympy import lambdify
+
+    found: Callable[..., Any] = lambdify(symbols, sides if len(sides) > 1 else sides[0], "numpy")
+    return found
 
 
 def sources_of(relation: str, others: tuple[str, ...], letters: Said, slipped: bool = True) -> Iterator[str]:
@@ -295,22 +354,32 @@ def _of(problems: Iterable[Problem]) -> Iterator[Equation]:
     from sympy import Derivative
     from sympy.core.function import AppliedUndef
 
+    for left, right in _printed(problems):
+        unknown = left.atoms(AppliedUndef, Derivative) | right.atoms(AppliedUndef, Derivative)
+        yield _equation((_plain(left), _plain(right)), frozenset(unknown))
+
+
+def _sides(problems: Iterable[Problem]) -> Iterator[tuple[Expr, Expr]]:
+    """The sides of the equations that these problems claim, with a letter for each function and rate of change."""
+    for left, right in _printed(problems):
+        yield _plain(left), _plain(right)
+
+
+def _printed(problems: Iterable[Problem]) -> Iterator[tuple[Expr, Expr]]:
+    """The sides of the equations that these problems claim."""
     for problem in problems:
         if any(letters_of(value) & letters_of(problem.claim) for _, value in problem.definitions):
             raise SymcheckError("a value is defined here, and not compared")
         if any(name == CASE for name, _ in problem.hypotheses):
             raise SymcheckError("it is stated case by case")
         left, right = (to_sympy(side) for side in problem.claim.terms)
-        unknown = left.atoms(AppliedUndef, Derivative) | right.atoms(AppliedUndef, Derivative)
-        yield _equation((_plain(left), _plain(right)), frozenset(unknown))
+        yield left, right
 
 
 def _equation(sides: tuple[Expr, Expr], unknown: frozenset[Expr]) -> Equation:
-    from sympy import lambdify
-
     symbols = tuple(sorted(set().union(*(side.free_symbols for side in sides)), key=str))
     shared = frozenset.intersection(*(frozenset(side.free_symbols) for side in sides))
-    return Equation(symbols, lambdify(symbols, sides, "numpy"), shared, sides, unknown)
+    return Equation(symbols, _written(symbols, *sides), shared, sides, unknown)
 
 
 def _signs(count: int, equations: Sequence[Placed]) -> Iterator[Array]:

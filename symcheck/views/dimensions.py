@@ -18,6 +18,7 @@ def fits(of: Dimensions) -> Iterator[str]:
     if of.verdict == CONSISTENT:  # what fits anything, as zero does, is no news beside what it fits
         both = [each for each in both if each != ANY] or both
         both = both if of.scales else list(dict.fromkeys(both))
+    both = ["numbers without a unit" if each == "1" else each for each in both]
     yield f"{of.verdict}: {' against '.join(both)}" if both else of.verdict
     if of.verdict == INCONSISTENT:
         yield conflict(of)

@@ -422,7 +422,7 @@ def listing(record: Record) -> str:
 def counted(records: Iterable[Record]) -> str:
     """How many relations have which verdict."""
     found = Counter(record.verdict for record in records if record.verdict)
-    return f"{found.total()} relations: {', '.join(f'{found[verdict]} {verdict}' for verdict in Verdict)}"
+    return f"{found.total():,} relations: {', '.join(f'{found[verdict]:,} {verdict}' for verdict in Verdict)}"
 
 
 def headline(records: Sequence[Record]) -> Iterator[str]:
@@ -432,6 +432,8 @@ def headline(records: Sequence[Record]) -> Iterator[str]:
         yield f"Of these: {said}"
     if blamed := blame(records):
         yield f"Refuted: {blamed}"
+    if ":" in (wrong := erring(records)):  # otherwise the errata are what is refuted
+        yield wrong
 
 
 def origins(records: Iterable[Record]) -> str:
@@ -458,10 +460,12 @@ def erring(records: Iterable[Record]) -> str:
     said = f"{len(wrong):,} errat{'a' if len(wrong) > 1 else 'um'}"
     if refuted == len(wrong):
         return f"{said}, {'all ' if len(wrong) > 1 else ''}refuted"
-    return f"{said}: {refuted:,} refuted, {len(wrong) - refuted:,} that say nothing or are read as they must be meant"
+    others = len(wrong) - refuted
+    meant = "says nothing or is read as it" if others == 1 else "say nothing or are read as they"
+    return f"{said}: {refuted:,} refuted, {others:,} that {meant} must be meant"
 
 
 def blame(records: Iterable[Record]) -> str:
     """Whose errors the refuted relations are: "68 the paper's own, 98 from the digitisation, 27 cannot tell"."""
     found = Counter(record.origin for record in records if record.verdict is Verdict.REFUTED and record.origin)
-    return ", ".join(f"{found[origin]} {_WHOSE.get(origin, origin)}" for origin in Origin if found[origin])
+    return ", ".join(f"{found[origin]:,} {_WHOSE.get(origin, origin)}" for origin in Origin if found[origin])

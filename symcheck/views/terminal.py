@@ -121,7 +121,9 @@ def findings(out: Console, records: Sequence[Record]) -> None:
     _listed(out, "Dimensions that do not fit", ((each.id, conflict(each.dimension)) for each in conflicts))
     kinds = Counter(record.kind for record in records if record.verdict is Verdict.REFUTED and record.kind)
     if kinds.total() > 1:
-        _wrapped(out, f"Causes: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}")
+        _wrapped(
+            out, f"Causes of what is refuted: {', '.join(f'{count} {kind}' for kind, count in kinds.most_common())}"
+        )
     if undecided or faults or open_ or conflicts:
         out.print()
 

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from symcheck.views.latex import is_formula, only_formula, standing_alone
+
 MARKDOWN, LATEX, PLAIN, PNG = "text/markdown", "text/latex", "text/plain", "image/png"
 
 
@@ -102,7 +104,7 @@ def _plain(part: Part) -> str:
 def _markdown(parts: Sequence[Part]) -> Iterator[str]:
     display: list[Math] = []
     for part in (*parts, None):
-        if isinstance(part, Math):
+        if isinstance(part, Math) and is_formula(part.text):
             display.append(part)
             continue
         if display:
@@ -128,7 +130,7 @@ def _block(part: Part) -> str:
             return f"*{label}:* {_escaped(text)}" if label else _escaped(text)
         case Code(label, text):
             return (f"*{label}:*\n\n" if label else "") + f"```python\n{text}\n```"
-        case Verbatim(label, text):
+        case Verbatim(label, text) | Math(label, text):  # a damaged formula, which cannot be set
             return (f"*{label}:*\n\n" if label else "") + f"```text\n{text}\n```"
         case Table(head, rows):
             lines = (head, ("---",) * len(head), *(tuple(map(_cell, row)) for row in rows))
@@ -142,6 +144,8 @@ def _cell(text: str) -> str:
 
 
 def _formula_or_text(line: str) -> str:
+    if formula := only_formula(line):  # which may be a row of an array
+        line = f"${standing_alone(formula)}$"
     return line.replace("|", r"\vert ") if line.startswith("$") else _escaped(line).replace("|", r"\|")
 
 
