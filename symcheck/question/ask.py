@@ -24,7 +24,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import indices, jets, series, special
-from symcheck.question.answer import Answer, Slips, Status
+from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
 from symcheck.question.divisors import with_plain_divisors
@@ -63,7 +63,7 @@ from symcheck.question.prepare import (
     worded,
 )
 from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences, with_sums
-from symcheck.question.repairs import EVERYWHERE, repairs
+from symcheck.question.repairs import explained, repairs
 from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
@@ -170,11 +170,13 @@ def answered(
     wanted: bool = True,
     claimed: bool = False,
     all_sizes: bool = True,
+    square: bool = False,
 ) -> Answer:
     """The answer to a question; repairs of what is refuted are looked for if they are wanted.
 
     What is claimed for all values of its letters is neither an equation to be solved nor a condition. Proofs for
-    matrices of all sizes are left out where they have been looked for before.
+    matrices of all sizes are left out where they have been looked for before. If matrices are taken to be square unless
+    something else is said of them, it is not asked whether a relation holds for others.
     """
     started = time.perf_counter()
     asked = None
@@ -201,7 +203,7 @@ def answered(
                 return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
-            found = [(reading, _decided(reading, asked, wanted, claimed)) for reading in several]
+            found = _decided_in_turn(several, asked, wanted, claimed)
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
@@ -238,13 +240,24 @@ def answered(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
-        if answer.verdict is Status.PROVED and asked and _holds_for_square_alone(asked):
+        if answer.verdict is Status.PROVED and asked and not square and _holds_for_square_alone(asked):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=SQUARE, seconds=seconds)
         if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _decided_in_turn(
+    several: Sequence[Reading], asked: Asked, wanted: bool, claimed: bool
+) -> list[tuple[Reading, Answer]]:
+    """The answers in all readings; remote ones are not asked about where all others are proved."""
+    near = [each for each in several if not each.inference.remote or each.inference.beside]
+    answers = {id(each): _decided(each, asked, wanted, claimed) for each in near}
+    if not near or {answer.verdict for answer in answers.values()} != {Status.PROVED}:
+        answers |= {id(each): _decided(each, asked, wanted, claimed) for each in several if id(each) not in answers}
+    return [(each, answers[id(each)]) for each in several if id(each) in answers]
 
 
 def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
@@ -266,8 +279,10 @@ def _holds_for_square_alone(asked: Asked) -> bool:
     with suppress(SymcheckError):
         for reading in unlowered(asked)[:1]:
             several = [dict(asked.letters) | said for said in oblong(reading)]
-            answers = [answered(asked.relation, asked.where, asked.given, said, wanted=False) for said in several]
-            verdicts = {answer.verdict for answer in answers}
+            verdicts = {
+                answered(asked.relation, asked.where, asked.given, said, wanted=False, square=True).verdict
+                for said in several
+            }
             return bool(verdicts) and (Status.REFUTED in verdicts or Status.PROVED not in verdicts)
     return False
 
@@ -377,6 +392,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
         return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
+    meant: Callable[[], bool] | None = None  # whether a slip explains it, asked once for all components
     for problem in reading.problems:
         verdict, made, found = decided_one(problem)
         whole = _not_whole(reading, problem, made) if made is not None and verdict is Verdict.REFUTED else []
@@ -412,8 +428,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
-        slips = cache(partial(repairs, reading, at))
-        said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
+        meant = meant or cache(partial(explained, reading, at))
+        said = _says_otherwise(problem, reading, meant if wanted else None) if verdict is Verdict.REFUTED else ""
         if said and not (claimed and said == EQUATION):
             status = Status.UNDECIDED
             reasons.append(said)
@@ -436,7 +452,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
                 values=tuple(map(term, made["point"].get("shown", ()))),
                 used=tuple(dict.fromkeys(used)),
                 certificate=(made,),
-                slips=slips if wanted else tuple,
+                slips=cache(partial(repairs, reading, at)) if wanted else tuple,
             )
     if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
         return shown
@@ -624,7 +640,7 @@ def _proved_in_cases(base: Answer, reading: Reading, cases: Iterable[Problem], m
     return replace(base, verdict=Status.PROVED, used=used, certificate=tuple(made))
 
 
-def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slips] | None) -> str:
+def _says_otherwise(problem: Problem, reading: Reading, explained_by_slip: Callable[[], bool] | None) -> str:
     """What a relation that fails somewhere may say: a definition, or an equation to be solved; "" if neither.
 
     One that may be solved counts as wrong if a slip of the pen in one place explains it.
@@ -633,7 +649,7 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
         return DEFINITION
     if relates(problem, reading):
         return EQUATION
-    if slips is not None and may_be_solved(problem, reading) and all(s["edit"].endswith(EVERYWHERE) for s in slips()):
+    if explained_by_slip is not None and may_be_solved(problem, reading) and not explained_by_slip():
         return EQUATION
     return EQUATION if is_condition(problem, reading) else ""
 
