@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -40,6 +41,7 @@ from symcheck.question.doubts import (
 )
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
+from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
@@ -191,6 +193,8 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
+        if (whole := with_whole_numbers(asked)) is not None:
+            return replace(_of_whole_numbers(asked, whole), seconds=time.perf_counter() - started)
         with limited(TOTAL):
             of_fields = in_fields(asked, decided_one)
         if of_fields is not None:
@@ -212,10 +216,10 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
-    if open_ and found and asked and (whole := with_whole_ends(asked)) is not None:
-        at_whole = answered(whole.relation, whole.where, whole.given, dict(whole.letters), wanted=False)
+    if open_ and found and asked and (ended := with_whole_ends(asked)) is not None:
+        at_whole = answered(ended.relation, ended.where, ended.given, dict(ended.letters), wanted=False)
         if at_whole.verdict is Status.PROVED:
-            ends = dict.fromkeys((text.split()[0] for text in whole.given[len(asked.given) :]), UP_TO)
+            ends = dict.fromkeys((text.split()[0] for text in ended.given[len(asked.given) :]), UP_TO)
             taken = at_whole.letters | {x: ends.get(x, said) for x, said in at_whole.letters.items()}
             return replace(at_whole, letters=taken, seconds=time.perf_counter() - started)
     shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
@@ -247,6 +251,48 @@ def answered(
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _of_whole_numbers(asked: Asked, found: Whole) -> Answer:
+    """The answer about a relation with letters for its floors and ceilings, which are whole numbers."""
+
+    def answer_to(one: Asked) -> Answer:
+        return answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
+
+    answer = answer_to(found.asked)
+    if answer.verdict is Status.REFUTED:
+        answer = replace(answer, verdict=Status.UNDECIDED, counterexample={}, values=(), certificate=())
+    if answer.verdict is Status.UNDECIDED and (false := _refuted_with_floors(found)) is not None:
+        answer = replace(false, letters=answer.letters)
+        if not (asked.where or asked.given or found.is_of_all()):
+            answer = replace(answer, verdict=Status.UNDECIDED, counterexample={}, certificate=(), reason=EQUATION)
+    elif answer.verdict is Status.UNDECIDED:
+        parts = [*map(answer_to, found.sharper())]
+        if parts and all(each.verdict is Status.PROVED for each in parts):
+            certificates = tuple(made for each in parts for made in each.certificate)
+            used = tuple(dict.fromkeys(text for each in parts for text in each.used))
+            answer = replace(answer, verdict=Status.PROVED, certificate=certificates, used=used, reason="")
+    told = {x: f"{of} (a whole number)" for x, of in found.stand.items()}
+    point = {x: value for x, value in answer.counterexample.items() if x not in found.stand}
+    used = tuple(text for text in answer.used if text in (*asked.where, *asked.given))
+    return replace(answer, letters=answer.letters | told, counterexample=point, used=used)
+
+
+def _refuted_with_floors(found: Whole) -> Answer | None:
+    """The answer that it fails for some numbers, with the floors and ceilings that are there."""
+    with suppress(SymcheckError, Understood, OutOfTime), limited(AT_NUMBERS):
+        (reading, *others) = readings(found.asked)
+        for problem in reading.problems if not others else ():
+            for point in found.points(problem):
+                made, _ = _refuted_with(problem, point)
+                if made is None:
+                    continue
+                base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                at = {x: term(value) for x, value in made["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=at, certificate=(made,))
+    return None
 
 
 def _decided_in_turn(
@@ -754,16 +800,22 @@ def _refuted_at_whole_numbers(
     """The certificate that it is false for some small whole numbers, put in for the letters."""
     among = permutations(values, len(names)) if distinct else product(values, repeat=len(names))
     for numbers in islice(among, MOST_WHOLE):
-        by = dict(zip(names, numbers, strict=True))
-        hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
-        definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
-        at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
-        verdict, made, used = decided_one(at)
-        if made is not None and verdict is Verdict.REFUTED:
-            made["point"]["values"] |= {x: n for x, n in by.items() if x not in made["point"]["values"]}
-            if check(made) is None:
-                return made, used
+        made, used = _refuted_with(problem, dict(zip(names, numbers, strict=True)))
+        if made is not None:
+            return made, used
     return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
+
+
+def _refuted_with(problem: Problem, by: Mapping[str, Term]) -> tuple[Certificate | None, tuple[str, ...]]:
+    """The certificate that it is false with numbers for some letters, which are then part of the point."""
+    hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
+    definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
+    at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
+    verdict, made, used = decided_one(at)
+    if made is None or verdict is not Verdict.REFUTED:
+        return None, ()
+    made["point"]["values"] |= {x: json.loads(json.dumps(n)) for x, n in by.items() if x not in made["point"]["values"]}
+    return (made, used) if check(made) is None else (None, ())
 
 
 def _at(tree: T, by: Mapping[str, Term]) -> T:

@@ -20,6 +20,7 @@ from symcheck.core.verdicts import Doubt, NoForm, SymcheckError, Unsaid
 from symcheck.core.words import term
 from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
+from symcheck.question.logarithms import with_natural_logarithms
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.evidence import spelling, spellings
@@ -102,7 +103,7 @@ def plainly(asked: Asked) -> Asked:
     texts = (asked.relation, *asked.where, *asked.given)
 
     def made(text: str) -> str:
-        return tex.compact(with_plain_differentials(plain(text, texts)))
+        return tex.compact(with_natural_logarithms(with_plain_differentials(plain(text, texts))))
 
     given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
     said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
