@@ -60,6 +60,7 @@ from symcheck.question.prepare import (
     readings,
     sizes,
     unlowered,
+    with_numbers,
     with_scopes,
     with_whole_ends,
     worded,
@@ -70,7 +71,7 @@ from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
-from symcheck.reading import Tree, with_brackets
+from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
 
@@ -100,6 +101,7 @@ FEW = 3  # letters: of more there are too many numbers to try
 AT_NUMBERS = 3.0  # seconds for all of them
 ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
+UNEQUAL = ((2, 3), (3, 2))  # numbers of rows and columns, tried where those that are equal tell nothing
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -415,9 +417,26 @@ def _of_some_size(asked: Asked) -> Answer | None:
             return replace(answers[0], counterexample=point)
     if not answers:
         return None
+    if (false := _of_unequal_sizes(asked, letters)) is not None:
+        return false
     return replace(
         answers[0], verdict=Status.UNDECIDED, certificate=(), reason=f"decided for {shown} only, not for all"
     )
+
+
+def _of_unequal_sizes(asked: Asked, letters: Sequence[str]) -> Answer | None:
+    """Refuted for matrices of different numbers of rows and columns, which are said of them and stand nowhere else."""
+    others = (text for text in asked.given if with_numbers(text, dict.fromkeys(letters, "1")) == text)
+    elsewhere = {text for printed in (asked.relation, *asked.where, *others) for text in tex.texts(printed)}
+    if len(letters) != len(UNEQUAL[0]) or not elsewhere.isdisjoint(letters):
+        return None
+    for numbers in UNEQUAL:
+        by = dict(zip(letters, map(str, numbers), strict=True))
+        given = tuple(with_numbers(text, by) for text in asked.given)
+        answer = answered(asked.relation, asked.where, given, dict(asked.letters), wanted=False, square=True)
+        if answer.verdict is Status.REFUTED:
+            return replace(answer, counterexample=by | answer.counterexample)
+    return None
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:

@@ -200,6 +200,16 @@ def declared_sizes(asked: Asked) -> dict[str, tuple[int | str, int | str]]:
     return found
 
 
+def with_numbers(condition: str, numbers: Mapping[str, str]) -> str:
+    """What a letter is with numbers for letters in its numbers of rows and columns; other conditions as they are."""
+    match = _MEMBER.match(condition.strip())
+    kind = _SET.match(match[2].strip()) if match else None
+    if not match or not kind or not kind[3]:
+        return condition
+    size = r" \times ".join(numbers.get(n, n) for n in _numbers_of(kind[3]))
+    return rf"{match[1]} \in \mathbb{{{kind[1]}}}^{{{size}}}"
+
+
 def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], dict[str, str]]:
     r"""The conditions that are formulas, and what the others, such as `n \in \mathbb{Z}_{>0}`, say of letters."""
     conditions, phrases = list[str](), dict(said)
