@@ -297,15 +297,23 @@ UNDER = {
         (r"\cos \frac{\pi}{3} = \frac{\sqrt 3}{2}", ""),
         (r"x = \frac{b \pm \sqrt{b^2-4ac}}{2a}", "ax^2+bx+c=0"),
         (r"{\bf A} {\bf B} = {\bf B} {\bf A}", ""),
+        (r"\sum_{k=0}^{n} \binom{n}{k} (-1)^k = 0", r"n \in \mathbb{N}_0"),  # false for n = 0, which is said
+        ("n^2 > 0", r"n \in \mathbb{N}_{0}"),
     ],
     "undecided": [
+        ("(-1)^n = 1", r"n \in \mathbb{Z}_0"),  # whatever that is
         (r"\overline{x^2} - \bar{x}^2 = 0", ""),
         (r"\int_1^\infty \frac{1}{x} dx = 1", ""),
         (r"\int_0^\infty e^{x} dx = -1", ""),
         (r"\int_0^\infty e^{-ax} dx = \frac{1}{a}", ""),
         (r"\int_0^\infty \sin x\, dx = 1", ""),
     ],
-    "ambiguous": [("sin^2 x + cos^2 x = 1", ""), (r"\frac{sin x}{x} = 1", ""), (r"e^{exp x} = 1", "")],
+    "ambiguous": [
+        ("n^2 > 0", r"n \in \mathbb{N}"),
+        ("sin^2 x + cos^2 x = 1", ""),
+        (r"\frac{sin x}{x} = 1", ""),
+        (r"e^{exp x} = 1", ""),
+    ],
     "unreadable": [(r"\dot{x^2} = \dot{x}^2", ""), ("{-x}^2 = x^2", "")],
 }
 

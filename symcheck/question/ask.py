@@ -56,6 +56,7 @@ from symcheck.question.prepare import (
     Reading,
     Understood,
     apart,
+    from_zero,
     plainly,
     readings,
     sizes,
@@ -774,7 +775,8 @@ def _whole_letters(reading: Reading) -> list[str]:
 
 def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
     """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
-    values, said = made["point"]["values"], dict(reading.source[0].letters)
+    asked = reading.source[0]
+    values, said = made["point"]["values"], dict(asked.letters).keys() | from_zero(asked.given)
     usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
     whole = all(isinstance(value := values[x], int) and value > 0 for x in usual)
     if whole and len({str(values[x]) for x in usual}) == len(usual):

@@ -38,7 +38,9 @@ _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 # a set of numbers, the part of it above zero, and its dimension: "\mathbb{R}_{>0}^{n}"
-_SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
+_SET = re.compile(
+    r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+|0)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$"
+)
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
 # letters for the size of a vector or matrix: "\mathbb{R}^{m \times n}"
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
@@ -220,7 +222,7 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
             conditions += [rf"{match[1]}^T {match[1]} = \operatorname{{diag}}(1, 1, 1)", rf"\det({match[1]}) = 1"]
             continue
         kind = _SET.match(match[2].strip()) if match else None
-        if not match or not kind:
+        if not match or not kind or (kind[2] == "0" and kind[1] != "N"):
             conditions.append(condition)
             continue
         latex, (which, part, size) = match[1], kind.groups()
@@ -235,6 +237,12 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
         elif part or which == "N":
             conditions.append(rf"{latex} \ge 0")
     return conditions, phrases
+
+
+def from_zero(given: Iterable[str]) -> set[str]:
+    """The letters that are said to be whole numbers from 0 on, so that nobody means those above it."""
+    found = ((match, _SET.match(match[2].strip())) for text in given if (match := _MEMBER.match(text.strip())))
+    return {match[1] for match, kind in found if kind and kind[2] == "0"}
 
 
 def _numbers_of(text: str) -> list[str]:
