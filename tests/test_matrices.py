@@ -359,3 +359,22 @@ def test_what_holds_for_matrices_of_different_numbers_of_rows_and_columns_is_sti
         ).verdict
         is Status.PROVED
     )
+
+
+@pytest.mark.parametrize(
+    ("relation", "more", "verdict"),
+    [
+        (r"\det(A B) = \det(B A)", [], "refuted"),
+        (r"\det(A A^T) = \det(A^T A)", [], "refuted"),
+        (r"\operatorname{tr}(A B) = \operatorname{tr}(B A)", [], "proved"),
+        (r"\det(I + A B) = \det(I + B A)", [], "proved"),
+        (r"\det(A B) = \det(B A)", ["m = n"], "undecided"),  # of other numbers nothing is claimed
+    ],
+)
+def test_what_fails_for_other_numbers_of_rows_than_of_columns_is_refuted(
+    relation: str, more: list[str], verdict: str
+) -> None:
+    given = [r"A \in \mathbb{R}^{m \times n}", r"B \in \mathbb{R}^{n \times m}", *more]
+    answer = decide(relation, given=given if "B" in relation else [given[0], *more])
+    assert answer.verdict == verdict
+    assert verdict != "refuted" or (answer.counterexample["m"], answer.counterexample["n"]) == ("2", "3")

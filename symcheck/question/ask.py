@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -24,7 +25,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import indices, jets, series, special
-from symcheck.question.answer import Answer, Slips, Status
+from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
 from symcheck.question.divisors import with_plain_divisors
@@ -40,6 +41,7 @@ from symcheck.question.doubts import (
 )
 from symcheck.question.equations import EQUATION, relates
 from symcheck.question.fields import in_fields
+from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
@@ -54,21 +56,23 @@ from symcheck.question.prepare import (
     Reading,
     Understood,
     apart,
+    from_zero,
     plainly,
     readings,
     sizes,
     unlowered,
+    with_numbers,
     with_scopes,
     with_whole_ends,
     worded,
 )
 from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences, with_sums
-from symcheck.question.repairs import EVERYWHERE, repairs
+from symcheck.question.repairs import explained, repairs
 from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
-from symcheck.reading import Tree, with_brackets
+from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
 
@@ -98,6 +102,7 @@ FEW = 3  # letters: of more there are too many numbers to try
 AT_NUMBERS = 3.0  # seconds for all of them
 ROOTS = ("sqrt", "pow", "log")  # what has values for positive numbers
 MOST_WHOLE = 25  # of two letters all pairs
+UNEQUAL = ((2, 3), (3, 2))  # numbers of rows and columns, tried where those that are equal tell nothing
 SIZES = (1, 2, 3)  # one is found to be false for a small one, if at all
 
 
@@ -170,11 +175,13 @@ def answered(
     wanted: bool = True,
     claimed: bool = False,
     all_sizes: bool = True,
+    square: bool = False,
 ) -> Answer:
     """The answer to a question; repairs of what is refuted are looked for if they are wanted.
 
     What is claimed for all values of its letters is neither an equation to be solved nor a condition. Proofs for
-    matrices of all sizes are left out where they have been looked for before.
+    matrices of all sizes are left out where they have been looked for before. If matrices are taken to be square unless
+    something else is said of them, it is not asked whether a relation holds for others.
     """
     started = time.perf_counter()
     asked = None
@@ -189,6 +196,8 @@ def answered(
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
+        if (whole := with_whole_numbers(asked)) is not None:
+            return replace(_of_whole_numbers(asked, whole), seconds=time.perf_counter() - started)
         with limited(TOTAL):
             of_fields = in_fields(asked, decided_one)
         if of_fields is not None:
@@ -201,7 +210,7 @@ def answered(
                 return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
-            found = [(reading, _decided(reading, asked, wanted, claimed)) for reading in several]
+            found = _decided_in_turn(several, asked, wanted, claimed)
     except Understood as error:
         found, other = [], Answer(Status.UNDECIDED, *_shown(error.tree, error.inference), reason=error.reason)
     except SymcheckError as error:
@@ -210,10 +219,10 @@ def answered(
         reason = f"the search was not over after {TOTAL:g} s"
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
-    if open_ and found and asked and (whole := with_whole_ends(asked)) is not None:
-        at_whole = answered(whole.relation, whole.where, whole.given, dict(whole.letters), wanted=False)
+    if open_ and found and asked and (ended := with_whole_ends(asked)) is not None:
+        at_whole = answered(ended.relation, ended.where, ended.given, dict(ended.letters), wanted=False)
         if at_whole.verdict is Status.PROVED:
-            ends = dict.fromkeys((text.split()[0] for text in whole.given[len(asked.given) :]), UP_TO)
+            ends = dict.fromkeys((text.split()[0] for text in ended.given[len(asked.given) :]), UP_TO)
             taken = at_whole.letters | {x: ends.get(x, said) for x, said in at_whole.letters.items()}
             return replace(at_whole, letters=taken, seconds=time.perf_counter() - started)
     shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
@@ -238,13 +247,66 @@ def answered(
     if NUMBERS in choices and VECTORS not in choices:
         return replace(found[0][1], verdict=Status.AMBIGUOUS, certificate=(), reason=CROSS, seconds=seconds)
     if (answer := _agreed(found)) is not None:
-        if answer.verdict is Status.PROVED and asked and _holds_for_square_alone(asked):
+        if answer.verdict is Status.PROVED and asked and not square and _holds_for_square_alone(asked):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=SQUARE, seconds=seconds)
         if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
     return Answer(Status.AMBIGUOUS, reading=" | ".join(a.reading for _, a in found), reason=shown, seconds=seconds)
+
+
+def _of_whole_numbers(asked: Asked, found: Whole) -> Answer:
+    """The answer about a relation with letters for its floors and ceilings, which are whole numbers."""
+
+    def answer_to(one: Asked) -> Answer:
+        return answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
+
+    answer = answer_to(found.asked)
+    if answer.verdict is Status.REFUTED:
+        answer = replace(answer, verdict=Status.UNDECIDED, counterexample={}, values=(), certificate=())
+    if answer.verdict is Status.UNDECIDED and (false := _refuted_with_floors(found)) is not None:
+        answer = replace(false, letters=answer.letters)
+        if not (asked.where or asked.given or found.is_of_all()):
+            answer = replace(answer, verdict=Status.UNDECIDED, counterexample={}, certificate=(), reason=EQUATION)
+    elif answer.verdict is Status.UNDECIDED:
+        parts = [*map(answer_to, found.sharper())]
+        if parts and all(each.verdict is Status.PROVED for each in parts):
+            certificates = tuple(made for each in parts for made in each.certificate)
+            used = tuple(dict.fromkeys(text for each in parts for text in each.used))
+            answer = replace(answer, verdict=Status.PROVED, certificate=certificates, used=used, reason="")
+    told = {x: f"{of} (a whole number)" for x, of in found.stand.items()}
+    point = {x: value for x, value in answer.counterexample.items() if x not in found.stand}
+    used = tuple(text for text in answer.used if text in (*asked.where, *asked.given))
+    return replace(answer, letters=answer.letters | told, counterexample=point, used=used)
+
+
+def _refuted_with_floors(found: Whole) -> Answer | None:
+    """The answer that it fails for some numbers, with the floors and ceilings that are there."""
+    with suppress(SymcheckError, Understood, OutOfTime), limited(AT_NUMBERS):
+        (reading, *others) = readings(found.asked)
+        for problem in reading.problems if not others else ():
+            for point in found.points(problem):
+                made, _ = _refuted_with(problem, point)
+                if made is None:
+                    continue
+                base = Answer(Status.UNDECIDED, *_shown(reading.tree, reading.inference))
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                at = {x: term(value) for x, value in made["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=at, certificate=(made,))
+    return None
+
+
+def _decided_in_turn(
+    several: Sequence[Reading], asked: Asked, wanted: bool, claimed: bool
+) -> list[tuple[Reading, Answer]]:
+    """The answers in all readings; remote ones are not asked about where all others are proved."""
+    near = [each for each in several if not each.inference.remote or each.inference.beside]
+    answers = {id(each): _decided(each, asked, wanted, claimed) for each in near}
+    if not near or {answer.verdict for answer in answers.values()} != {Status.PROVED}:
+        answers |= {id(each): _decided(each, asked, wanted, claimed) for each in several if id(each) not in answers}
+    return [(each, answers[id(each)]) for each in several if id(each) in answers]
 
 
 def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
@@ -266,8 +328,10 @@ def _holds_for_square_alone(asked: Asked) -> bool:
     with suppress(SymcheckError):
         for reading in unlowered(asked)[:1]:
             several = [dict(asked.letters) | said for said in oblong(reading)]
-            answers = [answered(asked.relation, asked.where, asked.given, said, wanted=False) for said in several]
-            verdicts = {answer.verdict for answer in answers}
+            verdicts = {
+                answered(asked.relation, asked.where, asked.given, said, wanted=False, square=True).verdict
+                for said in several
+            }
             return bool(verdicts) and (Status.REFUTED in verdicts or Status.PROVED not in verdicts)
     return False
 
@@ -354,9 +418,26 @@ def _of_some_size(asked: Asked) -> Answer | None:
             return replace(answers[0], counterexample=point)
     if not answers:
         return None
+    if (false := _of_unequal_sizes(asked, letters)) is not None:
+        return false
     return replace(
         answers[0], verdict=Status.UNDECIDED, certificate=(), reason=f"decided for {shown} only, not for all"
     )
+
+
+def _of_unequal_sizes(asked: Asked, letters: Sequence[str]) -> Answer | None:
+    """Refuted for matrices of different numbers of rows and columns, which are said of them and stand nowhere else."""
+    others = (text for text in asked.given if with_numbers(text, dict.fromkeys(letters, "1")) == text)
+    elsewhere = {text for printed in (asked.relation, *asked.where, *others) for text in tex.texts(printed)}
+    if len(letters) != len(UNEQUAL[0]) or not elsewhere.isdisjoint(letters):
+        return None
+    for numbers in UNEQUAL:
+        by = dict(zip(letters, map(str, numbers), strict=True))
+        given = tuple(with_numbers(text, by) for text in asked.given)
+        answer = answered(asked.relation, asked.where, given, dict(asked.letters), wanted=False, square=True)
+        if answer.verdict is Status.REFUTED:
+            return replace(answer, counterexample=by | answer.counterexample)
+    return None
 
 
 def _several(texts: Iterable[str] | str) -> tuple[str, ...]:
@@ -377,6 +458,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
         return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
+    meant: Callable[[], bool] | None = None  # whether a slip explains it, asked once for all components
     for problem in reading.problems:
         verdict, made, found = decided_one(problem)
         whole = _not_whole(reading, problem, made) if made is not None and verdict is Verdict.REFUTED else []
@@ -412,8 +494,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
-        slips = cache(partial(repairs, reading, at))
-        said = _says_otherwise(problem, reading, slips if wanted else None) if verdict is Verdict.REFUTED else ""
+        meant = meant or cache(partial(explained, reading, at))
+        said = _says_otherwise(problem, reading, meant if wanted else None) if verdict is Verdict.REFUTED else ""
         if said and not (claimed and said == EQUATION):
             status = Status.UNDECIDED
             reasons.append(said)
@@ -436,7 +518,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
                 values=tuple(map(term, made["point"].get("shown", ()))),
                 used=tuple(dict.fromkeys(used)),
                 certificate=(made,),
-                slips=slips if wanted else tuple,
+                slips=cache(partial(repairs, reading, at)) if wanted else tuple,
             )
     if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
         return shown
@@ -624,7 +706,7 @@ def _proved_in_cases(base: Answer, reading: Reading, cases: Iterable[Problem], m
     return replace(base, verdict=Status.PROVED, used=used, certificate=tuple(made))
 
 
-def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slips] | None) -> str:
+def _says_otherwise(problem: Problem, reading: Reading, explained_by_slip: Callable[[], bool] | None) -> str:
     """What a relation that fails somewhere may say: a definition, or an equation to be solved; "" if neither.
 
     One that may be solved counts as wrong if a slip of the pen in one place explains it.
@@ -633,7 +715,7 @@ def _says_otherwise(problem: Problem, reading: Reading, slips: Callable[[], Slip
         return DEFINITION
     if relates(problem, reading):
         return EQUATION
-    if slips is not None and may_be_solved(problem, reading) and all(s["edit"].endswith(EVERYWHERE) for s in slips()):
+    if explained_by_slip is not None and may_be_solved(problem, reading) and not explained_by_slip():
         return EQUATION
     return EQUATION if is_condition(problem, reading) else ""
 
@@ -693,7 +775,8 @@ def _whole_letters(reading: Reading) -> list[str]:
 
 def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> list[str]:
     """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
-    values, said = made["point"]["values"], dict(reading.source[0].letters)
+    asked = reading.source[0]
+    values, said = made["point"]["values"], dict(asked.letters).keys() | from_zero(asked.given)
     usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
     whole = all(isinstance(value := values[x], int) and value > 0 for x in usual)
     if whole and len({str(values[x]) for x in usual}) == len(usual):
@@ -738,16 +821,22 @@ def _refuted_at_whole_numbers(
     """The certificate that it is false for some small whole numbers, put in for the letters."""
     among = permutations(values, len(names)) if distinct else product(values, repeat=len(names))
     for numbers in islice(among, MOST_WHOLE):
-        by = dict(zip(names, numbers, strict=True))
-        hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
-        definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
-        at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
-        verdict, made, used = decided_one(at)
-        if made is not None and verdict is Verdict.REFUTED:
-            made["point"]["values"] |= {x: n for x, n in by.items() if x not in made["point"]["values"]}
-            if check(made) is None:
-                return made, used
+        made, used = _refuted_with(problem, dict(zip(names, numbers, strict=True)))
+        if made is not None:
+            return made, used
     return None, ("it fails for numbers that are not whole; no whole ones were found for which it does",)
+
+
+def _refuted_with(problem: Problem, by: Mapping[str, Term]) -> tuple[Certificate | None, tuple[str, ...]]:
+    """The certificate that it is false with numbers for some letters, which are then part of the point."""
+    hypotheses = tuple((name, tuple(_at(f, by) for f in fs)) for name, fs in problem.hypotheses)
+    definitions = tuple((x, _at(t, by)) for x, t in problem.definitions if x not in by)
+    at = replace(problem, claim=_at(problem.claim, by), hypotheses=hypotheses, definitions=definitions)
+    verdict, made, used = decided_one(at)
+    if made is None or verdict is not Verdict.REFUTED:
+        return None, ()
+    made["point"]["values"] |= {x: json.loads(json.dumps(n)) for x, n in by.items() if x not in made["point"]["values"]}
+    return (made, used) if check(made) is None else (None, ())
 
 
 def _at(tree: T, by: Mapping[str, Term]) -> T:

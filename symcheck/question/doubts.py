@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,15 +13,16 @@ from symcheck.core.calculus import functions, letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
+from symcheck.core.verdicts import SymcheckError
 from symcheck.question.conventions import free, mentioned, unsaid
-from symcheck.question.order_of_factors import relies_on_order
+from symcheck.question.order_of_factors import relying_on_order
 from symcheck.question.prepare import DEFINED, VARIABLES, Definitions, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.commands import OVER
 from symcheck.reading.inference import told_size
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.lexer import SIZES, SPACES
-from symcheck.reading.notation import SAID
+from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.tree import (
     Add,
     Antiderivative,
@@ -28,9 +30,12 @@ from symcheck.reading.tree import (
     BigSum,
     Call,
     Chain,
+    Cross,
     Derivative,
+    Diag,
     Div,
     Limiting,
+    MatrixOf,
     Mul,
     Name,
     Norm,
@@ -38,6 +43,7 @@ from symcheck.reading.tree import (
     Pow,
     Root,
     Sqrt,
+    Tuple,
     children,
     walk,
     with_children,
@@ -49,6 +55,9 @@ EXACT = (1, 2, 4, 5, 8)  # denominators of decimals that nobody means to be roun
 ANGULAR = ("sin", "cos", "tan", "tg", "cot", "ctg")
 CONNECTIVES = ("for", "and", "or", "otherwise")  # words that stand between relations, and are no units
 NUMBERS_ALONE = "it holds where its matrices have one row and column, as numbers do, and is not read for larger ones"
+NORM = (r"\|", "Vert", r"\norm")  # what a norm is printed with
+HAS_COMPONENTS = (MatrixOf, Tuple, Cross, Diag)
+PLAIN = ("scalar", "function", "index")  # kinds of letters that are numbers
 TURN = 6  # radians are about one turn; whole numbers above it are rather degrees
 # a number with a unit: "5\,\text{kg}"
 _UNIT = re.compile(r"\d(?:\s|~|\\[,;:!> ]|\\quad)*\\(?:text|mathrm|textrm|mbox|rm)\s*\{([^{}]*)\}")
@@ -273,12 +282,39 @@ def doubt_of_proofs(reading: Reading) -> str:
     begun = any(re.search(r"\b[EP]\[\d", text) for text in asked.where)  # a sequence with its first values
     if not begun and (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
-    if relies_on_order(reading.tree, said | {*reading.source[2]}):
-        capitals = ", ".join(g.letter.latex for g in inference.guesses if g.letter.latex.isupper())
-        return f"it relies on the order of factors: are {capitals} numbers, or matrices? say what they are"
+    known = {g.letter.latex for g in inference.guesses if g.why == SAID}
+    if ordered := relying_on_order(reading.tree, said | known | {*reading.source[2]}):
+        return f"it relies on the order of factors: are {', '.join(ordered)} numbers, or matrices? say what they are"
     if told_size(1) in inference.choices:
         return NUMBERS_ALONE
-    return _unchanging(reading) or unsaid(reading)
+    return _norm_of_numbers(reading) or _unchanging(reading) or unsaid(reading)
+
+
+def _norm_of_numbers(reading: Reading) -> str:
+    """The doubt what stands between the signs of a norm, where it is a number only because nothing tells more of it.
+
+    What holds of numbers, such as that the norm of a product is the product of the norms, need not hold of matrices.
+    """
+    guesses = {g.letter.latex: g for g in reading.inference.guesses}
+    trees = [reading.tree]
+    for text in (*reading.source[0].where, *reading.source[0].given):
+        with suppress(SymcheckError):
+            trees += [read(text, reading.inference.notation)] if any(sign in text for sign in NORM) else []
+    for norm in (part for tree in trees for _, part in walk(tree) if isinstance(part, Norm)):
+        inside = [part for _, part in walk(norm.value)]
+        found = [guesses[part.letter] for part in inside if isinstance(part, Name) and part.letter in guesses]
+        if any(isinstance(part, HAS_COMPONENTS) for part in inside) or any(g.letter.kind not in PLAIN for g in found):
+            continue
+        if unsaid_ := [g.letter.latex for g in found if g.why != SAID and not _is_number(g.letter, reading)]:
+            return f"{', '.join(dict.fromkeys(unsaid_))} in a norm: a number, a vector or a matrix? say what it is"
+    return ""
+
+
+def _is_number(letter: Letter, reading: Reading) -> bool:
+    """Is it a constant such as pi, or said to be a number by its set or its sign?"""
+    own = (text.strip() for text in reading.source[0].given)
+    behind = (text.removeprefix(letter.latex).lstrip() for text in own if text.startswith(letter.latex))
+    return bool(letter.number) or any(text.startswith((r"\in", "<", ">", r"\le", r"\ge")) for text in behind)
 
 
 def _unchanging(reading: Reading) -> str:

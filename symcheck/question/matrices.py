@@ -20,6 +20,7 @@ from symcheck.question.determinants import DET, Determinants, has
 from symcheck.question.prepare import Reading, declared_sizes
 from symcheck.question.small_matrices import Small
 from symcheck.reading import Notation, Tree, read, with_brackets
+from symcheck.reading.guesses import PRINTED
 from symcheck.reading.inference import Inference
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.notation import SAID, Letter
@@ -164,7 +165,8 @@ def _proved(reading: Reading, *, loose: bool) -> OfAnySize | None:
 def _stated(reading: Reading, *, loose: bool) -> Stated:
     asked, inference, defined, equations, conditions = reading.source
     free = {g.letter.latex for g in inference.guesses if g.why != SAID and g.letter.kind == "scalar"} if loose else ()
-    made = Lowering(inference.notation, declared_sizes(asked), free)
+    shown = {g.letter.latex: g.letter.size for g in inference.guesses if g.why == PRINTED and len(g.letter.size) == 2}
+    made = Lowering(inference.notation, shown | declared_sizes(asked), free)
     claims = made.equations(reading.tree)
     hypotheses: dict[str, tuple[JSON, JSON]] = {}
     printed: dict[str, str] = {}

@@ -20,6 +20,7 @@ from symcheck.core.verdicts import Doubt, NoForm, SymcheckError, Unsaid
 from symcheck.core.words import term
 from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
+from symcheck.question.logarithms import with_natural_logarithms
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.evidence import canonical, spelling, spellings
@@ -37,7 +38,9 @@ _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
 # a set of numbers, the part of it above zero, and its dimension: "\mathbb{R}_{>0}^{n}"
-_SET = re.compile(r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$")
+_SET = re.compile(
+    r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+|0)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$"
+)
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
 # letters for the size of a vector or matrix: "\mathbb{R}^{m \times n}"
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
@@ -102,7 +105,7 @@ def plainly(asked: Asked) -> Asked:
     texts = (asked.relation, *asked.where, *asked.given)
 
     def made(text: str) -> str:
-        return tex.compact(with_plain_differentials(plain(text, texts)))
+        return tex.compact(with_natural_logarithms(with_plain_differentials(plain(text, texts))))
 
     given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
     said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
@@ -199,6 +202,16 @@ def declared_sizes(asked: Asked) -> dict[str, tuple[int | str, int | str]]:
     return found
 
 
+def with_numbers(condition: str, numbers: Mapping[str, str]) -> str:
+    """What a letter is with numbers for letters in its numbers of rows and columns; other conditions as they are."""
+    match = _MEMBER.match(condition.strip())
+    kind = _SET.match(match[2].strip()) if match else None
+    if not match or not kind or not kind[3]:
+        return condition
+    size = r" \times ".join(numbers.get(n, n) for n in _numbers_of(kind[3]))
+    return rf"{match[1]} \in \mathbb{{{kind[1]}}}^{{{size}}}"
+
+
 def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], dict[str, str]]:
     r"""The conditions that are formulas, and what the others, such as `n \in \mathbb{Z}_{>0}`, say of letters."""
     conditions, phrases = list[str](), dict(said)
@@ -209,7 +222,7 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
             conditions += [rf"{match[1]}^T {match[1]} = \operatorname{{diag}}(1, 1, 1)", rf"\det({match[1]}) = 1"]
             continue
         kind = _SET.match(match[2].strip()) if match else None
-        if not match or not kind:
+        if not match or not kind or (kind[2] == "0" and kind[1] != "N"):
             conditions.append(condition)
             continue
         latex, (which, part, size) = match[1], kind.groups()
@@ -224,6 +237,12 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
         elif part or which == "N":
             conditions.append(rf"{latex} \ge 0")
     return conditions, phrases
+
+
+def from_zero(given: Iterable[str]) -> set[str]:
+    """The letters that are said to be whole numbers from 0 on, so that nobody means those above it."""
+    found = ((match, _SET.match(match[2].strip())) for text in given if (match := _MEMBER.match(text.strip())))
+    return {match[1] for match, kind in found if kind and kind[2] == "0"}
 
 
 def _numbers_of(text: str) -> list[str]:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from symcheck.checker import check
+from symcheck.core import terms
 from symcheck.core.calculus import functions
 from symcheck.core.problems import Problem
-from symcheck.core.terms import JSON, Reader, Value
+from symcheck.core.terms import JSON, Reader, Term, Value
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.proof import certificate, fails_at, proof_of
 from symcheck.proof.algebra.knowledge import ORDERS
-from symcheck.proof.algebra.polynomial import unfold
+from symcheck.proof.algebra.polynomial import number_of, unfold
 from symcheck.question import jets
 from symcheck.question.antiderivatives import FAULTS, hinted
 from symcheck.question.limit import OutOfTime, limited
@@ -52,6 +53,7 @@ from symcheck.reading.tree import (
 SIMPLIFYING = 1.0  # seconds for SymPy to find what is missing
 MISSING = -5.8  # a lost term, where it is known, is as likely as a lost factor
 EVERYWHERE = ", everywhere"  # behind what a slip does that is made more than once
+OTHERS = ((5, 7), (4, -5))  # first numerators and their steps: numbers that are no whole ones and not alike
 MOST = 5  # repairs that are shown
 MOST_ORDERS = 20  # that are proved of an order: weaker ones are proved as well
 SECONDS = 6.0  # for all of them: nearly all that are found at all are found in one, but for those about integrals
@@ -71,18 +73,46 @@ def repairs(reading: Reading, point: dict[str, JSON]) -> tuple[dict[str, str], .
 
     Of orders more are proved than are meant: those come first whose sides are nearest to each other at the point.
     """
-    found, ordered = list[Slip](), any(problem.claim.tag in ORDERS for problem in reading.problems)
-    with suppress(OutOfTime), limited(SECONDS):
-        for slip in likely(reading, missing(reading)):
-            if _is_proved(reading, slip.tree, point):
-                found.append(slip)
-            if len(found) == (MOST_ORDERS if ordered else MOST):
-                break
+    ordered = any(problem.claim.tag in ORDERS for problem in reading.problems)
+    found = _proved(reading, point, lambda found: len(found) == (MOST_ORDERS if ordered else MOST))
     if ordered:
         found.sort(key=lambda slip: _apart(reading, slip.tree, point))
     return tuple(
         {"relation": with_brackets(slip.tree), "kind": slip.kind, "edit": slip.description} for slip in found[:MOST]
     )
+
+
+def explained(reading: Reading, point: dict[str, JSON]) -> bool:
+    """Whether one of the first relations that are proved is one slip away, made in one place alone."""
+    found = _proved(reading, point, lambda found: _is_single(found[-1]) or len(found) == MOST)
+    return any(map(_is_single, found))
+
+
+def _is_single(slip: Slip) -> bool:
+    return not slip.description.endswith(EVERYWHERE)
+
+
+def _proved(reading: Reading, point: dict[str, JSON], enough: Callable[[list[Slip]], bool]) -> list[Slip]:
+    """The slips whose relations are proved, the likeliest first, until there are enough or the time is over."""
+    found, points = list[Slip](), _points(point)
+    with suppress(OutOfTime), limited(SECONDS):
+        for slip in likely(reading, missing(reading)):
+            if _is_proved(reading, slip.tree, points):
+                found.append(slip)
+                if enough(found):
+                    break
+    return found
+
+
+def _points(point: dict[str, JSON]) -> list[dict[str, Term]]:
+    """The point of a counterexample, and two with other numbers: what fails at one of them needs no search."""
+    reader = Reader()
+    at = {x: reader.term(value) for x, value in point.items()}
+    plain = [x for x, value in at.items() if number_of(value) is not None]
+    return [
+        at,
+        *(at | {x: terms.node("/", step * k + first, 3) for k, x in enumerate(plain)} for first, step in OTHERS),
+    ]
 
 
 def _apart(reading: Reading, tree: Tree, point: dict[str, JSON]) -> float:
@@ -411,8 +441,8 @@ def _above(tree: Tree, path: Path) -> Tree | None:
     return nodes[path[:-1]]
 
 
-def _is_proved(reading: Reading, tree: Tree, point: dict[str, JSON]) -> bool:
-    """Whether the relation has a proof that the checker accepts; one that fails at the point needs no search."""
+def _is_proved(reading: Reading, tree: Tree, points: Sequence[Mapping[str, Term]]) -> bool:
+    """Whether the relation has a proof that the checker accepts; one that fails at a point needs no search."""
     try:
         problems = worded(reading, tree)
     except SymcheckError:
@@ -423,7 +453,7 @@ def _is_proved(reading: Reading, tree: Tree, point: dict[str, JSON]) -> bool:
     parts = complex_ or (products and len(problems) > 1)
     before = {problem.claim for problem in reading.problems}
     return all(
-        _proof_holds(problem, point, parts)
+        _proof_holds(problem, points, parts)
         for problem in problems
         if problem.claim not in before or not _is_same(problem)
     )
@@ -434,16 +464,17 @@ def _is_same(problem: Problem) -> bool:
     return problem.claim[1:2] == problem.claim[2:3]
 
 
-def _proof_holds(problem: Problem, point: dict[str, JSON], parts: bool) -> bool:
+def _proof_holds(problem: Problem, points: Sequence[Mapping[str, Term]], parts: bool) -> bool:
     for way in (jets.of, jets.without):
         if (numbers := way(problem)) is None:
             continue
-        tried, reader = numbers.problem, Reader()
+        tried = numbers.problem
         if _is_same(tried) and not parts:
             return False
-        with suppress(KeyError, ValueError):
-            if fails_at(tried, {x: reader.term(value) for x, value in point.items()}):
-                return False
+        for point in points:
+            with suppress(KeyError, ValueError):
+                if fails_at(tried, point):
+                    return False
         tried = rooted(hinted(tried))
         outcome = proof_of(tried)
         if outcome is None and (solved := with_solutions(problem) if functions(problem.claim) else None) is not None:

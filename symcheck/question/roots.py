@@ -39,6 +39,7 @@ def rooted(problem: Problem) -> Problem:
     hints += [hint for part in [*powers][:MOST] for hint in _of_power(part)]
     if not bound:
         hints += [*_of_one_root([*powers], roots), *_of_exponentials([*powers], [*nodes(*trees)])]
+        hints += [hint for part in [*powers][:MOST] for hint in _of_logarithm(part)]
     if isinstance(claim, Relation) and claim.tag == "=":
         for one, other in (claim.terms, claim.terms[::-1]):
             match one:
@@ -108,17 +109,30 @@ def _of_exponentials(powers: Sequence[Node], parts: Sequence[Node]) -> Iterator[
             yield Applied("power_as_exp", (base, exponent), ())
 
 
-def _of_fraction(root: Node) -> Iterator[Applied[Term]]:
-    """What the square of a root is in lowest terms, which divide by nothing else."""
+def _of_logarithm(power: Node) -> Iterator[Applied[Term]]:
+    """What a power is whose exponent is a logarithm over that of its base, as in a^(log x/log a)."""
+    base, exponent = power.outside
+    if not any(part.tag == "/" for part in nodes(exponent)) or node("log", base) not in nodes(exponent):
+        return
+    whole = node("*", exponent, node("log", base))
+    if (lowest := _in_lowest_terms(whole)) is not None:
+        yield Applied("power_as_exp", (base, exponent), ())
+        yield Applied("congruence", (node("exp", whole), node("exp", lowest)), ())
+
+
+def _in_lowest_terms(term: Term) -> Term | None:
     import sympy
 
-    (inner,) = root.outside
-    if not any(part.tag == "/" for part in nodes(inner)):
-        return
     with suppress(SymcheckError, OutOfTime, *FAULTS), limited(SECONDS):
-        lowest = from_sympy(sympy.cancel(sympy.together(to_sympy(inner))))
-        if lowest != inner:
-            yield Applied("root", (lowest,), ())
+        return from_sympy(sympy.cancel(sympy.together(to_sympy(term))))
+    return None
+
+
+def _of_fraction(root: Node) -> Iterator[Applied[Term]]:
+    """What the square of a root is in lowest terms, which divide by nothing else."""
+    (inner,) = root.outside
+    if any(part.tag == "/" for part in nodes(inner)) and (lowest := _in_lowest_terms(inner)) not in (None, inner):
+        yield Applied("root", (lowest,), ())
 
 
 def _of_square(root: Term) -> Iterator[Applied[Term]]:
