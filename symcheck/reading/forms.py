@@ -141,7 +141,8 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
 
 
-_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}")  # `\sum_i^N`, and over a set
+# `\sum_i^N`, over a set, and over pairs
+_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}|_\s*\{\s*(?:<|\\langle)\s*([a-z])(?![A-Za-z]).*\}")
 
 
 def _index_behind(tree: Add) -> str:
@@ -158,12 +159,13 @@ def _index_behind(tree: Add) -> str:
                     return index
                 continue
             found = _SUMMED.match(last.scripts)
+            index = (found[1] or found[2]) if found else ""
             if (
-                found
-                and rf"_{{ {found[1]} " not in used
-                and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{found[1]}(?![A-Za-z])", used)
+                index
+                and rf"_{{ {index} " not in used
+                and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{index}(?![A-Za-z])", used)
             ):
-                return found[1]
+                return index
     return ""
 
 

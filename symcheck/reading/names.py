@@ -22,6 +22,8 @@ from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
+_AXES = frozenset("XYZ")  # of components, which no coefficient is numbered by
+_BOLD = frozenset((style,) for style in BOLD)
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _SIGNS |= {r"\perp", r"\parallel", r"\uparrow", r"\downarrow"}
 _STATES = frozenset("HSGU")  # enthalpy, entropy, and energies, whose changes have indices
@@ -100,7 +102,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if each.above in (("0",), ("1",)) and each.below},
         {word for formula in raised for word in _APPLIED.findall(formula)},
         {each.above[0] for each in scripted if each.word == r"\delta" and each.below and len(each.above) == 1},
-        {(each.word, each.above[0]) for each in scripted if len(each.above) == 1},
+        {(each.word, "".join(each.above)) for each in scripted if len(each.above) == 1 or each.above[:1] in _BOLD},
     )
     labelled = {
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
@@ -157,6 +159,12 @@ def _is_of_letters(place: Occurrence) -> bool:
 
 
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
+# a function of a sphere, whose degree stands below it
+_HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
+# arguments that are letters: `(a, b | x, y)`
+_LISTED = re.compile(
+    r"(?:\\left )?\( (?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})(?: (?:[,;|]|\\mid) (?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \}))+ (?:\\right )?\)"
+)
 
 
 @dataclass(frozen=True)
@@ -177,6 +185,16 @@ class Told:
     def numbers(self) -> Collection[str]:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
+    @cached_property
+    def listed(self) -> Collection[str]:
+        """Letters that stand among the arguments of functions."""
+        return {x for formula in self.formulas for found in _LISTED.findall(formula) for x in found.split()}
+
+    @cached_property
+    def placed(self) -> Collection[str]:
+        """Those of them that stand elsewhere than among the arguments of functions, which need no numbers be."""
+        return {word for formula in self.formulas for word in _Numbers(_LISTED.sub("", formula)).run()} | {*self.said}
 
 
 def _is_power(above: Sequence[str]) -> bool:
@@ -231,6 +249,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format("".join(letters))  # a word
     if not letters or of.plain or of.word in told.powers:
         return None
+    harmonic = _HARMONIC.fullmatch(of.bare)
+    if inside == ["m"] and harmonic and harmonic[1] != "n":
+        return ""
     if of.above in told.labels and of.below:
         power = letters[0].islower() and letters[0] in told.numbers and of.word not in _OF_ORDERS
         return POWER_OR_LABEL.format(letters[0]) if power and not of.framed else ""
@@ -243,7 +264,10 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if len(capitals) > 1 and inside[0] in capitals and of.below:
         return ""  # as in W_i^Q beside W_i^K
     if not of.framed and any(letter in told.numbers for letter in letters):
-        return None
+        below = of.bare.rpartition("_")[2].strip(" {}") if of.below else ""
+        several = not below and len({above for word, above in told.raised if word == of.word}) > 1
+        listed = letters == ["".join(inside)] and (several or below in told.listed) and letters[0] not in told.placed
+        return POWER_OR_LABEL.format(letters[0]) if listed or (harmonic and inside == ["m"]) else None
     members = {number.partition("_")[0] for number in told.numbers if "_" in number}
     if not of.framed and len(letters) == 1 and "_" in letters[0] and letters[0].partition("_")[0] in members:
         return None  # one of several numbers
@@ -380,6 +404,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 name, bare = (" ".join(texts[start:to]) for to in (end, low))
                 before = texts[:start]
                 coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}") and len(_letters(above)) < 2
+                coefficient = coefficient and not (len(above) == 1 and above[0] in _AXES)
                 plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(
@@ -562,7 +587,7 @@ def _begins_letter(text: str) -> bool:
 
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
-    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]"), (r"\{", r"\}")}
     bracketed = bracketed and not ("^" in inside or {"_", "+"} <= {*inside})  # that is a power
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
         return True
