@@ -343,7 +343,7 @@ _WORDS_NAMED = re.compile(
 # itself, with an index or in an expectation, as in y_t y_s' and E(xx')
 _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
-    rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:{_BASE}{_INDEX} )+(?=\2\3 '(?! '))"
+    rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:\\[,;:!] )*(?:{_BASE}{_INDEX} (?:\\[,;:!] )*)+(?=\2\3 '(?! '))"
     r"|(y) ' y (?=\) \^ \{ - )"
     rf"|(?<![A-Za-z\\])({_BASE}) _ {_RUNNING} \5 _ {_RUNNING} '(?! ')"
     rf"|E (?:\}} )?(?:\\left )?[\[(] ({_BASE})({_INDEX}) \6\7 '(?! ')"

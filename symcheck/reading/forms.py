@@ -195,6 +195,8 @@ def _applied(tree: Mul) -> Tree | None:
     for factor, after in itertools.pairwise(tree.factors):
         if isinstance(after, Tuple) and isinstance(factor.base if isinstance(factor, Pow) else factor, Name):
             return factor
+        if isinstance(factor, Indexed) and isinstance(factor.name, Name) and _is_operator(factor.name):
+            return factor
         if isinstance(factor, Name) and (_is_operator(factor) or (factor == Name(factor.letter) and _is_entry(after))):
             return factor
         if isinstance(after, Call) and isinstance(after.function, Name) and after.arguments:

@@ -85,6 +85,8 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         and not any(place.arguments is None and place.superscript is None for place in of.places)
     ):
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
+    if not of.said and of.spelling not in _FUNCTIONS and any(map(_holds_gradient, of.places)):
+        found = [in_doubt(guess, FACTOR) for guess in found]
     if not of.said and any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and _is_normed(of) and sum(map(_is_normed, every.values())) > 1:
@@ -277,6 +279,23 @@ _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
 _POWER = re.compile(r"(?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\})| ')* \^ (?:\d|\{ \d \})")
 
 
+# a gradient alone
+_GRADIENT = re.compile(r"\\nabla (?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\}))*")
+# and a change, which lengths, masses and coefficients are multiplied by
+_CHANGED = re.compile(r"\\Delta (?:[A-Za-z]|\\[a-z]+)(?: _ (?:\w|\{[^{}]*\}))*")
+_FUNCTIONS = frozenset("fFgGUV")  # letters of functions
+_COEFFICIENTS = frozenset("abchkmn")
+
+
+def _holds_gradient(place: Occurrence) -> bool:
+    """Do the brackets behind it hold a gradient alone, or a change behind a coefficient?"""
+    if place.arguments is None or len(place.arguments) != 1:
+        return False
+    (inside,) = place.arguments
+    changed = place.word in _COEFFICIENTS and _CHANGED.fullmatch(inside)
+    return bool(changed or _GRADIENT.fullmatch(inside))
+
+
 def _holds_power(place: Occurrence) -> bool:
     """Do the brackets behind it hold a power alone?"""
     alone = len(place.arguments or ()) == 1 and place.superscript is None and not place.powered
@@ -322,7 +341,8 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
         yield in_doubt(product, FACTOR)
         return
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
-    coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
+    small = of.spelling[:1] == "\\" and of.spelling[1:2].islower() and of.spelling != r"\zeta"
+    coefficient = factor and small  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))

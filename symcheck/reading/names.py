@@ -22,6 +22,7 @@ from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
+_DISCOUNTS = frozenset({r"\beta", r"\gamma", r"\delta", r"\rho", r"\lambda", r"\alpha"})  # raised to a number of times
 _AXES = frozenset("XYZ")  # of components, which no coefficient is numbered by
 _BOLD = frozenset((style,) for style in BOLD)
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
@@ -249,6 +250,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format("".join(letters))  # a word
     if not letters or of.plain or of.word in told.powers:
         return None
+    if letters == ["t"] and len(inside) > 1 and of.word not in _DISCOUNTS:
+        return POWER_OR_LABEL.format("t")  # a step of time
     harmonic = _HARMONIC.fullmatch(of.bare)
     if inside == ["m"] and harmonic and harmonic[1] != "n":
         return ""

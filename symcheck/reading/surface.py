@@ -49,7 +49,12 @@ NOTHING = {  # layout, with the number of arguments that go with it
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
-_BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
+# functions; braces end their arguments
+_BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
+# what is no part of a name in upright type
+_NO_NAME = re.compile(
+    r"(?<![_^])(?<![_^] )\\(?:mathrm|mathtt|mathsf|text|textrm|texttt)\s*\{[^{}$]*\\(?:[dt]?frac|sqrt|sum|int|prod)(?![A-Za-z])"
+)
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
@@ -99,6 +104,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if "!=" in source and source.count("!") == 1:
         raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
     refuse_row(source)
+    if _NO_NAME.search(source):
+        raise SymcheckError("a fraction, a root or a sum in upright type: write it outside, with its letters in that type")
     if found := _CALCULATED.search(source):
         raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
