@@ -44,7 +44,12 @@ _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
-_SPELLED = frozenset({"max", "min", "sup", "inf", "var", "cov", "avg", "std", "det"})  # in italics, without brackets
+_SPELLED = frozenset(  # in italics, without brackets
+    {"max", "min", "sup", "inf", "var", "cov", "avg", "std", "det", "ln", "log", "exp", "sin", "cos", "tan", "lim", "arg"}
+)
+_DEFINED = frozenset({"RT", "RC", "LC"})  # usual products, of which none is a whole left side
+# a letter with itself as its index, behind another one: `bu_u`
+_INDEXED_BY_ITSELF = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-z]) ([a-z]) _ (?:\{ )?\2(?: \})?(?![A-Za-z])")
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
@@ -63,6 +68,9 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     several = [run for run in runs if len(run) > 1]
     found = dict(_prefixed(formulas)) if any(r"\text {" in text for text in formulas) else {}
     found |= dict.fromkeys(_unsigned(formulas, texts), "a factor before brackets, or a function? say what it is")
+    for text in formulas:
+        for first, second in _INDEXED_BY_ITSELF.findall(text) if " _ " in text else ():
+            found |= dict.fromkeys((first, second) if first != "d" else (), _told(first + second))
     if not several:
         return found
     signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(
@@ -231,7 +239,7 @@ def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bo
         return True
     if len({*run}) > 2 and not run.isupper() and 2 * len(alone) <= len({*run}):
         return False
-    if _USUAL.fullmatch(run) or (_APPLIED.fullmatch(run) and not signed):
+    if (_USUAL.fullmatch(run) and not (named and run in _DEFINED)) or (_APPLIED.fullmatch(run) and not signed):
         return False
     if signed:
         return True

@@ -51,6 +51,8 @@ SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # 
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
 # functions; braces end their arguments
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
+# a term in brackets with its sign, behind another one
+_OPTIONAL = re.compile(r"[A-Za-z0-9})\]]\s*(?:\\left\s*)?\(\s*\+\s*(?![\d.\s]*(?:\\right\s*)?\))")
 # what is no part of a name in upright type
 _NO_NAME = re.compile(
     r"(?<![_^])(?<![_^] )\\(?:mathrm|mathtt|mathsf|text|textrm|texttt)\s*\{[^{}$]*\\(?:[dt]?frac|sqrt|sum|int|prod)(?![A-Za-z])"
@@ -104,6 +106,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if "!=" in source and source.count("!") == 1:
         raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
     refuse_row(source)
+    if _OPTIONAL.search(source):
+        raise SymcheckError("brackets that begin with +: a term that may be left out, or a factor? write it without them")
     if _NO_NAME.search(source):
         raise SymcheckError("a fraction, a root or a sum in upright type: write it outside, with its letters in that type")
     if found := _CALCULATED.search(source):
