@@ -260,6 +260,10 @@ _DENOTED = "words with the letter they stand for, or a function? leave out one o
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
+# a rate of interest, of growth or of income beside pi as an addend
+_INFLATION = re.compile(
+    r"(?:^|[=(+-] )[irRg](?: _ (?:\w|\{ \w \}))? [-+] \\pi(?= (?:[-+=,.)]|$)|$)|\\pi [-+] [irRg](?: _ (?:\w|\{ \w \}))?(?= (?:[-+=,.)]|$)|$)"
+)
 # what is expected of the next value of something: `E_t \pi_{t + 1}`
 _EXPECTED = re.compile(
     r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"
@@ -279,6 +283,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
     yield from operators(text)
+    if r"\pi" in text and _INFLATION.search(text):
+        yield r"\pi", "the number pi, or a letter? say what it is"
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
@@ -378,7 +384,11 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     primed = [formula.replace(r"^ { \prime }", "'") for formula in formulas if "'" in formula or r"\prime" in formula]
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
-    found = {match[1] or match[2] or match[4] or match[5] or match[6] for formula in primed for match in _TRANSPOSED.finditer(formula)}
+    found = {
+        match[1] or match[2] or match[4] or match[5] or match[6]
+        for formula in primed
+        for match in _TRANSPOSED.finditer(formula)
+    }
     places = [match for formula in primed for match in _PRIMED.finditer(f"{formula} ")]
     if not any(match[2] in ("=", "&") for match in places):  # which would say what it is
         other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}

@@ -142,7 +142,9 @@ def _refuse(tree: Tree, notation: Notation) -> None:
 
 
 # `\sum_i^N`, over a set, and over pairs
-_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}|_\s*\{\s*(?:<|\\langle)\s*([a-z])(?![A-Za-z]).*\}")
+_SUMMED = re.compile(
+    r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}|_\s*\{\s*(?:<|\\langle)\s*([a-z])(?![A-Za-z]).*\}"
+)
 
 
 def _index_behind(tree: Add) -> str:

@@ -568,7 +568,7 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         defined = any(place.before in ("", "&", r"\\") and place.after == "=" for place in of.places)
         others = any(x != latex and not each.index and each.said != "differential" for x, each in every.items())
         doubt = "the number pi, or a letter that is defined here? say what it is"
-        return [in_doubt(number, doubt) if defined and others else number]
+        return [in_doubt(number, of.doubt or doubt) if of.doubt or (defined and others) else number]
     if latex in ("e", r"\text{e}"):
         euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")

@@ -475,6 +475,8 @@ def _unit(latex: str, formula: str) -> str:
     if latex.startswith(r"\nabla"):
         raised = re.search(rf"{re.escape(latex)} \^ (?:\{{ )?[\w\\](?<!T)(?!mathrm|top|text|dagger)", formula)
         return "the gradient of a power, or a power of the gradient? write brackets" if raised else ""
+    if latex.startswith(r"\Delta") and _is_laplacian(latex.removeprefix(r"\Delta "), formula):
+        return "a change, or the Laplacian? write \\nabla^2, or say what it is"
     if latex.startswith(r"\delta") and re.search(rf"\( {re.escape(latex)} (?:\\right )?\) \^ \{{ - 1 \}}", formula):
         return "a change, or a factor before a letter? write \\cdot, or say what it is"
     if not latex.startswith("["):
@@ -482,6 +484,25 @@ def _unit(latex: str, formula: str) -> str:
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
         return "a matrix in brackets, or the unit of what stands before them? say what it is"
     return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
+
+
+_POTENTIALS = frozenset({"u", r"\phi", r"\varphi", r"\psi", r"\Phi", r"\Psi"})  # of which equations say the Laplacian
+
+
+def _is_laplacian(letter: str, formula: str) -> bool:
+    """May the letter behind a Delta be a function of the place: has it partial derivatives, or is it all on the left?
+
+    Other changes beside it say that it is one.
+    """
+    own = re.escape(letter)
+    if formula.count(r"\Delta") > formula.count(rf"\Delta {letter}"):
+        return False
+    if re.search(
+        rf"(?:\\frac \{{ \\partial|\\partial _ \S+|\\nabla)(?: \^ (?:\w|\{{[^{{}}]*\}}))? {own}(?![A-Za-z])", formula
+    ):
+        return True
+    alone = letter in _POTENTIALS and len(re.findall(rf"(?<![A-Za-z\\]){own}(?![A-Za-z])", formula)) == 1
+    return alone and re.match(rf"(?:& )?(?:- )?\\Delta {own} (?:& )?=", formula) is not None
 
 
 def _is_place(texts: tuple[str, ...], start: int) -> bool:

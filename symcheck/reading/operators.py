@@ -19,16 +19,18 @@ _EIGEN = re.compile(
 _BRACKETS = re.compile(r"\([^()]*\)")  # whose sums are no addends of what they stand in
 _ADDED = re.compile(r"(?<=\S) [-+] ")  # another addend
 # the energy before a wave function
-_ENERGY = re.compile(r"(?<![A-Za-z\\])(H)(?: _ (?:\d|\{ \d \}))? (?:\\left )?(?:\| )?\\(?:psi|Psi|phi|Phi|varphi)(?![a-z])")
+_ENERGY = re.compile(
+    r"(?<![A-Za-z\\])(H)(?: _ (?:\d|\{ \d \}))? (?:\\left )?(?:\| )?\\(?:psi|Psi|phi|Phi|varphi)(?![a-z])"
+)
 # what stands at a time, as it does beside a lag
 _AT_TIME = r"(?:[A-Za-z]|\\[a-z]+|\\[a-z]+ \{ (?:\w|\\[a-z]+) \}) _ (?:t(?![A-Za-z])|\{ (?:[a-z] )*t \})"
 # sums and functions of a lag before that: `(1 - L)^d y_t`, `\phi(B) y_t`
 _LAGGED = re.compile(
-    rf"\( 1 [-+] (?:[^()]* )?([LB])(?: \^ (?:\w|\{{ [^{{}}]* \}}))? (?:\\right )?\) (?:\^ (?:\w|\{{ [^{{}}]* \}}) )?{_AT_TIME}"
-    rf"|\\[a-zA-Z]+{_BELOW} (?:\\left )?\( ([LB])(?: \^ (?:\w|\{{ [^{{}}]* \}}))? (?:\\right )?\) {_AT_TIME}"
+    rf"\( 1 [-+] (?:[^()]* )?([LB]){_ABOVE} (?:\\right )?\){_ABOVE} {_AT_TIME}"
+    rf"|\\[a-zA-Z]+{_BELOW} (?:\\left )?\( ([LB]){_ABOVE} (?:\\right )?\) {_AT_TIME}"
 )
 # a lag alone, before a letter that stands without it elsewhere
-_LAG = re.compile(rf"(?<![A-Za-z\\])([LB])(?: \^ (?:\w|\{{ [^{{}}]* \}}))? ({_AT_TIME})")
+_LAG = re.compile(rf"(?<![A-Za-z\\])([LB]){_ABOVE} ({_AT_TIME})")
 # an equation that says what an operator makes of a letter with derivatives
 _OF_DERIVATIVES = re.compile(
     r"(?:^|& |quad |\\\\ )([LTADP]) ([a-z]|\\(?:psi|phi|varphi|rho)) (?:& )?= .*"

@@ -45,7 +45,25 @@ _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
 _SPELLED = frozenset(  # in italics, without brackets
-    {"max", "min", "sup", "inf", "var", "cov", "avg", "std", "det", "ln", "log", "exp", "sin", "cos", "tan", "lim", "arg"}
+    {
+        "max",
+        "min",
+        "sup",
+        "inf",
+        "var",
+        "cov",
+        "avg",
+        "std",
+        "det",
+        "ln",
+        "log",
+        "exp",
+        "sin",
+        "cos",
+        "tan",
+        "lim",
+        "arg",
+    }
 )
 _DEFINED = frozenset({"RT", "RC", "LC"})  # usual products, of which none is a whole left side
 # a letter with itself as its index, behind another one: `bu_u`

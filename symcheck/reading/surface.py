@@ -52,10 +52,13 @@ BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracke
 # functions; braces end their arguments
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
 # a term in brackets with its sign, behind another one
-_OPTIONAL = re.compile(r"[A-Za-z0-9})\]]\s*(?:\\left\s*)?\(\s*\+\s*(?![\d.\s]*(?:\\right\s*)?\))")
+_OPTIONAL = re.compile(
+    r"(?:(?<![A-Za-z])[A-Za-z]|[0-9})\]])\s*(?:\\left\s*)?\(\s*\+\s*(?!\\infty|[\d.\s]*(?:\\right\s*)?\))"
+)
 # what is no part of a name in upright type
 _NO_NAME = re.compile(
-    r"(?<![_^])(?<![_^] )\\(?:mathrm|mathtt|mathsf|text|textrm|texttt)\s*\{[^{}$]*\\(?:[dt]?frac|sqrt|sum|int|prod)(?![A-Za-z])"
+    r"(?<![_^])(?<![_^] )\\(?:mathrm|mathtt|mathsf|text|textrm|texttt)\s*\{[^{}$]*"
+    r"\\(?:[dt]?frac|sqrt|sum|int|prod)(?![A-Za-z])"
 )
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
@@ -107,9 +110,13 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
     refuse_row(source)
     if _OPTIONAL.search(source):
-        raise SymcheckError("brackets that begin with +: a term that may be left out, or a factor? write it without them")
+        raise SymcheckError(
+            "brackets that begin with +: a term that may be left out, or a factor? write it without them"
+        )
     if _NO_NAME.search(source):
-        raise SymcheckError("a fraction, a root or a sum in upright type: write it outside, with its letters in that type")
+        raise SymcheckError(
+            "a fraction, a root or a sum in upright type: write it outside, with its letters in that type"
+        )
     if found := _CALCULATED.search(source):
         raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
