@@ -260,10 +260,10 @@ _DENOTED = "words with the letter they stand for, or a function? leave out one o
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
-# a rate of interest, of growth or of income beside pi as an addend
-_INFLATION = re.compile(
-    r"(?:^|[=(+-] )[irRg](?: _ (?:\w|\{ \w \}))? [-+] \\pi(?= (?:[-+=,.)]|$)|$)|\\pi [-+] [irRg](?: _ (?:\w|\{ \w \}))?(?= (?:[-+=,.)]|$)|$)"
-)
+# a rate of interest or of growth
+_RATE = r"[irRg](?: _ (?:\w|\{ \w \}))?"
+# and pi beside it, as an addend
+_INFLATION = re.compile(rf"(?:^|[=(+-] ){_RATE} [-+] \\pi(?= [-+=,.)]| ?$)|\\pi [-+] {_RATE}(?= [-+=,.)]| ?$)")
 # what is expected of the next value of something: `E_t \pi_{t + 1}`
 _EXPECTED = re.compile(
     r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"

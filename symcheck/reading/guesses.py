@@ -87,6 +87,8 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
     if not of.said and of.spelling not in _FUNCTIONS and any(map(_holds_gradient, of.places)):
         found = [in_doubt(guess, FACTOR) for guess in found]
+    if not of.said and of.spelling[:1].isupper() and any(map(_holds_negative, of.places)):
+        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and _is_normed(of) and sum(map(_is_normed, every.values())) > 1:
@@ -277,6 +279,16 @@ FACTOR = "a factor before brackets, or a function? say what it is"
 _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
 # a power alone, which needs no brackets as a factor
 _POWER = re.compile(r"(?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\})| ')* \^ (?:\d|\{ \d \})")
+
+
+# a letter with a minus, which capitals that are functions have as arguments as well
+_NEGATIVE = re.compile(r"- (?:[A-Za-z]|\\[a-z]+)(?: _ (?:\w|\{[^{}]*\}))*")
+
+
+def _holds_negative(place: Occurrence) -> bool:
+    """Do the brackets behind it hold a letter with a minus, and nothing more?"""
+    alone = len(place.arguments or ()) == 1 and not place.powered
+    return alone and any(map(_NEGATIVE.fullmatch, place.arguments or ()))
 
 
 # a gradient alone

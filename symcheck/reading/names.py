@@ -162,10 +162,9 @@ def _is_of_letters(place: Occurrence) -> bool:
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
 # a function of a sphere, whose degree stands below it
 _HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
+_ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
 # arguments that are letters: `(a, b | x, y)`
-_LISTED = re.compile(
-    r"(?:\\left )?\( (?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})(?: (?:[,;|]|\\mid) (?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \}))+ (?:\\right )?\)"
-)
+_LISTED = re.compile(rf"(?:\\left )?\( {_ARGUMENT}(?: (?:[,;|]|\\mid) {_ARGUMENT})+ (?:\\right )?\)")
 
 
 @dataclass(frozen=True)

@@ -152,12 +152,12 @@ _GOES_ON = re.compile(
 
 def refuse_row(source: str) -> None:
     """SymcheckError for equations on lines of the source that print parts by nothing."""
-    for row in re.split(r"\\\\|\n\s*\n", source) if "\n" in source else ():
-        before = ""
-        for line in row.strip().split("\n"):
-            if "=" in before and _DEFINES.match(line.strip()) and not _GOES_ON.search(before):
-                raise SymcheckError(f"do several equations stand in a row here, before {line.strip()[:20]}? write \\\\")
-            before = line if line.strip() else before
+    for row in source.split("\\\\") if "\n" in source else ():
+        before, equated = "", False
+        for line in filter(None, map(str.strip, row.split("\n"))):
+            if equated and _DEFINES.match(line) and not _GOES_ON.search(before):
+                raise SymcheckError(f"do several equations stand in a row here, before {line[:20]}? write \\\\")
+            before, equated = line, equated or "=" in line
 
 
 def _with_formulas(found: re.Match[str]) -> str:
