@@ -41,6 +41,7 @@ from symcheck.reading.tree import (
     Neg,
     Norm,
     Number,
+    Operated,
     Pair,
     Pow,
     System,
@@ -137,6 +138,8 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: the integral does not say what it is taken over")
         if isinstance(part, Add) and (index := _index_behind(part)):
             raise SymcheckError(f"index {index} is summed over, and used outside of its sum, in {to_latex(part)}")
+        if isinstance(part, Operated) and part.sign == r"\circ" and isinstance(part.right, Call) and part.right.arguments:
+            raise SymcheckError(f"{to_latex(part)}: are both functions applied to these arguments? write brackets")
         if isinstance(part, Indexed) and not is_sequence(part):
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
 

@@ -87,6 +87,8 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
     if not of.said and of.spelling not in _FUNCTIONS and any(map(_holds_gradient, of.places)):
         found = [in_doubt(guess, FACTOR) for guess in found]
+    if not of.said and any(place.primes for place in of.places) and any(map(is_shift_of_time, of.arguments)):
+        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and of.spelling[:1].isupper() and any(map(_holds_negative, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and any(map(_holds_power, of.places)):
