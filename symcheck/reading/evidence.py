@@ -339,6 +339,13 @@ _BASE = (
     r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[A-Za-z]+) \}"
     r"|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
 )
+_ENTRY = r"([A-Za-z]|\\[A-Za-z]+(?: \{ (?:\w|\\[A-Za-z]+) \})?)"
+# a letter beside itself with a prime in a sum, or across the diagonal of a matrix: `A + A'` and `B \\\\ B'`
+_MIRRORED = re.compile(
+    r"(?<![A-Za-z\\}])([A-Z]|\\[A-Z][a-z]+|\\mathbf \{ [A-Z] \})((?: _ (?:\w|\{ [^{}]* \}))?) \+ \1\2 '(?! ')"
+    rf"|& {_ENTRY}(?: (_ (?:\w|\{{ [^{{}}]* \}}))?)? \\\\ \3 (?:'(?: \4)?|\4 ')(?! ')"
+    rf"|& {_ENTRY} '(?: (_ (?:\w|\{{ [^{{}}]* \}})))? \\\\ \5(?: \6)?(?! ['_])"
+)
 _RUNNING = r"(?:[a-z]|\{ [a-z][^{}]* \})"
 _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
 # words before a letter in brackets: `\text{load power}(P_L)`
@@ -351,7 +358,7 @@ _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
     rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:\\[,;:!] )*(?:{_BASE}{_INDEX} (?:\\[,;:!] )*)+(?=\2\3 '(?! '))"
     r"|(y) ' y (?=\) \^ \{ - )"
-    rf"|(?<![A-Za-z\\])({_BASE}) _ {_RUNNING} \5 _ {_RUNNING} '(?! ')"
+    rf"|(?<![A-Za-z\\])({_BASE}|\\[a-z]+) _ {_RUNNING} \5 _ {_RUNNING} '(?! ')"
     rf"|E (?:\}} )?(?:\\left )?[\[(] ({_BASE})({_INDEX}) \6\7 '(?! ')"
 )
 # what shows that primes differentiate, or that something else transposes
@@ -389,6 +396,7 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
         for formula in primed
         for match in _TRANSPOSED.finditer(formula)
     }
+    found |= {match[1] or match[3] or match[5] for formula in primed for match in _MIRRORED.finditer(formula)}
     places = [match for formula in primed for match in _PRIMED.finditer(f"{formula} ")]
     if not any(match[2] in ("=", "&") for match in places):  # which would say what it is
         other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}

@@ -55,6 +55,8 @@ from symcheck.reading.tree import (
 
 _LEFT_OPEN = (INDEX_IN_NAME, INTEGRATED, KINDS_OPEN)  # doubts without a second way to read what is printed
 _CHANGES = (r"\Delta", r"\delta", r"\nabla", "d", r"\text{d}")  # signs of changes and of derivatives
+# a derivative or an integral of some order, with its beginning at the left
+_FRACTIONAL = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}[^{}]*)*\} \{.*\} \{ [DIJ] \} [_^]")
 _WORDS = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among words
 _OPERATORS = (r"\mathbb", r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of expectations, transforms and sets
 
@@ -138,7 +140,12 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: the integral does not say what it is taken over")
         if isinstance(part, Add) and (index := _index_behind(part)):
             raise SymcheckError(f"index {index} is summed over, and used outside of its sum, in {to_latex(part)}")
-        if isinstance(part, Operated) and part.sign == r"\circ" and isinstance(part.right, Call) and part.right.arguments:
+        if (
+            isinstance(part, Operated)
+            and part.sign == r"\circ"
+            and isinstance(part.right, Call)
+            and part.right.arguments
+        ):
             raise SymcheckError(f"{to_latex(part)}: are both functions applied to these arguments? write brackets")
         if isinstance(part, Indexed) and not is_sequence(part):
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
@@ -319,7 +326,11 @@ def refuse_order(tree: Mul, notation: Notation) -> None:
 
 def _is_operator(name: Name) -> bool:
     """May this letter be an operator or a sign of a change?"""
-    return name.letter.startswith(_OPERATORS) or (name.letter in _CHANGES and not name.subscripts)
+    return (
+        name.letter.startswith(_OPERATORS)
+        or _FRACTIONAL.match(name.letter) is not None
+        or (name.letter in _CHANGES and not name.subscripts)
+    )
 
 
 def refuse_doubt(tree: Tree, letter: Letter) -> None:

@@ -126,6 +126,8 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
     for latex in found:
+        if latex.startswith(r"\Delta ") and any(_is_multiplied(latex.split()[1], formula) for formula in formulas):
+            found[latex] = found[latex] or "a change, or a factor before a letter? write \\cdot, or say what it is"
         if inside := bound.intersection(latex.split()[1:]):
             found[latex] = found[latex] or f"{INDEX_IN_NAME}: {min(inside)}"
     return found
@@ -160,6 +162,8 @@ def _is_of_letters(place: Occurrence) -> bool:
 
 
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
+# a number of combinations, or a power
+_COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
 _HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
 _ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
@@ -249,6 +253,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format("".join(letters))  # a word
     if not letters or of.plain or of.word in told.powers:
         return None
+    if of.word == "C" and letters == inside and _COMBINATIONS.fullmatch(of.bare):
+        return POWER_OR_LABEL.format(letters[0])
     if letters == ["t"] and len(inside) > 1 and of.word not in _DISCOUNTS:
         return POWER_OR_LABEL.format("t")  # a step of time
     harmonic = _HARMONIC.fullmatch(of.bare)
@@ -440,6 +446,9 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
     while reader.i < len(texts):
         start, text = reader.i, reader.peek()
         if text == "[" and not _is_place(texts, start) and (end := _bracketed(texts, start)):
+            if "+" in texts[texts.index("]", start) : end]:  # the positive part
+                reader.i = end
+                continue
             yield " ".join(texts[start:end])
             reader.i = end
             continue
@@ -483,6 +492,12 @@ def _unit(latex: str, formula: str) -> str:
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
         return "a matrix in brackets, or the unit of what stands before them? say what it is"
     return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
+
+
+def _is_multiplied(letter: str, formula: str) -> bool:
+    """Does the same letter follow with another index, so that the Delta is hardly a sign of a change?"""
+    own = re.escape(letter)
+    return re.search(rf"\\Delta {own}(?: [_^] (?:\w|\{{[^{{}}]*\}}))+ {own} [_^]", formula) is not None
 
 
 _POTENTIALS = frozenset({"u", r"\phi", r"\varphi", r"\psi", r"\Phi", r"\Psi"})  # of which equations say the Laplacian

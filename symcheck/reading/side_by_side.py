@@ -66,6 +66,10 @@ _SPELLED = frozenset(  # in italics, without brackets
     }
 )
 _DEFINED = frozenset({"RT", "RC", "LC"})  # usual products, of which none is a whole left side
+# two letters among the arguments of what is defined: `H(x, sf) =`
+_ARGUMENT = re.compile(
+    r"(?:^|& |\\\\ )\\?[A-Za-z]+ (?:_ (?:\w|\{[^{}]*\}) )?\( (?:[a-z] , )+([a-z]) ([a-z]) (?:, [a-z] )*\)(?: &)? ="
+)
 # a letter with itself as its index, behind another one: `bu_u`
 _INDEXED_BY_ITSELF = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-z]) ([a-z]) _ (?:\{ )?\2(?: \})?(?![A-Za-z])")
 _UNITS = frozenset(
@@ -89,6 +93,8 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     for text in formulas:
         for first, second in _INDEXED_BY_ITSELF.findall(text) if " _ " in text else ():
             found |= dict.fromkeys((first, second) if first != "d" else (), _told(first + second))
+    for run in {"".join(run) for text in formulas if " , " in text for run in _ARGUMENT.findall(text)}:
+        found |= dict.fromkeys(run if runs[run] == 1 else (), _told(run))
     if not several:
         return found
     signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(

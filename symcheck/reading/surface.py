@@ -51,6 +51,9 @@ SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # 
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
 # functions; braces end their arguments
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
+_ENTRY = r"[A-Z](?:_(?:\w|\{[^{}]*\}))?"
+# two blocks of a matrix, with a space between them
+_BLOCKS = re.compile(rf"[(\[]\s*{_ENTRY}\s*\\(?:hspace\s*\{{[^{{}}]*\}}|;|:|quad|\s)\s*{_ENTRY}\s*[)\]]\s*[.,;]?\s*$")
 # a term in brackets with its sign, behind another one
 _OPTIONAL = re.compile(
     r"(?:(?<![A-Za-z])[A-Za-z]|[0-9})\]])\s*(?:\\left\s*)?\(\s*\+\s*(?!\\infty|[\d.\s]*(?:\\right\s*)?\))"
@@ -113,6 +116,8 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         raise SymcheckError(
             "brackets that begin with +: a term that may be left out, or a factor? write it without them"
         )
+    if _BLOCKS.search(source):
+        raise SymcheckError("a row of two blocks, or their product? write & between blocks, or no space")
     if _NO_NAME.search(source):
         raise SymcheckError(
             "a fraction, a root or a sum in upright type: write it outside, with its letters in that type"
@@ -150,14 +155,26 @@ _GOES_ON = re.compile(
 )
 
 
+# the end of a line behind which an equation goes on, even behind a blank line
+_UNFINISHED = re.compile(r"(?:[-+*/=<>,;(\[{|&]|\\q?quad|\\(?:text|mbox)\s*\{[^{}]*\})\s*$")
+
+
+# the letter that a line begins with, of which several lines say what it is
+_FIRST = re.compile(r"\s*&?\s*(\\?[A-Za-z]+)")
+
+
 def refuse_row(source: str) -> None:
     """SymcheckError for equations on lines of the source that print parts by nothing."""
     for row in source.split("\\\\") if "\n" in source else ():
-        before, equated = "", False
-        for line in filter(None, map(str.strip, row.split("\n"))):
-            if equated and _DEFINES.match(line) and not _GOES_ON.search(before):
+        before, equated, blank = "", False, False
+        first = _FIRST.match(row)
+        for line in map(str.strip, row.split("\n")):
+            alike = first is not None and (found := _FIRST.match(line)) is not None and found[1] == first[1]
+            ended = (blank or alike) and not _UNFINISHED.search(before)
+            if equated and _DEFINES.match(line) and (ended or not _GOES_ON.search(before)):
                 raise SymcheckError(f"do several equations stand in a row here, before {line[:20]}? write \\\\")
-            before, equated = line, equated or "=" in line
+            blank = not line
+            before, equated = line or before, equated or "=" in line
 
 
 def _with_formulas(found: re.Match[str]) -> str:
