@@ -215,7 +215,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     sign = sign or (of.word == r"\delta" and _is_word(inside))
     if of.word == "e" and len(inside) == 1 and inside[0] in told.mixed:
         return POWER_OR_LABEL.format(inside[0])  # one of the reciprocal vectors
-    if of.word == r"\delta" and of.below and len(inside) == 1 and _letters(inside):
+    if of.word == r"\delta" and of.below and len(inside) == 1 and (_letters(inside) or inside[0] in "01"):
         return ""  # Kronecker's
     if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
         return POWER_OR_LABEL.format(inside[0])
@@ -253,8 +253,6 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format("".join(letters))  # a word
     if not letters or of.plain or of.word in told.powers:
         return None
-    if of.word == "C" and letters == inside and _COMBINATIONS.fullmatch(of.bare):
-        return POWER_OR_LABEL.format(letters[0])
     if letters == ["t"] and len(inside) > 1 and of.word not in _DISCOUNTS:
         return POWER_OR_LABEL.format("t")  # a step of time
     harmonic = _HARMONIC.fullmatch(of.bare)
@@ -274,8 +272,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if not of.framed and any(letter in told.numbers for letter in letters):
         below = of.bare.rpartition("_")[2].strip(" {}") if of.below else ""
         several = not below and len({above for word, above in told.raised if word == of.word}) > 1
+        combined = letters == inside and _COMBINATIONS.fullmatch(of.bare)
         listed = letters == ["".join(inside)] and (several or below in told.listed) and letters[0] not in told.placed
-        return POWER_OR_LABEL.format(letters[0]) if listed or (harmonic and inside == ["m"]) else None
+        return POWER_OR_LABEL.format(letters[0]) if listed or (harmonic and inside == ["m"]) or combined else None
     members = {number.partition("_")[0] for number in told.numbers if "_" in number}
     if not of.framed and len(letters) == 1 and "_" in letters[0] and letters[0].partition("_")[0] in members:
         return None  # one of several numbers
@@ -283,6 +282,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.framed or "," in inside or letters[0].startswith(BOLD):
         return ""
     if points and all(letter[:1].isupper() for letter in letters):
+        if {"+", "-"} & {*inside}:
+            return POWER_OR_LABEL.format(letters[0])
         series = len(inside) == 1 and not of.below and {chr(ord(inside[0]) + k) for k in (-1, 1)} <= {*told.numbers}
         return POWER_OR_LABEL.format(letters[0]) if series else ""  # among the coefficients A, B and C
     style, _, base = of.word.partition("{")
