@@ -166,6 +166,8 @@ _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals befo
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
 _HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
+# two letters below another one
+_PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
 _ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
 # arguments that are letters: `(a, b | x, y)`
 _LISTED = re.compile(rf"(?:\\left )?\( {_ARGUMENT}(?: (?:[,;|]|\\mid) {_ARGUMENT})+ (?:\\right )?\)")
@@ -189,6 +191,12 @@ class Told:
     def numbers(self) -> Collection[str]:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
+    @cached_property
+    def paired(self) -> Collection[tuple[str, str]]:
+        """Letters that stand side by side below a letter, so that they are indices, in both orders."""
+        found = {pair for formula in self.formulas for pair in _PAIR.findall(formula)}
+        return found | {(b, a) for a, b in found}
 
     @cached_property
     def listed(self) -> Collection[str]:
@@ -272,7 +280,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if not of.framed and any(letter in told.numbers for letter in letters):
         below = of.bare.rpartition("_")[2].strip(" {}") if of.below else ""
         several = not below and len({above for word, above in told.raised if word == of.word}) > 1
-        combined = letters == inside and _COMBINATIONS.fullmatch(of.bare)
+        combined = letters == inside and (_COMBINATIONS.fullmatch(of.bare) or (below, letters[0]) in told.paired)
         listed = letters == ["".join(inside)] and (several or below in told.listed) and letters[0] not in told.placed
         return POWER_OR_LABEL.format(letters[0]) if listed or (harmonic and inside == ["m"]) or combined else None
     members = {number.partition("_")[0] for number in told.numbers if "_" in number}

@@ -285,7 +285,7 @@ def _may_be_name(
         _APPLIED.fullmatch(run) and not signed and not (whole and run[1] in _NO_VECTORS)
     ):
         return False
-    if signed or (whole and len(alone) == 2 and run[1] in _NO_VECTORS):
+    if signed or (whole and ((len(alone) == 2 and run[1] in _NO_VECTORS) or _FACTOR_FIRST.fullmatch(run))):
         return True
     if run.isupper() and len(run) == 2 and len(alone) < len({*run}):
         return named and not matrices
