@@ -632,10 +632,10 @@ _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold 
 _WORDS = re.compile(
     r"\\(?:text|mbox|textrm|textnormal|hbox)\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\$(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}"
 )
-# a function of a letter that is said to be something without an integral, a product or a factorial
+# a function of the usual letters that is said to be something without an integral, a product or a factorial
 _FUNCTION_OF = re.compile(
-    r"\s*\\Gamma\s*\(\s*(?:[a-mo-wyA-Z]|\\omega|\\theta|\\tau)\s*\)\s*="
-    r"(?!.*\\(?:Gamma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
+    r"\s*\\Gamma\s*\(\s*(?:[fhjkrtuvEG]|\\omega|\\theta|\\tau)\s*\)\s*="
+    r"(?!.*\\(?:[Gg]amma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
     re.DOTALL,
 )
 # the gamma function, which stands before its argument
