@@ -16,6 +16,7 @@ from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
 from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, names_of_several_tokens
 from symcheck.reading.occurrences import BOLD, FUNCTIONS_SPELLED, Occurrence, occurrences, words
+from symcheck.reading.operators import operators
 from symcheck.reading.side_by_side import doubted
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
@@ -259,6 +260,10 @@ _DENOTED = "words with the letter they stand for, or a function? leave out one o
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
 
+# a rate of interest or of growth
+_RATE = r"[irRg](?: _ (?:\w|\{ \w \}))?"
+# and pi beside it, as an addend
+_INFLATION = re.compile(rf"(?:^|[=(+-] ){_RATE} [-+] \\pi(?= [-+=,.)]| ?$)|\\pi [-+] {_RATE}(?= [-+=,.)]| ?$)")
 # what is expected of the next value of something: `E_t \pi_{t + 1}`
 _EXPECTED = re.compile(
     r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"
@@ -277,6 +282,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for letter, above in _PRODUCT_DERIVED.findall(text):
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
+    yield from operators(text)
+    if r"\pi" in text and _INFLATION.search(text):
+        yield r"\pi", "the number pi, or a letter? say what it is"
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
         yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _SQUARE_OF.findall(text))
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
@@ -328,19 +336,30 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
 
 
 _BASE = (
-    r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[a-z]+) \}"
+    r"(?:[A-Za-z]|\\(?:mathbf|bm|boldsymbol|vec|hat|bar|tilde) \{ (?:\w|\\[A-Za-z]+) \}"
     r"|\\(?:beta|theta|mu|phi|psi|xi|[A-Z][a-z]+|varGamma))"
 )
+_ENTRY = r"([A-Za-z]|\\[A-Za-z]+(?: \{ (?:\w|\\[A-Za-z]+) \})?)"
+# a letter beside itself with a prime in a sum, or across the diagonal of a matrix: `A + A'` and `B \\\\ B'`
+_MIRRORED = re.compile(
+    r"(?<![A-Za-z\\}])([A-Z]|\\[A-Z][a-z]+|\\mathbf \{ [A-Z] \})((?: _ (?:\w|\{ [^{}]* \}))?) \+ \1\2 '(?! ')"
+    rf"|& {_ENTRY}(?: (_ (?:\w|\{{ [^{{}}]* \}}))?)? \\\\ \3 (?:'(?: \4)?|\4 ')(?! ')"
+    rf"|& {_ENTRY} '(?: (_ (?:\w|\{{ [^{{}}]* \}})))? \\\\ \5(?: \6)?(?! ['_])"
+)
+_RUNNING = r"(?:[a-z]|\{ [a-z][^{}]* \})"
 _INDEX = r"(?: _ (?:\w|\{ [^{}]* \}))?"
 # words before a letter in brackets: `\text{load power}(P_L)`
 _WORDS_NAMED = re.compile(
     rf"\\(?:text|mathrm) \{{ ((?:[\w'-] )+~ (?:[\w'~-] )+)\}} (?:\\left )?\( {_BASE}{_INDEX} (?:\\right )?\)"
 )
-# a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA'
+# a prime before a factor, as in x'Qx and X'y, or of a letter that stands in the same product, as in AXA', or beside
+# itself, with an index or in an expectation, as in y_t y_s' and E(xx')
 _TRANSPOSED = re.compile(
     rf"(?<![A-Za-z\\])({_BASE}){_INDEX} ' (?={_BASE})(?!(?<=\by ' )y)"
-    rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:{_BASE}{_INDEX} )+(?=\2\3 '(?! '))"
+    rf"|(?<![A-Za-z\\])({_BASE})({_INDEX}) (?:\\[,;:!] )*(?:{_BASE}{_INDEX} (?:\\[,;:!] )*)+(?=\2\3 '(?! '))"
     r"|(y) ' y (?=\) \^ \{ - )"
+    rf"|(?<![A-Za-z\\])({_BASE}|\\[a-z]+) _ {_RUNNING} \5 _ {_RUNNING} '(?! ')"
+    rf"|E (?:\}} )?(?:\\left )?[\[(] ({_BASE})({_INDEX}) \6\7 '(?! ')"
 )
 # what shows that primes differentiate, or that something else transposes
 _NO_TRANSPOSES = re.compile(
@@ -372,7 +391,12 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     primed = [formula.replace(r"^ { \prime }", "'") for formula in formulas if "'" in formula or r"\prime" in formula]
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
-    found = {match[1] or match[2] or match[4] for formula in primed for match in _TRANSPOSED.finditer(formula)}
+    found = {
+        match[1] or match[2] or match[4] or match[5] or match[6]
+        for formula in primed
+        for match in _TRANSPOSED.finditer(formula)
+    }
+    found |= {match[1] or match[3] or match[5] for formula in primed for match in _MIRRORED.finditer(formula)}
     places = [match for formula in primed for match in _PRIMED.finditer(f"{formula} ")]
     if not any(match[2] in ("=", "&") for match in places):  # which would say what it is
         other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}

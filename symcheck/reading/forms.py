@@ -41,6 +41,7 @@ from symcheck.reading.tree import (
     Neg,
     Norm,
     Number,
+    Operated,
     Pair,
     Pow,
     System,
@@ -54,6 +55,8 @@ from symcheck.reading.tree import (
 
 _LEFT_OPEN = (INDEX_IN_NAME, INTEGRATED, KINDS_OPEN)  # doubts without a second way to read what is printed
 _CHANGES = (r"\Delta", r"\delta", r"\nabla", "d", r"\text{d}")  # signs of changes and of derivatives
+# a derivative or an integral of some order, with its beginning at the left
+_FRACTIONAL = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}[^{}]*)*\} \{.*\} \{ [DIJ] \} [_^]")
 _WORDS = re.compile(r"\\text\{[^}]*[~ $]")  # several words, or a formula among words
 _OPERATORS = (r"\mathbb", r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of expectations, transforms and sets
 
@@ -137,11 +140,21 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: the integral does not say what it is taken over")
         if isinstance(part, Add) and (index := _index_behind(part)):
             raise SymcheckError(f"index {index} is summed over, and used outside of its sum, in {to_latex(part)}")
+        if (
+            isinstance(part, Operated)
+            and part.sign == r"\circ"
+            and isinstance(part.right, Call)
+            and part.right.arguments
+        ):
+            raise SymcheckError(f"{to_latex(part)}: are both functions applied to these arguments? write brackets")
         if isinstance(part, Indexed) and not is_sequence(part):
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
 
 
-_SUMMED = re.compile(r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}")  # `\sum_i^N`, and over a set
+# `\sum_i^N`, over a set, and over pairs
+_SUMMED = re.compile(
+    r"_\s*\{\s*(?:\(\s*)?([a-z])(?![A-Za-z])[^<>=]*\}|_\s*\{\s*(?:<|\\langle)\s*([a-z])(?![A-Za-z]).*\}"
+)
 
 
 def _index_behind(tree: Add) -> str:
@@ -158,12 +171,13 @@ def _index_behind(tree: Add) -> str:
                     return index
                 continue
             found = _SUMMED.match(last.scripts)
+            index = (found[1] or found[2]) if found else ""
             if (
-                found
-                and rf"_{{ {found[1]} " not in used
-                and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{found[1]}(?![A-Za-z])", used)
+                index
+                and rf"_{{ {index} " not in used
+                and re.search(rf"[_\[]\s*\{{?(?:[^{{}}\[\]]*[^A-Za-z\\])?{index}(?![A-Za-z])", used)
             ):
-                return found[1]
+                return index
     return ""
 
 
@@ -192,6 +206,8 @@ def _applied(tree: Mul) -> Tree | None:
         return tree.factors[0]
     for factor, after in itertools.pairwise(tree.factors):
         if isinstance(after, Tuple) and isinstance(factor.base if isinstance(factor, Pow) else factor, Name):
+            return factor
+        if isinstance(factor, Indexed) and isinstance(factor.name, Name) and _is_operator(factor.name):
             return factor
         if isinstance(factor, Name) and (_is_operator(factor) or (factor == Name(factor.letter) and _is_entry(after))):
             return factor
@@ -310,7 +326,11 @@ def refuse_order(tree: Mul, notation: Notation) -> None:
 
 def _is_operator(name: Name) -> bool:
     """May this letter be an operator or a sign of a change?"""
-    return name.letter.startswith(_OPERATORS) or (name.letter in _CHANGES and not name.subscripts)
+    return (
+        name.letter.startswith(_OPERATORS)
+        or _FRACTIONAL.match(name.letter) is not None
+        or (name.letter in _CHANGES and not name.subscripts)
+    )
 
 
 def refuse_doubt(tree: Tree, letter: Letter) -> None:

@@ -85,6 +85,12 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         and not any(place.arguments is None and place.superscript is None for place in of.places)
     ):
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
+    if not of.said and of.spelling not in _FUNCTIONS and any(map(_holds_gradient, of.places)):
+        found = [in_doubt(guess, FACTOR) for guess in found]
+    if not of.said and any(place.primes for place in of.places) and any(map(is_shift_of_time, of.arguments)):
+        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    if not of.said and of.spelling[:1].isupper() and any(map(_holds_negative, of.places)):
+        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
     if not of.said and _is_normed(of) and sum(map(_is_normed, every.values())) > 1:
@@ -277,6 +283,33 @@ _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
 _POWER = re.compile(r"(?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\})| ')* \^ (?:\d|\{ \d \})")
 
 
+# a letter with a minus, which capitals that are functions have as arguments as well
+_NEGATIVE = re.compile(r"- (?:[A-Za-z]|\\[a-z]+)(?: _ (?:\w|\{[^{}]*\}))*")
+
+
+def _holds_negative(place: Occurrence) -> bool:
+    """Do the brackets behind it hold a letter with a minus, and nothing more?"""
+    alone = len(place.arguments or ()) == 1 and not place.powered
+    return alone and any(map(_NEGATIVE.fullmatch, place.arguments or ()))
+
+
+# a gradient alone
+_GRADIENT = re.compile(r"\\nabla (?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\}))*")
+# and a change, which lengths, masses and coefficients are multiplied by
+_CHANGED = re.compile(r"\\Delta (?:[A-Za-z]|\\[a-z]+)(?: _ (?:\w|\{[^{}]*\}))*")
+_FUNCTIONS = frozenset("fFgGUV")  # letters of functions
+_COEFFICIENTS = frozenset("abchkmn")
+
+
+def _holds_gradient(place: Occurrence) -> bool:
+    """Do the brackets behind it hold a gradient alone, or a change behind a coefficient?"""
+    if place.arguments is None or len(place.arguments) != 1:
+        return False
+    (inside,) = place.arguments
+    changed = place.word in _COEFFICIENTS and _CHANGED.fullmatch(inside)
+    return bool(changed or _GRADIENT.fullmatch(inside))
+
+
 def _holds_power(place: Occurrence) -> bool:
     """Do the brackets behind it hold a power alone?"""
     alone = len(place.arguments or ()) == 1 and place.superscript is None and not place.powered
@@ -322,7 +355,8 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
         yield in_doubt(product, FACTOR)
         return
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
-    coefficient = factor and of.spelling[:1] == "\\" and of.spelling != r"\zeta"  # as in \phi(1.4 - x)
+    small = of.spelling[:1] == "\\" and of.spelling[1:2].islower() and of.spelling != r"\zeta"
+    coefficient = factor and small  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
@@ -548,7 +582,7 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
         defined = any(place.before in ("", "&", r"\\") and place.after == "=" for place in of.places)
         others = any(x != latex and not each.index and each.said != "differential" for x, each in every.items())
         doubt = "the number pi, or a letter that is defined here? say what it is"
-        return [in_doubt(number, doubt) if defined and others else number]
+        return [in_doubt(number, of.doubt or doubt) if of.doubt or (defined and others) else number]
     if latex in ("e", r"\text{e}"):
         euler = Guess(Letter(latex, number="e"), "Euler's number", "it is raised to a power")
         letter = Guess(_letter(of, depends="", name="e_letter"), "a real number", "it stands without an exponent")

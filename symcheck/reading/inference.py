@@ -317,7 +317,7 @@ def _inferred(
         )
         why = KINDS_OPEN if kinds else f"{count} readings are possible"
         doubt = f"{why}; say what these are: {several}"
-        chosen = tuple(in_doubt(o[0], doubt) if len(o) > 1 else o[0] for o in every)
+        chosen = tuple(in_doubt(o[0], doubt) if len(o) > 1 and not o[0].letter.doubt else o[0] for o in every)
         return [Inference(chosen, tuple(h[0] for h in habits), (doubt,))]
     found = []
     for places in itertools.product(*(range(len(every[ks[0]])) for ks in members)):

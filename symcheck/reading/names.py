@@ -22,6 +22,9 @@ from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
 FRAMES = frozenset("ABCEFGOPQRSWXY")
 BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
+_DISCOUNTS = frozenset({r"\beta", r"\gamma", r"\delta", r"\rho", r"\lambda", r"\alpha"})  # raised to a number of times
+_AXES = frozenset("XYZ")  # of components, which no coefficient is numbered by
+_BOLD = frozenset((style,) for style in BOLD)
 _SIGNS = frozenset({"*", "+", "-", r"\star", r"\dagger", r"\ddagger", r"\sharp", r"\flat", r"\times"})
 _SIGNS |= {r"\perp", r"\parallel", r"\uparrow", r"\downarrow"}
 _STATES = frozenset("HSGU")  # enthalpy, entropy, and energies, whose changes have indices
@@ -100,7 +103,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if each.above in (("0",), ("1",)) and each.below},
         {word for formula in raised for word in _APPLIED.findall(formula)},
         {each.above[0] for each in scripted if each.word == r"\delta" and each.below and len(each.above) == 1},
-        {(each.word, each.above[0]) for each in scripted if len(each.above) == 1},
+        {(each.word, "".join(each.above)) for each in scripted if len(each.above) == 1 or each.above[:1] in _BOLD},
     )
     labelled = {
         each.word for each in scripted for text in each.above if text[:1].isupper() and text not in _TRANSPOSING
@@ -124,6 +127,8 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
     for latex in found:
+        if latex.startswith(r"\Delta ") and any(_is_multiplied(latex.split()[1], formula) for formula in formulas):
+            found[latex] = found[latex] or "a change, or a factor before a letter? write \\cdot, or say what it is"
         if inside := bound.intersection(latex.split()[1:]):
             found[latex] = found[latex] or f"{INDEX_IN_NAME}: {min(inside)}"
     return found
@@ -158,6 +163,15 @@ def _is_of_letters(place: Occurrence) -> bool:
 
 
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
+# a number of combinations, or a power
+_COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
+# a function of a sphere, whose degree stands below it
+_HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
+# two letters below another one
+_PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
+_ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
+# arguments that are letters: `(a, b | x, y)`
+_LISTED = re.compile(rf"(?:\\left )?\( {_ARGUMENT}(?: (?:[,;|]|\\mid) {_ARGUMENT})+ (?:\\right )?\)")
 
 
 @dataclass(frozen=True)
@@ -179,6 +193,22 @@ class Told:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
 
+    @cached_property
+    def paired(self) -> Collection[tuple[str, str]]:
+        """Letters that stand side by side below a letter, so that they are indices, in both orders."""
+        found = {pair for formula in self.formulas for pair in _PAIR.findall(formula)}
+        return found | {(b, a) for a, b in found}
+
+    @cached_property
+    def listed(self) -> Collection[str]:
+        """Letters that stand among the arguments of functions."""
+        return {x for formula in self.formulas for found in _LISTED.findall(formula) for x in found.split()}
+
+    @cached_property
+    def placed(self) -> Collection[str]:
+        """Those of them that stand elsewhere than among the arguments of functions, which need no numbers be."""
+        return {word for formula in self.formulas for word in _Numbers(_LISTED.sub("", formula)).run()} | {*self.said}
+
 
 def _is_power(above: Sequence[str]) -> bool:
     """Is this superscript a power for certain, as 2n and N + 2 are?"""
@@ -194,7 +224,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     sign = sign or (of.word == r"\delta" and _is_word(inside))
     if of.word == "e" and len(inside) == 1 and inside[0] in told.mixed:
         return POWER_OR_LABEL.format(inside[0])  # one of the reciprocal vectors
-    if of.word == r"\delta" and of.below and len(inside) == 1 and _letters(inside):
+    if of.word == r"\delta" and of.below and len(inside) == 1 and (_letters(inside) or inside[0] in "01"):
         return ""  # Kronecker's
     if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
         return POWER_OR_LABEL.format(inside[0])
@@ -232,6 +262,11 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format("".join(letters))  # a word
     if not letters or of.plain or of.word in told.powers:
         return None
+    if letters == ["t"] and len(inside) > 1 and of.word not in _DISCOUNTS:
+        return POWER_OR_LABEL.format("t")  # a step of time
+    harmonic = _HARMONIC.fullmatch(of.bare)
+    if inside == ["m"] and harmonic and harmonic[1] != "n":
+        return ""
     if of.above in told.labels and of.below:
         power = letters[0].islower() and letters[0] in told.numbers and of.word not in _OF_ORDERS
         return POWER_OR_LABEL.format(letters[0]) if power and not of.framed else ""
@@ -244,7 +279,11 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if len(capitals) > 1 and inside[0] in capitals and of.below:
         return ""  # as in W_i^Q beside W_i^K
     if not of.framed and any(letter in told.numbers for letter in letters):
-        return None
+        below = of.bare.rpartition("_")[2].strip(" {}") if of.below else ""
+        several = not below and len({above for word, above in told.raised if word == of.word}) > 1
+        combined = letters == inside and (_COMBINATIONS.fullmatch(of.bare) or (below, letters[0]) in told.paired)
+        listed = letters == ["".join(inside)] and (several or below in told.listed) and letters[0] not in told.placed
+        return POWER_OR_LABEL.format(letters[0]) if listed or (harmonic and inside == ["m"]) or combined else None
     members = {number.partition("_")[0] for number in told.numbers if "_" in number}
     if not of.framed and len(letters) == 1 and "_" in letters[0] and letters[0].partition("_")[0] in members:
         return None  # one of several numbers
@@ -252,6 +291,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.framed or "," in inside or letters[0].startswith(BOLD):
         return ""
     if points and all(letter[:1].isupper() for letter in letters):
+        if {"+", "-"} & {*inside}:
+            return POWER_OR_LABEL.format(letters[0])
         series = len(inside) == 1 and not of.below and {chr(ord(inside[0]) + k) for k in (-1, 1)} <= {*told.numbers}
         return POWER_OR_LABEL.format(letters[0]) if series else ""  # among the coefficients A, B and C
     style, _, base = of.word.partition("{")
@@ -381,6 +422,7 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 name, bare = (" ".join(texts[start:to]) for to in (end, low))
                 before = texts[:start]
                 coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}") and len(_letters(above)) < 2
+                coefficient = coefficient and not (len(above) == 1 and above[0] in _AXES)
                 plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(
@@ -414,6 +456,9 @@ def _matrices_and_differences(formula: str) -> Iterator[str]:
     while reader.i < len(texts):
         start, text = reader.i, reader.peek()
         if text == "[" and not _is_place(texts, start) and (end := _bracketed(texts, start)):
+            if "+" in texts[texts.index("]", start) : end]:  # the positive part
+                reader.i = end
+                continue
             yield " ".join(texts[start:end])
             reader.i = end
             continue
@@ -448,6 +493,8 @@ def _unit(latex: str, formula: str) -> str:
     if latex.startswith(r"\nabla"):
         raised = re.search(rf"{re.escape(latex)} \^ (?:\{{ )?[\w\\](?<!T)(?!mathrm|top|text|dagger)", formula)
         return "the gradient of a power, or a power of the gradient? write brackets" if raised else ""
+    if latex.startswith(r"\Delta") and _is_laplacian(latex.removeprefix(r"\Delta "), formula):
+        return "a change, or the Laplacian? write \\nabla^2, or say what it is"
     if latex.startswith(r"\delta") and re.search(rf"\( {re.escape(latex)} (?:\\right )?\) \^ \{{ - 1 \}}", formula):
         return "a change, or a factor before a letter? write \\cdot, or say what it is"
     if not latex.startswith("["):
@@ -455,6 +502,31 @@ def _unit(latex: str, formula: str) -> str:
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
         return "a matrix in brackets, or the unit of what stands before them? say what it is"
     return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
+
+
+def _is_multiplied(letter: str, formula: str) -> bool:
+    """Does the same letter follow with another index, so that the Delta is hardly a sign of a change?"""
+    own = re.escape(letter)
+    return re.search(rf"\\Delta {own}(?: [_^] (?:\w|\{{[^{{}}]*\}}))+ {own} [_^]", formula) is not None
+
+
+_POTENTIALS = frozenset({"u", r"\phi", r"\varphi", r"\psi", r"\Phi", r"\Psi"})  # of which equations say the Laplacian
+
+
+def _is_laplacian(letter: str, formula: str) -> bool:
+    """May the letter behind a Delta be a function of the place: has it partial derivatives, or is it all on the left?
+
+    Other changes beside it say that it is one.
+    """
+    own = re.escape(letter)
+    if formula.count(r"\Delta") > formula.count(rf"\Delta {letter}"):
+        return False
+    if re.search(
+        rf"(?:\\frac \{{ \\partial|\\partial _ \S+|\\nabla)(?: \^ (?:\w|\{{[^{{}}]*\}}))? {own}(?![A-Za-z])", formula
+    ):
+        return True
+    alone = letter in _POTENTIALS and len(re.findall(rf"(?<![A-Za-z\\]){own}(?![A-Za-z])", formula)) == 1
+    return alone and re.match(rf"(?:& )?(?:- )?\\Delta {own} (?:& )?=", formula) is not None
 
 
 def _is_place(texts: tuple[str, ...], start: int) -> bool:
@@ -563,7 +635,7 @@ def _begins_letter(text: str) -> bool:
 
 def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
-    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]")}
+    bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]"), (r"\{", r"\}")}
     bracketed = bracketed and not ("^" in inside or {"_", "+"} <= {*inside})  # that is a power
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
         return True

@@ -441,8 +441,10 @@ _OF_DIFFERENTIALS = DIFFERENTIALS | {"^", "{", "}"}
 
 
 def _begins_with_differential(part: Sequence[str]) -> bool:
-    """Is the first sign a d, upright or not, or a curly one?"""
+    """Is the first sign a d, upright or not, or a curly one, and no letter that something is added to?"""
     first = [*itertools.islice((text for text in part if text not in _BEFORE_SIGN), 2)]
+    if first[1:] in (["+"], ["-"]):
+        return False
     return first[:1] in (["d"], [r"\partial"]) or (first[:1] in ([r"\mathrm"], [r"\text"]) and first[1:] == ["d"])
 
 

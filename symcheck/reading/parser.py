@@ -1588,7 +1588,10 @@ class Builder:
         return Item("integral", at, bounds=((), self.term_of(nodes[2]), self.term_of(nodes[5])))
 
     def from_lfloor(self, nodes: list[ParseNode], at: int) -> Item:
-        return Item("atom", at, Call("floor", (self.term_of(nodes[1]),)))
+        inside = self.term_of(nodes[1])
+        if isinstance(inside, Name) and face(inside.letter):
+            raise self.fail(at, f"the skew matrix of {to_latex(inside)}, or its whole parts? say what it means")
+        return Item("atom", at, Call("floor", (inside,)))
 
     def from_lceil(self, nodes: list[ParseNode], at: int) -> Item:
         return Item("atom", at, Call("ceil", (self.term_of(nodes[1]),)))

@@ -117,6 +117,13 @@ _SPELLINGS: Sequence[
         re.compile(rf"\[ (\\?[a-zA-Z]+(?: {_BRACED})?) _ (?:\{{ )?\\times (?:\}} )?\]"),
         r"[ \1 ] _ { \\times }",
     ),
+    (
+        r"\lfloor ",
+        re.compile(
+            rf"\\lfloor (\\?[a-zA-Z]+(?: {_BRACED})?(?: _ (?:\w|{_BRACED}))?) \\rfloor _ (?:\{{ )?\\times(?: \}})?"
+        ),
+        r"[ \1 ] _ { \\times }",
+    ),
     # the logarithm of a determinant, and the determinant of an inverse or a transpose, which is the same as its power
     (
         r"\det ",

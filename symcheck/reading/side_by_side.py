@@ -44,12 +44,45 @@ _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
-_SPELLED = frozenset({"max", "min", "sup", "inf", "var", "cov", "avg", "std", "det"})  # in italics, without brackets
+_SPELLED = frozenset(  # in italics, without brackets
+    {
+        "max",
+        "min",
+        "sup",
+        "inf",
+        "var",
+        "cov",
+        "avg",
+        "std",
+        "det",
+        "ln",
+        "log",
+        "exp",
+        "sin",
+        "cos",
+        "tan",
+        "lim",
+        "arg",
+    }
+)
+_CAPACITIES = frozenset({"Cp", "Cv"})  # of heat
+_DEFINED = frozenset({"RT", "RC", "LC", "GM"})  # usual products, of which none is a whole left side
+# two letters among the arguments of what is defined: `H(x, sf) =`
+_ARGUMENT = re.compile(
+    r"(?:^|& |\\\\ )\\?[A-Za-z]+ (?:_ (?:\w|\{[^{}]*\}) )?\( (?:[a-z] , )+([a-z]) ([a-z]) (?:, [a-z] )*\)(?: &)? ="
+)
+# a letter with itself as its index, behind another one: `bu_u`
+_INDEXED_BY_ITSELF = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-z]) ([a-z]) _ (?:\{ )?\2(?: \})?(?![A-Za-z])")
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
 _DOUBLED = frozenset(2 * letter for letter in string.ascii_uppercase)  # which is no power of a letter with an index
 _APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
+_NO_VECTORS = frozenset("fpt")  # which hardly stand behind a matrix that is a whole left side with them
+# two letters that are said to be their product
+_OWN_PRODUCT = re.compile(
+    r"(?:^|& )([A-Z]) ([A-Za-z]) (?:& )?= (?:& )?\1 (?:\\cdot|\\times|\*) \2(?= ?(?:[.,;&]|\\\\|\\q?quad|$))"
+)
 _FACTORS_FIRST = frozenset("gkmd")  # gravity, springs, masses, differentials
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
 # a number before a matrix
@@ -63,6 +96,14 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     several = [run for run in runs if len(run) > 1]
     found = dict(_prefixed(formulas)) if any(r"\text {" in text for text in formulas) else {}
     found |= dict.fromkeys(_unsigned(formulas, texts), "a factor before brackets, or a function? say what it is")
+    for text in formulas:
+        for first, second in _INDEXED_BY_ITSELF.findall(text) if " _ " in text else ():
+            found |= dict.fromkeys((first, second) if first != "d" else (), _told(first + second))
+    for text in formulas:
+        for first, second in _OWN_PRODUCT.findall(text):
+            found |= dict.fromkeys((first, second), _told(first + second))
+    for run in {"".join(run) for text in formulas if " , " in text for run in _ARGUMENT.findall(text)}:
+        found |= dict.fromkeys(run if runs[run] == 1 else (), _told(run))
     if not several:
         return found
     signed = any(_SIGN.search(_FUNCTION.sub("", text)) for text in formulas) and not any(
@@ -87,7 +128,14 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         if unit or (
             alone
             and not _is_coefficient(run, alone, runs)
-            and _may_be_name(run, alone, signed=signed, matrices=matrices, named=_is_name_on_sight(run, several, texts))
+            and _may_be_name(
+                run,
+                alone,
+                signed=signed,
+                matrices=matrices,
+                named=_is_name_on_sight(run, several, texts),
+                whole=any(re.match(rf"(?:& )?{' '.join(run)} (?:& )?=", text.strip()) for text in texts),
+            )
         ):
             found |= dict.fromkeys(alone or run, _told(run))
     return found
@@ -217,7 +265,7 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
             len(other) == 2 and other.isupper() and other[0] != run[0] and other[1] == run[1] for other in runs
         )
         return (len(run) == 2 and paired) or any(
-            re.match(rf"(?:& )?{printed}_?(?: \( [^()]* \))?(?: &)? =", text.strip()) for text in texts
+            re.match(rf"(?:& )?{printed}_?(?: ')?(?: \( [^()]* \))?(?: &)? =", text.strip()) for text in texts
         )
     if any(re.match(rf"(?:& )?{printed}_? \( [^()]*,[^()]* \)(?: &)? =", text.strip()) for text in texts):
         return True  # a distance, say
@@ -225,15 +273,19 @@ def _is_name_on_sight(run: str, runs: Collection[str], texts: Sequence[str]) -> 
     return run[0] not in _FACTORS_FIRST and all(places)
 
 
-def _may_be_name(run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool) -> bool:
+def _may_be_name(
+    run: str, alone: Collection[str], *, signed: bool, matrices: bool, named: bool, whole: bool = False
+) -> bool:
     """May these letters, of which some stand nowhere else, be one name?"""
-    if "o" in run or "O" in run or run in _GREEK or run in _SPELLED:  # an o is hardly a letter
+    if "o" in run or "O" in run or run in _GREEK | _SPELLED | _CAPACITIES:  # an o is hardly a letter
         return True
     if len({*run}) > 2 and not run.isupper() and 2 * len(alone) <= len({*run}):
         return False
-    if _USUAL.fullmatch(run) or (_APPLIED.fullmatch(run) and not signed):
+    if (_USUAL.fullmatch(run) and not (named and run in _DEFINED)) or (
+        _APPLIED.fullmatch(run) and not signed and not (whole and run[1] in _NO_VECTORS)
+    ):
         return False
-    if signed:
+    if signed or (whole and ((len(alone) == 2 and run[1] in _NO_VECTORS) or _FACTOR_FIRST.fullmatch(run))):
         return True
     if run.isupper() and len(run) == 2 and len(alone) < len({*run}):
         return named and not matrices

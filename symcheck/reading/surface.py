@@ -49,7 +49,20 @@ NOTHING = {  # layout, with the number of arguments that go with it
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
 BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
-_BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"})  # functions; braces end their arguments
+# functions; braces end their arguments
+_BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
+_ENTRY = r"[A-Z](?:_(?:\w|\{[^{}]*\}))?"
+# two blocks of a matrix, with a space between them
+_BLOCKS = re.compile(rf"[(\[]\s*{_ENTRY}\s*\\(?:hspace\s*\{{[^{{}}]*\}}|;|:|quad|\s)\s*{_ENTRY}\s*[)\]]\s*[.,;]?\s*$")
+# a term in brackets with its sign, behind another one
+_OPTIONAL = re.compile(
+    r"(?:(?<![A-Za-z])[A-Za-z]|[0-9})\]])\s*(?:\\left\s*)?\(\s*\+\s*(?!\\infty|[\d.\s]*(?:\\right\s*)?\))"
+)
+# what is no part of a name in upright type
+_NO_NAME = re.compile(
+    r"(?<![_^])(?<![_^] )\\(?:mathrm|mathtt|mathsf|text|textrm|texttt)\s*\{[^{}$]*"
+    r"\\(?:[dt]?frac|sqrt|sum|int|prod)(?![A-Za-z])"
+)
 SIGNS_OVER = frozenset({"=", r"\approx", r"\le", r"\ge", r"\leq", r"\geq", "<", ">", r"\rightarrow", r"\to"})
 ZEROS = frozenset({r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\bar"})  # of vectors and matrices
 _LETTERED = OVER | ROMAN  # what stands over a letter, or before a name
@@ -99,6 +112,16 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if "!=" in source and source.count("!") == 1:
         raise SymcheckError("!=: not equal, or a factorial? write \\ne, or a space before =")
     refuse_row(source)
+    if _OPTIONAL.search(source):
+        raise SymcheckError(
+            "brackets that begin with +: a term that may be left out, or a factor? write it without them"
+        )
+    if _BLOCKS.search(source):
+        raise SymcheckError("a row of two blocks, or their product? write & between blocks, or no space")
+    if _NO_NAME.search(source):
+        raise SymcheckError(
+            "a fraction, a root or a sum in upright type: write it outside, with its letters in that type"
+        )
     if found := _CALCULATED.search(source):
         raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
@@ -132,14 +155,26 @@ _GOES_ON = re.compile(
 )
 
 
+# the end of a line behind which an equation goes on, even behind a blank line
+_UNFINISHED = re.compile(r"(?:[-+*/=<>,;(\[{|&]|\\q?quad|\\(?:text|mbox)\s*\{[^{}]*\})\s*$")
+
+
+# the letter that a line begins with, of which several lines say what it is
+_FIRST = re.compile(r"\s*&?\s*(\\?[A-Za-z]+)")
+
+
 def refuse_row(source: str) -> None:
     """SymcheckError for equations on lines of the source that print parts by nothing."""
-    for row in re.split(r"\\\\|\n\s*\n", source) if "\n" in source else ():
-        before = ""
-        for line in row.strip().split("\n"):
-            if "=" in before and _DEFINES.match(line.strip()) and not _GOES_ON.search(before):
-                raise SymcheckError(f"do several equations stand in a row here, before {line.strip()[:20]}? write \\\\")
-            before = line if line.strip() else before
+    for row in source.split("\\\\") if "\n" in source else ():
+        before, equated, blank = "", False, False
+        first = _FIRST.match(row)
+        for line in map(str.strip, row.split("\n")):
+            alike = first is not None and (found := _FIRST.match(line)) is not None and found[1] == first[1]
+            ended = (blank or alike) and not _UNFINISHED.search(before)
+            if equated and _DEFINES.match(line) and (ended or not _GOES_ON.search(before)):
+                raise SymcheckError(f"do several equations stand in a row here, before {line[:20]}? write \\\\")
+            blank = not line
+            before, equated = line or before, equated or "=" in line
 
 
 def _with_formulas(found: re.Match[str]) -> str:
@@ -599,8 +634,8 @@ _WORDS = re.compile(
 )
 # a function of the usual letters that is said to be something without an integral, a product or a factorial
 _FUNCTION_OF = re.compile(
-    r"\s*\\Gamma\s*\(\s*(?:[trkfE]|\\omega|\\theta|\\tau)\s*\)\s*="
-    r"(?!.*\\(?:Gamma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
+    r"\s*\\Gamma\s*\(\s*(?:[fhjkrtuvEG]|\\omega|\\theta|\\tau)\s*\)\s*="
+    r"(?!.*\\(?:[Gg]amma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
     re.DOTALL,
 )
 # the gamma function, which stands before its argument

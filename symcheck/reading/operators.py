@@ -1,0 +1,67 @@
+r"""Capitals before a letter that may be operators: `H\psi = E\psi`, `(1 - L) y_t`, `L u = -u'' + q u`.
+
+Print does not tell an operator that is applied from a factor, and as a factor it could be divided by.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+_BELOW = r"(?: _ (?:\w|\\[a-z]+|\{ [^{}]* \}))?"
+_ABOVE = r"(?: \^ (?:\w|\*|\{ [^{}]* \}))?"
+_LETTER = rf"(?:[a-z]|\\(?!partial|frac)[a-z]+|\\(?:Psi|Phi)|\\[a-z]+ \{{ \w \}}){_BELOW}{_ABOVE}"
+# both sides end in one letter: `L_z Y = m \hbar Y`
+_EIGEN = re.compile(
+    rf"(?:^|& |quad |\\\\ )([A-Z]){_BELOW} ((?:Y|{_LETTER})(?: _ \w| _ \{{ [^{{}}]* \}})?{_ABOVE}) "
+    r"(?:& )?= (?:& )?((?:(?!\\\\|\\q?quad|=).)*) \2(?= ?(?:[.,;]|\\q?quad|\\\\|$))"
+)
+_BRACKETS = re.compile(r"\([^()]*\)")  # whose sums are no addends of what they stand in
+_ARGUMENTS = re.compile(r"\([^()]*,[^()]*\)")  # several, which are no factors
+_ADDED = re.compile(r"(?<=\S) [-+] ")  # another addend
+# the energy before a wave function
+_ENERGY = re.compile(
+    r"(?<![A-Za-z\\])(H)(?: _ (?:\d|\{ \d \}))? (?:\\left )?(?:\| )?\\(?:psi|Psi|phi|Phi|varphi)(?![a-z])"
+)
+# what stands at a time, as it does beside a lag
+_AT_TIME = r"(?:[A-Za-z]|\\[a-z]+|\\[a-z]+ \{ (?:\w|\\[a-z]+) \}) _ (?:t(?![A-Za-z])|\{ (?:[a-z] )*t \})"
+# sums and functions of a lag before that: `(1 - L)^d y_t`, `\phi(B) y_t`
+_LAGGED = re.compile(
+    rf"[(\[] 1 [-+] (?:[^=]*?[^A-Za-z\\])?([LB])(?![A-Za-z]| _)[^=]*?(?:\\right )?[)\]]{_ABOVE} {_AT_TIME}"
+    rf"|\\[a-zA-Z]+{_BELOW} (?:\\left )?\( ([LB]){_ABOVE} (?:\\right )?\) {_AT_TIME}"
+)
+# a lag alone, before a letter that stands without it elsewhere
+_LAG = re.compile(rf"(?<![A-Za-z\\])([LB]){_ABOVE} ({_AT_TIME})")
+# an equation that says what an operator makes of a letter with derivatives
+_OF_DERIVATIVES = re.compile(
+    r"(?:^|& |quad |\\\\ )([LTADP]) ([a-z]|\\(?:psi|phi|varphi|rho)) (?:& )?= .*"
+    r"(?:(?<![A-Za-z\\])\2 '|\\frac \{ (?:d|\\partial|\\mathrm \{ d \})(?: \^ (?:\d|\{ \d \}))? \2 \}|"
+    r"\\(?:nabla|Delta)(?: \^ (?:2|\{ 2 \}))? \2(?![A-Za-z]))"
+)
+_SYMBOL = r"(?:[A-Za-z]|\\[a-z]+(?: \{ \w \})?)"
+# a derivative by the time, printed with a letter below
+_BY_TIME = re.compile(
+    rf"(?:^|[=+-] |& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:\\left )?\("
+    rf"|(?:^|& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:& )?="
+)
+_OPERATOR = "applied to what follows, or times it? say what it is"
+
+
+def operators(text: str) -> Iterator[tuple[str, str]]:
+    """The capitals of a formula, whose tokens stand apart, that may be operators, each with the doubt."""
+    if " = " in text:
+        for letter, _, rest in _EIGEN.findall(text):
+            while rest != (rest := _BRACKETS.sub("", rest)):
+                pass
+            if not _ADDED.search(rest):
+                yield letter, _OPERATOR
+        yield from ((letter, _OPERATOR) for letter, _ in _OF_DERIVATIVES.findall(text))
+    if "d _ " in text and _BY_TIME.search(text):
+        yield "d", _OPERATOR
+    if "H " in text:
+        yield from ((letter, _OPERATOR) for letter in _ENERGY.findall(text))
+    if "_ t" in text or "t }" in text:
+        lags = {a or b for a, b in _LAGGED.findall(text)}
+        beside = _ARGUMENTS.sub("", text)
+        lags |= {letter for letter, of in _LAG.findall(beside) if beside.count(of.partition(" _")[0] + " _") > 1}
+        yield from ((letter, "a lag, or a factor? say what it is") for letter in lags)
