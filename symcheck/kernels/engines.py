@@ -12,6 +12,7 @@ import os
 import platform
 import shutil
 import subprocess
+import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, update_wrapper
@@ -91,13 +92,13 @@ def _by_numba(module: ModuleType, kernels: Mapping[str, KernelFunction]) -> dict
 
     key = module.__name__.rpartition(".")[2]
     text = numba_target.files(key, {name: traced.compiled(kernel) for name, kernel in kernels.items()})[f"{key}.py"]
-    file = _folder() / f"{key}_{_digest(text)}.py"
+    file = _folder() / f"symcheck_{key}_{_digest(text)}.py"
     if not file.is_file() or file.read_text(encoding="utf-8") != text:
         _write(file, text.encode())
-    spec = spec_from_file_location(f"symcheck_numba_{file.stem}", file)
+    spec = spec_from_file_location(file.stem, file)
     assert spec
     assert spec.loader
-    found = module_from_spec(spec)
+    sys.modules[spec.name] = found = module_from_spec(spec)  # what Numba keeps names the module it is of
     spec.loader.exec_module(found)
     for name, kernel in kernels.items():
         own: Any = getattr(found, name)

@@ -29,11 +29,13 @@ SHIFT = 9  # from here on seven terms of Stirling's series are enough for double
 class Numbers(NamedTuple):
     """The numbers that ratios are computed with; of arrays as arrays, since NumPy converts others in every operation.
 
+    least  from here on x, of which (x + SHIFT)/x is no infinity, has a ratio of gamma functions
     half   the coefficients of log Gamma(x + 1/2)/(Gamma(x) sqrt x), by Bernoulli's polynomials at 1/2
     pairs  k (m - k) of the pairs of factors (x + k)(x + m - k), where m is the last
     """
 
     tiny: Any
+    least: Any
     largest: Any
     shift: Any
     last: Any
@@ -45,6 +47,7 @@ class Numbers(NamedTuple):
 
 FLOATS = Numbers(
     TINY,
+    4 * sys.float_info.min,
     sys.float_info.max,
     float(SHIFT),
     SHIFT - 1.0,
@@ -56,7 +59,8 @@ FLOATS = Numbers(
 
 
 def _arrays(kind: Any) -> Numbers:
-    few = FLOATS._replace(largest=np.finfo(kind).max)
+    ends = np.finfo(kind)
+    few = FLOATS._replace(least=4 * ends.smallest_normal, largest=ends.max)
     return Numbers._make([np.array(y, kind) for y in x] if isinstance(x, tuple) else np.array(x, kind) for x in few)
 
 
@@ -91,7 +95,7 @@ def _away_from_zero(x: Any, tiny: Any) -> Any:
 
 
 def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others.
+    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others, and for subnormal x.
 
     Of ordinary x and x + h it is a quotient. Where x or x + h is small otherwise the functional equation moves both up
     to where Stirling's series holds. Of the logarithms of two values there only the difference is formed,
@@ -107,15 +111,15 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
         return _of_extreme_floats(x, h)
     y = np.add(x, h)
     if y.dtype is not DOUBLE:  # Gamma overflows early
-        return _by_series(np.where(np.minimum(x, y) > 0, x, np.float32(nan)), y, h, out)
+        return _by_series(np.where((x >= ARRAYS[y.dtype].least) & (y > 0), x, np.float32(nan)), y, h, out)
     number = h.item() if not h.ndim else nan  # which takes less time to compare
     if h.ndim:
         least, most = np.minimum(x, y), np.maximum(x, y)
     else:
         least, most = (x, y) if number >= 0 else (y, x)
-    if y.size and LOW <= (lower := np.minimum.reduce(least, None)) and np.maximum.reduce(most, None) <= HIGH:
+    if y.size and (lower := np.minimum.reduce(least, None)) >= LOW and np.maximum.reduce(most, None) <= HIGH:
         return _quotient(x, y, h, number, out, fast=number <= lower)
-    positive = least > 0
+    positive = (x >= ARRAYS[DOUBLE].least) & (y > 0)
     extreme = positive & ((most > HIGH) | (least < LOW))
     if y.size and extreme.all():
         return _by_series(x, y, h, out)
@@ -132,7 +136,7 @@ def _of_extreme_floats(x: float, h: float) -> float:
     """gamma_ratio(x, h) where Gamma or the power may leave the range of doubles."""
     x = min(x, 1 / TINY)  # beyond, the ratio is 1
     y = x + h
-    if x <= 0.0 or y <= 0.0:
+    if x < FLOATS.least or y <= 0.0:
         return nan
     if min(x, y) >= SHIFT:
         return math.exp(_logarithm_of_floats(x, h))
