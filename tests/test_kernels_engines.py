@@ -110,7 +110,8 @@ def test_what_numba_compiled_runs_in_the_next_process(own_cache: Path) -> None:
         "print(kernels.load('ignatov2005', engine='numba').volume_of_three_wheels(x, x).tolist())"
     )
     first, second = (
-        subprocess.run([sys.executable, "-c", text], check=True, capture_output=True, text=True).stdout for _ in range(2)
+        subprocess.run([sys.executable, "-c", text], check=True, capture_output=True, text=True).stdout
+        for _ in range(2)
     )
     assert first == second
     assert list((own_cache / "__pycache__").glob("*volume_of_three_wheels*.nbc"))

@@ -189,17 +189,17 @@ static INLINE double gamma_ratio(double x, double h)
 static INLINE double gamma_ratio_of_half(double x)
 {{
     const double y = x > 0x1p100 ? 0x1p100 : x >= 4.0 * DBL_MIN ? x : NAN, z = y + 0.5;
-    const double moved = y < {SHIFT}.0 ? y + {SHIFT}.0 : y, inverse = 1.0 / moved, square = inverse * inverse;
+    const double moved = y < {SHIFT}.0 ? y + {SHIFT}.0 : y, p = y * (y + 8.0), q = z * (z + 8.0);
+    const double above = (p + 7.0) * ((p + 12.0) * (p + 15.0)) * ((y + 4.0) * (y + 8.0)); /* less the factor y */
+    const double under = q * (q + 7.0) * ((q + 12.0) * (q + 15.0)) * (z + 4.0), both = 1.0 / (moved * under);
+    const double inverse = both * under, square = inverse * inverse;
     double total = {HALF[-1]!r}, value = 1.0 / 40320.0;
     {_HORNER_OF_HALF}
     total *= inverse;
     value = ((value * total + 1.0 / 5040.0) * total + 1.0 / 720.0) * total + 1.0 / 120.0;
     value = ((value * total + 1.0 / 24.0) * total + 1.0 / 6.0) * total + 0.5;
     value = (value * total + 1.0) * total + 1.0;
-    const double p = y * (y + 8.0), q = z * (z + 8.0);
-    const double above = p * (p + 7.0) * ((p + 12.0) * (p + 15.0)) * (y + 4.0);
-    const double under = q * (q + 7.0) * ((q + 12.0) * (q + 15.0)) * (z + 4.0);
-    const double lifted = value * (sqrt(moved / y) * (above / under));
+    const double lifted = value * (sqrt(moved * y) * above) * (both * moved);
     return y < {SHIFT}.0 ? lifted : value;
 }}
 """,
