@@ -37,7 +37,7 @@ def evaluate(points: Any, order: Sequence[int], inputs: Sequence[Any], out: Any,
             points(*[x if x.ndim == 1 else x.reshape(-1) for x in (*inputs, *results)])
             return results[0] if len(order) == 1 else tuple([results[k] for k in order])
         given = fitting(out, len(order), inputs[0].shape, DOUBLE)
-        if len({*order}) == len(order) and all([y.flags.carray for y in given]):
+        if len({*order}) == len(order) and all(y.flags.carray for y in given):
             points(*[x if x.ndim == 1 else x.reshape(-1) for x in (*_apart(inputs, given), *given)])
             return given[0] if len(order) == 1 else tuple(given)
     if direct:
