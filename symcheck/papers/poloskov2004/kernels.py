@@ -148,11 +148,11 @@ def _drift_by_factors() -> dict[str, Any]:
     d_11, d_12, d_13, d_21, d_22, d_23, d_31, d_32, d_33 = (letters[each.name] for each in FULL)
     g_11, g_12, g_21, g_22, g_13 = (letters[each.name] for each in (*EQUATORIAL_NOISE, *_noise("13")))
     s, c, spin = sp.sin(psi), sp.cos(psi), frequency / k
-    one, other = sp.Rational(1, 2) + s**2 / 2, 1 - s**2 / 2  # (1 + sin^2)/2, (1 + cos^2)/2
-    along = c**2 * (g_11**2 * one - d_11) + s**2 * (g_12**2 * other - d_22) + s * c * (d_12 + d_21)
+    multiplicative = g_11**2 * c**2 * (1 + s**2) + g_12**2 * s**2 * (1 + c**2)
+    along = 2 * s * c * (d_12 + d_21) - 2 * d_11 * c**2 - 2 * d_22 * s**2 + multiplicative
     turning = (g_11**2 + g_12**2) * (c**2 - s**2) / 2 + (g_21**2 - g_22**2) / a**2 + d_11 - d_22
     return {
-        "K_1": small * (spin * (d_23 * s - d_13 * c) + a * along + (g_21**2 * s**2 + g_22**2 * c**2) / (2 * a)),
+        "K_1": small * (spin * (d_23 * s - d_13 * c) + (a * along + (g_21**2 * s**2 + g_22**2 * c**2) / a) / 2),
         "K_2": small * (spin * (d_13 * s + d_23 * c) / a + d_21 * c**2 - d_12 * s**2 + s * c * turning),
         "K_3": small * (frequency * (g_13**2 / 2 - d_33) + a * k * (d_32 * s - d_31 * c)),
     }
