@@ -124,11 +124,11 @@ def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
     if y.size and extreme.all():
         return _by_series(x, y, h, out)
     # Each point as if it were alone, so that its bits do not depend on its neighbours.
-    ordinary = [np.where(extreme, ONE, np.where(positive, each, nan)) for each in (x, y)]
-    value = _quotient(*ordinary, h, number, None)
+    one, other = (np.where(extreme, ONE, np.where(positive, each, nan)) for each in (x, y))
+    value = _quotient(one, other, h, number, None)
     if extreme.any():
-        own = [each if each is h and not h.ndim else np.broadcast_to(each, y.shape)[extreme] for each in (x, y, h)]
-        value[extreme] = _by_series(*own)
+        given = [each if not each.ndim else np.broadcast_to(each, y.shape)[extreme] for each in (x, y, h)]
+        value[extreme] = _by_series(given[0], given[1], given[2])
     return np.positive(value, out)
 
 
