@@ -57,7 +57,7 @@ docs: $(DEV)
 # What they print is recorded in generated/figures.md.
 bench: $(DEV)
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/bench_record.py bench_ensemble.py
-	$(BIN)/python tests/bench_record.py bench.py bench_kernels.py bench_mixes.py bench_c.py bench_numba.py bench_envelope.py bench_sweep.py bench_decide.py bench_corpus.py
+	$(BIN)/python tests/bench_record.py bench.py bench_kernels.py bench_mixes.py bench_engines.py bench_c.py bench_numba.py bench_envelope.py bench_sweep.py bench_decide.py bench_corpus.py
 
 # Plants faults and keeps what becomes of them, for the report and generated/figures.md.
 selftest: $(DEV)

@@ -38,7 +38,13 @@ CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os
 COLUMNS = ((10_000, 1), (1_000_000, 1), (1_000_000, CORES))  # points and threads
 SLOW = ("divide", *UNARY, *RUNTIME, "power")
 ROUNDS, MOST, LONG = 3, 300, 0.4  # runs of each, at least and at most, and seconds from which no more are made
-BY_HAND = ("direction_cosines", "product_of_axial_moments", "face_distances_of_four_wheels")
+BY_HAND = (
+    "direction_cosines",
+    "product_of_axial_moments",
+    "face_distances_of_four_wheels",
+    "drift_coefficients",
+    "density_of_frequency",
+)
 
 
 class Row(NamedTuple):

@@ -3,8 +3,9 @@
 Prints, for each mix and size, how many times as fast as `lambdify(cse=True)` the kernels are: the geometric mean over
 all of them, the median, and the worst with its name. In every round each runs once, in turn; the medians of the times
 of the thread are compared, which other programs on the machine change least. Where outputs do not depend on the arrays
-`lambdify` returns numbers; the kernels fill arrays. $BENCH_ONLY is part of the name of the kernels wanted, $BENCH_PART
-the beginning of the rows wanted.
+`lambdify` returns numbers; the kernels fill arrays. What NumPy is called for alone is the operations of a kernel one
+after another, each a call of NumPy, with nothing around them: no way to call them takes less. $BENCH_ONLY is part of
+the name of the kernels wanted, $BENCH_PART the beginning of the rows wanted.
 """
 
 from __future__ import annotations
@@ -22,11 +23,13 @@ import sympy as sp
 from bench_kernels import lambdified, values
 from kernel_reference import Case, cases
 
+from symcheck.kernels.runtime import DOUBLE, FEW, SMALL
 from symcheck.views.figures import cells, table
 
 SIZES = (1, 100, 1_000, 10_000, 1_000_000, 10_000_000)
 MOST = int(os.environ.get("BENCH_MOST", 1_000_000))
 ROUNDS, SHORT = 5, 0.001
+ALONE = "arrays of one shape, what NumPy is called for alone"
 HEAD = ("arguments", "points", "geometric mean", "median", "worst", "of")
 Columns = Sequence[Any]
 
@@ -54,6 +57,7 @@ def grid(columns: Columns) -> list[Any]:
 
 MIXES: Mapping[str, Callable[[Columns], list[Any]]] = {
     "arrays of one shape": list,
+    ALONE: list,
     "the first an array, the rest numbers": lambda columns: beside(columns, lambda k: not k),
     "the last an array, the rest numbers": lambda columns: beside(columns, lambda k: k == len(columns) - 1),
     "one number, the rest arrays": lambda columns: beside(columns, lambda k: k < len(columns) - 1 or not k),
@@ -110,6 +114,9 @@ def into(theirs: Callable[..., Any], out: Sequence[Any], *arguments: Any) -> Non
 def of_mix(case: Case, name: str, theirs: Callable[..., Any], size: int) -> float | None:
     """Times as fast on one mix of so many points."""
     arguments = MIXES[name](values(case, size))
+    if name == ALONE:
+        plan = case.function.ways.plan(size > FEW, (1,) * len(arguments), 1, DOUBLE)
+        return ratio(partial(plan.whole, *arguments), partial(theirs, *arguments))
     if "out=" not in name:
         return ratio(partial(case.function, *arguments), partial(theirs, *arguments))
     out = tuple(np.empty(size) for _ in case.kernel.outputs)
@@ -143,7 +150,7 @@ def rows() -> Iterator[str]:
         other = plain if "'math'" in name else theirs
         yield row(name, "1", {case.id: of_numbers(case, name, other[case.id]) for case in every})
     for name in filter(lambda name: name.startswith(part), MIXES):
-        for size in [size for size in SIZES if size <= MOST]:
+        for size in [size for size in SIZES if size <= (SMALL if name == ALONE else MOST)]:
             chosen = [case for case in every if len(case.kernel.arguments) > 1 or name.startswith("arrays")]
             yield row(name, f"{size:,}", {case.id: of_mix(case, name, theirs[case.id], size) for case in chosen})
 

@@ -19,6 +19,7 @@ TITLES = {
     "bench.py": "Proofs against SymPy's own means, and the checker",
     "bench_kernels.py": "Each kernel: speed against `lambdify(cse=True)`, and accuracy",
     "bench_mixes.py": "Kernels as they are called: numbers beside arrays, shapes, `out=`",
+    "bench_engines.py": "Compiled kernels against what limits them",
     "bench_c.py": "Kernels in C",
     "bench_numba.py": "Kernels for Numba",
     "bench_envelope.py": "Momentum envelopes against Qhull",
@@ -27,7 +28,7 @@ TITLES = {
     "bench_corpus.py": "The reader on displays of public repositories, beside other parsers",
     "bench_sweep.py": "Sweeps: what they cost besides the function",
 }
-MARKDOWN = ("bench_kernels.py", "bench_mixes.py", "bench_decide.py", "bench_corpus.py")
+MARKDOWN = ("bench_kernels.py", "bench_mixes.py", "bench_engines.py", "bench_decide.py", "bench_corpus.py")
 
 
 def machine() -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
@@ -99,6 +101,20 @@ def test_each_kernel_in_c_computes_what_numpy_does(name: str) -> None:
 def test_numba_computes_what_numpy_does(name: str) -> None:
     pytest.importorskip("numba", reason="Numba is not installed")
     computes_as_numpy(CASES[name], "numba")
+
+
+def test_what_numba_compiled_runs_in_the_next_process(own_cache: Path) -> None:
+    pytest.importorskip("numba", reason="Numba is not installed")
+    text = (
+        "import numpy as np; from symcheck import kernels; x = np.linspace(0.1, 1, 5); "
+        "print(kernels.load('ignatov2005', engine='numba').volume_of_three_wheels(x, x).tolist())"
+    )
+    first, second = (
+        subprocess.run([sys.executable, "-c", text], check=True, capture_output=True, text=True).stdout
+        for _ in range(2)
+    )
+    assert first == second
+    assert list((own_cache / "__pycache__").glob("*volume_of_three_wheels*.nbc"))
 
 
 @needs_a_compiler

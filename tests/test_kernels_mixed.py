@@ -11,6 +11,7 @@ from kernel_reference import Case, cases, random_points
 from mpmath import mp
 
 from symcheck.generated import ignatov2005, poloskov2004
+from symcheck.kernels.loading import load
 from symcheck.kernels.ratios import gamma_ratio
 from symcheck.kernels.runtime import BLOCK, DOUBLE, KEPT, SMALL, Array
 
@@ -224,11 +225,25 @@ def test_the_bits_of_a_ratio_of_gamma_functions_do_not_depend_on_its_neighbours(
 
 @pytest.mark.parametrize("kind", [np.float64, np.float32])
 def test_a_ratio_of_gamma_functions_of_what_is_not_positive_is_nan(kind: Any) -> None:
-    x = np.array([-1.0, 1.0, 100.0, -3.0, 2.0, 2.0, 0.3, 1e4], kind)
-    h = np.array([2.5, -1.5, -101.0, 2.0, -2.5, 0.5, 0.1, -2.0], kind)
+    x = np.array([-1.0, 1.0, 100.0, -3.0, 2.0, -1.5, 2.0, 0.3, 1e4], kind)
+    h = np.array([2.5, -1.5, -101.0, 2.0, -2.5, 2.0, 0.5, 0.1, -2.0], kind)  # Gamma(1/2)/Gamma(-3/2) is a number
     with np.errstate(all="ignore"):
         found = gamma_ratio(x, h)
-        np.testing.assert_array_equal(np.isnan(found), [True] * 5 + [False] * 3)
+        np.testing.assert_array_equal(np.isnan(found), [True] * 6 + [False] * 3)
+        np.testing.assert_array_equal(np.isnan(gamma_ratio(x[5:8], h[5:8])), [True, False, False])
         np.testing.assert_array_equal(np.isnan(gamma_ratio(x, kind(-1.5)[...])), np.minimum(x, x - 1.5) <= 0)
     numbers = [gamma_ratio(float(a), float(b)) for a, b in zip(x, h, strict=True)]
     np.testing.assert_allclose(numbers, found, rtol=1e-5)
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c", "numba"])
+def test_where_a_ratio_of_gamma_functions_leaves_the_doubles_a_kernel_is_nan(engine: str) -> None:
+    noise = np.full(2000, 1e154)  # squared, 1e308: what it is of is 1/1e308, and 10 times that
+    dissipation = np.where(np.arange(2000) % 2, 1.0, 10.0)
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        density = load("poloskov2004", engine=engine).density_of_frequency
+        found = density(0.0, 1.0, noise, 1.0, dissipation)
+        assert np.isnan(found[1::2]).all()
+        np.testing.assert_allclose(found[::2], 1e154 * 1e-307, rtol=1e-9)
+        assert np.isnan(density(0.0, 1.0, 1e154, 1.0, 1.0))

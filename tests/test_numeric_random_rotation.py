@@ -15,6 +15,7 @@ from dataclasses import replace
 from math import exp, log, pi, sqrt
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -531,3 +532,24 @@ def test_pictures_go_where_they_are_told_and_leave_no_global_figure(monkeypatch:
     rr.plot_paths(ensemble, TORQUES.k, paths=4, axes=pair)
     assert [len(each.lines) for each in pair] == [4, 4]
     np.testing.assert_array_equal(pair[1].lines[2].get_ydata(), TORQUES.k * ensemble.angular_velocity[:, 2, 2])
+
+
+@pytest.mark.parametrize("unit", [1e-60, 0.003, 1.0, 1e60])
+def test_moments_of_high_order_are_no_silent_zeros(unit: float) -> None:
+    with mpmath.workdps(40):
+        for order in (0.0, 1.3, 7.0, 40.25, 152.67):
+            m, nu = mpmath.mpf(order), mpmath.mpf(4 * 600**2 - 1) / 3
+            base = mpmath.sqrt(4 * mpmath.mpf(unit) ** 2 / 3)
+            right = base**m * mpmath.gammaprod([nu - m / 2, m / 2 + 1], [nu])
+            assert told_or_right(lambda m=order: rr.moment_of_amplitude(m, 1.0, unit, 600.0), right)
+            right = mpmath.mpf(unit) ** m * mpmath.gammaprod([(m + 1) / 2, 700 - m / 2], [700, mpmath.mpf(1) / 2])
+            assert told_or_right(lambda m=order: rr.moment_of_frequency(m, 1.0, 1.0, unit, 700.0), right)
+
+
+def told_or_right(call: Callable[[], Any], right: Any) -> bool:
+    """Whether a value is right, or 0 where it is below all doubles; else it must be refused as too large."""
+    try:
+        found = mpmath.mpf(float(call()))
+    except ValueError:
+        return bool(right > 1e300)
+    return bool(abs(found - right) <= 1e-11 * right + mpmath.mpf(2) ** -1060)

@@ -9,6 +9,7 @@ import math
 import sys
 from collections.abc import Sequence
 from functools import cache
+from math import gamma, log, nan
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,11 +29,13 @@ SHIFT = 9  # from here on seven terms of Stirling's series are enough for double
 class Numbers(NamedTuple):
     """The numbers that ratios are computed with; of arrays as arrays, since NumPy converts others in every operation.
 
+    least  from here on x, of which (x + SHIFT)/x is no infinity, has a ratio of gamma functions
     half   the coefficients of log Gamma(x + 1/2)/(Gamma(x) sqrt x), by Bernoulli's polynomials at 1/2
     pairs  k (m - k) of the pairs of factors (x + k)(x + m - k), where m is the last
     """
 
     tiny: Any
+    least: Any
     largest: Any
     shift: Any
     last: Any
@@ -44,6 +47,7 @@ class Numbers(NamedTuple):
 
 FLOATS = Numbers(
     TINY,
+    4 * sys.float_info.min,
     sys.float_info.max,
     float(SHIFT),
     SHIFT - 1.0,
@@ -55,7 +59,8 @@ FLOATS = Numbers(
 
 
 def _arrays(kind: Any) -> Numbers:
-    few = FLOATS._replace(largest=np.finfo(kind).max)
+    ends = np.finfo(kind)
+    few = FLOATS._replace(least=4 * ends.smallest_normal, largest=ends.max)
     return Numbers._make([np.array(y, kind) for y in x] if isinstance(x, tuple) else np.array(x, kind) for x in few)
 
 
@@ -90,59 +95,70 @@ def _away_from_zero(x: Any, tiny: Any) -> Any:
 
 
 def gamma_ratio(x: Any, h: Any, out: Any = None) -> Any:
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others.
+    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others, and for subnormal x.
 
     Of ordinary x and x + h it is a quotient. Where x or x + h is small otherwise the functional equation moves both up
     to where Stirling's series holds. Of the logarithms of two values there only the difference is formed,
     with what is large in it cancelled beforehand: nothing overflows unless the ratio does.
     """
-    if type(x) is type(h) is float:
-        x = min(x, 1 / TINY)  # beyond, the ratio is 1
+    if type(x) is float is type(h):
         y = x + h
         if LOW <= x <= HIGH and LOW <= y <= HIGH:
+            value = gamma(y) if x == 1.0 else gamma(y) / (gamma(x) * x**h)
             own = y - x
             lost = (x - (y - own)) + (h - own)  # x + h less y, exactly
-            return math.gamma(y) / (math.gamma(x) * math.pow(x, h)) * (1.0 + lost * math.log(y))
-        if x <= 0.0 or y <= 0.0:
-            return math.nan
-        if min(x, y) >= SHIFT:
-            return math.exp(_logarithm_of_floats(x, h))
-        moved = x + SHIFT
-        rising, other = x * (x + 8.0), y * (y + 8.0)  # of pairs: (x + k)(x + 8 - k) = x (x + 8) + k (8 - k)
-        above = rising * (rising + 7.0) * (rising + 12.0) * (rising + 15.0) * (x + 4.0)
-        below = other * (other + 7.0) * (other + 12.0) * (other + 15.0) * (y + 4.0)
-        return math.exp(_logarithm_of_floats(moved, h)) * (math.pow(moved / x, h) * above / below)
-    y = x + h
+            return value * (1.0 + lost * log(y)) if lost else value
+        return _of_extreme_floats(x, h)
+    y = np.add(x, h)
     if y.dtype is not DOUBLE:  # Gamma overflows early
-        return _by_series(np.where(np.minimum(x, y) > 0, x, np.float32(np.nan)), y, h, out)
+        return _by_series(np.where((x >= ARRAYS[y.dtype].least) & (y > 0), x, np.float32(nan)), y, h, out)
+    number = h.item() if not h.ndim else nan  # which takes less time to compare
     if h.ndim:
         least, most = np.minimum(x, y), np.maximum(x, y)
     else:
-        least, most = (x, y) if h >= 0 else (y, x)
-    if y.size and np.minimum.reduce(least, None) >= LOW and np.maximum.reduce(most, None) <= HIGH:
-        return _quotient(x, y, h, out)
-    # Where x or x + h is not positive the logarithm in the quotient is NaN.
-    extreme = (least > 0) & ((most > HIGH) | (least < LOW))
-    if not extreme.any():
-        return _quotient(x, y, h, out)
-    if extreme.all():
+        least, most = (x, y) if number >= 0 else (y, x)
+    if y.size and (lower := np.minimum.reduce(least, None)) >= LOW and np.maximum.reduce(most, None) <= HIGH:
+        return _quotient(x, y, h, number, out, fast=number <= lower)
+    positive = (x >= ARRAYS[DOUBLE].least) & (y > 0)
+    extreme = positive & ((most > HIGH) | (least < LOW))
+    if y.size and extreme.all():
         return _by_series(x, y, h, out)
     # Each point as if it were alone, so that its bits do not depend on its neighbours.
-    value = _quotient(np.where(extreme, 1, x), np.where(extreme, 1, y), h, None)
-    own = [each if each is h and not h.ndim else np.broadcast_to(each, y.shape)[extreme] for each in (x, y, h)]
-    value[extreme] = _by_series(own[0], own[1], own[2])
+    one, other = (np.where(extreme, ONE, np.where(positive, each, nan)) for each in (x, y))
+    value = _quotient(one, other, h, number, None)
+    if extreme.any():
+        given = [each if not each.ndim else np.broadcast_to(each, y.shape)[extreme] for each in (x, y, h)]
+        value[extreme] = _by_series(given[0], given[1], given[2])
     return np.positive(value, out)
 
 
-def _quotient(x: Any, y: Any, h: Any, out: Any) -> Any:
-    """gamma_ratio(x, h) where neither Gamma nor the power leaves the range of doubles; y is x + h, rounded."""
-    gamma, root = _gamma(), h.ndim == 0 and h == 0.5
-    value = gamma(x)
-    value = np.multiply(value, np.sqrt(x) if root else np.power(x, h))
-    value = np.divide(gamma(y), value)
+def _of_extreme_floats(x: float, h: float) -> float:
+    """gamma_ratio(x, h) where Gamma or the power may leave the range of doubles."""
+    x = min(x, 1 / TINY)  # beyond, the ratio is 1
+    y = x + h
+    if x < FLOATS.least or y <= 0.0:
+        return nan
+    if min(x, y) >= SHIFT:
+        return math.exp(_logarithm_of_floats(x, h))
+    moved = x + SHIFT
+    rising, other = x * (x + 8.0), y * (y + 8.0)  # of pairs: (x + k)(x + 8 - k) = x (x + 8) + k (8 - k)
+    above = rising * (rising + 7.0) * (rising + 12.0) * (rising + 15.0) * (x + 4.0)
+    below = other * (other + 7.0) * (other + 12.0) * (other + 15.0) * (y + 4.0)
+    return math.exp(_logarithm_of_floats(moved, h)) * (math.pow(moved / x, h) * above / below)
+
+
+def _quotient(x: Any, y: Any, h: Any, number: float, out: Any, *, fast: bool = False) -> Any:
+    """gamma_ratio(x, h) where neither Gamma nor the power leaves the range of doubles; y is x + h, rounded.
+
+    `number` is h, if that is one; `fast` says that it is nowhere larger than x.
+    """
+    function = _gamma()
+    value = function(y)
+    if x.ndim or x.item() != 1.0:
+        below = np.multiply(function(x), np.sqrt(x) if number == 0.5 else np.power(x, h))
+        value = np.divide(value, below, value)
     own = np.subtract(y, x)
-    exact = not h.ndim and h <= 0  # as x is the larger one
-    lost = np.subtract(h, own, own) if exact else (x - (y - own)) + (h - own)
+    lost = np.subtract(h, own, own) if fast else (x - (y - own)) + (h - own)
     lost *= np.log(y)
     lost += ONE
     return np.multiply(value, lost, out)
@@ -191,7 +207,7 @@ def _stirling(x: float) -> float:
 def _logarithm(both: Any, h: Any, own: Numbers) -> Any:
     """log gamma_ratio(x, h) for x and x + h from SHIFT on; for h = 1/2 the difference of two series is one itself."""
     x = both[0]
-    if h.ndim == 0 and h == 0.5:
+    if not h.ndim and h.item() == 0.5:
         return _series(x, own.half)
     series = _series(both, own.stirling)
     value = np.log1p(h / x)

@@ -37,6 +37,7 @@ Shape = tuple[int | None, ...]  # lengths of last axes, None for any length
 TOLERANCE = 1e-9  # relative: a matrix that was written with ten digits still passes
 LARGEST = 1e100  # a moment: the product of three is a double; a coefficient: the quotient of two squares is one
 FARTHEST = 1e150  # a quotient: its square is a double
+STEPS = 10_000  # powers of two that make of every double 0 or infinity
 GREATEST = 1e302  # a momentum: sums of a million are doubles
 HUGE = np.finfo(np.float64).max / 4  # an entry of a 3 x 3 matrix: its eigenvalues are doubles
 ROUNDING = 8 * np.finfo(np.float64).eps  # of the sum of three moments
@@ -366,6 +367,18 @@ def power_of_two(size: Array) -> Array:
     Of arrays of other libraries it is 1: they are computed in the units that they have.
     """
     return np.ldexp(1.0, np.frexp(size)[1] - 1) if is_numpy(size) else cast("Array", 1.0)
+
+
+def times_power(value: Array, unit: Array, power: Array) -> Array:
+    """value unit^power of a unit that is a power of two: one step, as either factor may leave the range of doubles."""
+    if not is_numpy(value):
+        return value * unit**power
+    exponent, whole = np.frexp(unit)[1] - 1, np.floor(power)
+    high = np.rint((power - whole) * 2.0**30) / 2.0**30  # times an exponent it is exact
+    turn = np.floor(exponent * high)
+    rest = np.exp2((exponent * high - turn) + exponent * (power - whole - high))
+    steps = np.clip(exponent * whole + turn, -STEPS, STEPS)
+    return np.asarray(np.ldexp(value * rest, steps.astype(np.int64)))
 
 
 # --- wording of errors

@@ -86,11 +86,11 @@ HELPERS = {
     return xp.where(near, total, function(outside) / outside)
 ''',
     "gamma_ratio": f'''def gamma_ratio(xp, x, h):
-    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others.
+    """Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others, and for subnormal x.
 
     Where x or x + h is small the functional equation moves both up by {SHIFT}, to where Stirling's series holds.
     """
-    x = xp.where((x > 0.0) & (x + h > 0.0), x, xp.nan)
+    x = xp.where((x >= 4.0 * float(xp.finfo(x.dtype).smallest_normal)) & (x + h > 0.0), x, xp.nan)
     x = xp.where(x > {1 / TINY!r}, {1 / TINY!r}, x)  # beyond, the ratio is 1
     small = (x < {SHIFT}.0) | (x + h < {SHIFT}.0)
     near, step = xp.where(small, x, 1.0), xp.where(small, h, 0.0)

@@ -11,11 +11,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from symcheck.kernels.ratios import SHIFT, STIRLING
+from symcheck.kernels.ratios import HALF, SHIFT, STIRLING
 
 CIRCULAR = ("sin", "cos", "tan")
 REACH = 1e6  # a multiple of pi/2 up to here has 20 bits, and the product with a part of 33 bits is exact
 _HORNER = "\n    ".join(f"total = total * square + {x!r};" for x in STIRLING[-2::-1])
+_HORNER_OF_HALF = "\n    ".join(f"total = total * square + {x!r};" for x in HALF[-2::-1])
 
 FUNCTIONS = {
     "MULTIPLY_ADD": """\
@@ -163,12 +164,12 @@ static INLINE double stirling(double x)
 }}
 """,
     "gamma_ratio": f"""\
-/* Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others. Where x or x + h is small
-   the functional equation moves both up by {SHIFT}, to where Stirling's series holds; of two logarithms the
-   difference is formed. */
+/* Gamma(x + h)/(Gamma(x) x^h) for positive x and x + h: 1 at infinity; NaN for others, and for subnormal x. Where x or
+   x + h is small the functional equation moves both up by {SHIFT}, to where Stirling's series holds; of two logarithms
+   the difference is formed. */
 static INLINE double gamma_ratio(double x, double h)
 {{
-    const double y = x > 0x1p100 ? 0x1p100 : x > 0.0 && x + h > 0.0 ? x : NAN; /* beyond, the ratio is 1 */
+    const double y = x > 0x1p100 ? 0x1p100 : x >= 4.0 * DBL_MIN && x + h > 0.0 ? x : NAN; /* beyond, the ratio is 1 */
     const int small = y < {SHIFT}.0 || y + h < {SHIFT}.0;
     const double moved = small ? y + {SHIFT}.0 : y;
     const double logarithm = (moved + (h - 0.5)) * log1p(h / moved) - h + (stirling(moved + h) - stirling(moved));
@@ -180,6 +181,26 @@ static INLINE double gamma_ratio(double x, double h)
     }}
     const double lifted = value * (pow(moved / y, h) * (above / under));
     return small ? lifted : value;
+}}
+""",
+    "gamma_ratio_of_half": f"""\
+/* Gamma(x + 1/2)/(Gamma(x) sqrt x), likewise: the difference of two series is one itself; of exp, as what it is of is
+   1/72 at most, eight terms are enough. The factors are of pairs, (x + k)(x + 8 - k) = x (x + 8) + k (8 - k). */
+static INLINE double gamma_ratio_of_half(double x)
+{{
+    const double y = x > 0x1p100 ? 0x1p100 : x >= 4.0 * DBL_MIN ? x : NAN, z = y + 0.5;
+    const double moved = y < {SHIFT}.0 ? y + {SHIFT}.0 : y, p = y * (y + 8.0), q = z * (z + 8.0);
+    const double above = (p + 7.0) * ((p + 12.0) * (p + 15.0)) * ((y + 4.0) * (y + 8.0)); /* less the factor y */
+    const double under = q * (q + 7.0) * ((q + 12.0) * (q + 15.0)) * (z + 4.0), both = 1.0 / (moved * under);
+    const double inverse = both * under, square = inverse * inverse;
+    double total = {HALF[-1]!r}, value = 1.0 / 40320.0;
+    {_HORNER_OF_HALF}
+    total *= inverse;
+    value = ((value * total + 1.0 / 5040.0) * total + 1.0 / 720.0) * total + 1.0 / 120.0;
+    value = ((value * total + 1.0 / 24.0) * total + 1.0 / 6.0) * total + 0.5;
+    value = (value * total + 1.0) * total + 1.0;
+    const double lifted = value * (sqrt(moved * y) * above) * (both * moved);
+    return y < {SHIFT}.0 ? lifted : value;
 }}
 """,
 }

@@ -15,7 +15,17 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.c_functions import CIRCULAR, REACH, written
 from symcheck.kernels.codegen.c_text import HEADER, LOOP, LOOP_AND_REST, PARALLEL, SOURCE, VECTORS
 from symcheck.kernels.codegen.docstring import numpydoc
-from symcheck.kernels.codegen.program import INFIX, UNARY, Operation, Program, Ref, is_number, under_root
+from symcheck.kernels.codegen.program import (
+    INFIX,
+    OF_HALF,
+    UNARY,
+    Operation,
+    Program,
+    Ref,
+    is_number,
+    of_half,
+    under_root,
+)
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 
@@ -119,6 +129,7 @@ def _parameters(program: Program, restrict: str, uniform: Collection[str] = ()) 
 
 def statement(operation: Operation, places: Mapping[str, str], of_libm: Collection[str] = ()) -> str:
     """One operation as a constant with its name; some functions are those of libm only."""
+    operation = of_half(operation)
     operands = [number(x, places) for x in operation.operands]
     return f"const double {operation.result} = {_expression(operation.function, operands, of_libm)};"
 
@@ -131,7 +142,7 @@ def _expression(function: str, operands: list[str], of_libm: Collection[str] = (
     inside = ", ".join(operands)
     if function in CIRCULAR and function not in of_libm:
         return f"libm ? {function}({inside}) : vector_{function}({inside})"
-    if function not in (*UNARY, *RUNTIME, "power"):
+    if function not in (*UNARY, *RUNTIME, OF_HALF, "power"):
         raise SymcheckError(f"{function} has no form in C; add it to symcheck/kernels/codegen/c_target.py")
     return f"{C_NAMES.get(function, function)}({inside})"
 
@@ -154,7 +165,7 @@ def comment(compiled: CompiledKernel) -> str:
 def _refuse_words_of_c(name: str, program: Program) -> None:
     """Names of arguments and results become names in C."""
     for each in (*program.inputs, *(operation.result for operation in program.operations)):
-        if WORDS_OF_C.fullmatch(each) or each in (*UNARY, *RUNTIME, *C_NAMES.values()):
+        if WORDS_OF_C.fullmatch(each) or each in (*UNARY, *RUNTIME, OF_HALF, *C_NAMES.values()):
             raise SymcheckError(f"kernel {name}: {each} means something else in its C text; give it another name")
 
 

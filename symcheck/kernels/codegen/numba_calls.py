@@ -31,10 +31,15 @@ def evaluate(points: Any, order: Sequence[int], inputs: Sequence[Any], out: Any,
     if not isinstance(threads, int) or threads < 1:
         raise ValueError(f"threads = {threads!r} must be a positive whole number")
     direct = _as_compiled(inputs)
-    if direct and out is None and threads == 1:  # what is asked otherwise takes longer than many a kernel
-        results = [np.empty(inputs[0].shape) for _ in range(max(order) + 1)]
-        points(*[x.reshape(-1) for x in (*inputs, *results)])
-        return results[0] if len(order) == 1 else tuple([results[k] for k in order])
+    if direct and threads == 1:  # what is asked otherwise takes longer than many a kernel
+        if out is None:
+            results = [np.empty(inputs[0].shape) for _ in range(max(order) + 1)]
+            points(*[x if x.ndim == 1 else x.reshape(-1) for x in (*inputs, *results)])
+            return results[0] if len(order) == 1 else tuple([results[k] for k in order])
+        given = fitting(out, len(order), inputs[0].shape, DOUBLE)
+        if len({*order}) == len(order) and all(y.flags.carray for y in given):
+            points(*[x if x.ndim == 1 else x.reshape(-1) for x in (*_apart(inputs, given), *given)])
+            return given[0] if len(order) == 1 else tuple(given)
     if direct:
         dtype, shape, arrays = DOUBLE, inputs[0].shape, list(inputs)
     else:
@@ -47,7 +52,7 @@ def evaluate(points: Any, order: Sequence[int], inputs: Sequence[Any], out: Any,
         given = [results[k] for k in order]
     else:  # an output must not overwrite what is read later
         given = fitting(out, len(order), shape, dtype)
-        arrays = [x.copy() if any(np.may_share_memory(x, y) for y in given) else x for x in arrays]
+        arrays = _apart(arrays, given)
         results = [given[order.index(k)] for k in range(max(order) + 1)]
     _shared(points, arrays, results, threads)
     for each, k in zip(given, order, strict=True):
@@ -55,6 +60,17 @@ def evaluate(points: Any, order: Sequence[int], inputs: Sequence[Any], out: Any,
             np.copyto(each, results[k])
     values = given if shape or out is not None else [x[()] for x in given]
     return values[0] if len(order) == 1 else tuple(values)
+
+
+def _apart(arrays: Sequence[Any], given: Sequence[Any]) -> list[Any]:
+    """The arrays, copied where one that is given lies in their memory; those that own theirs need no longer look."""
+    found = list(arrays)
+    for y in given:
+        own = y.flags.owndata
+        found = [
+            x.copy() if x is y or (not (own and x.flags.owndata) and np.may_share_memory(x, y)) else x for x in found
+        ]
+    return found
 
 
 def _as_compiled(arrays: Sequence[Any]) -> bool:
@@ -81,7 +97,7 @@ def _shared(points: Any, arrays: list[Any], results: list[Any], threads: int) ->
 def _run(points: Any, arrays: Sequence[Any], results: Sequence[Any]) -> None:
     shape, dtype = results[0].shape, results[0].dtype
     if all(x.shape == shape and x.dtype == dtype and x.flags.carray for x in (*arrays, *results)):
-        points(*(x.reshape(-1) for x in (*arrays, *results)))
+        points(*[x if x.ndim == 1 else x.reshape(-1) for x in (*arrays, *results)])
         return
     chunks: Any = np.nditer  # its types know neither `with` nor lists of modes
     modes = [["readonly"]] * len(arrays) + [["writeonly"]] * len(results)

@@ -23,11 +23,11 @@ from symcheck.kernels.calling import fitting
 from symcheck.kernels.codegen import numba_calls, numba_functions
 from symcheck.kernels.codegen.docstring import docstring, numpydoc
 from symcheck.kernels.codegen.expression import number
-from symcheck.kernels.codegen.program import INFIX, Operation, Program, distinct, order_of
+from symcheck.kernels.codegen.program import INFIX, OF_HALF, Operation, Program, distinct, of_half, order_of
 from symcheck.kernels.codegen.target import MARK, CompiledKernel, Target
 from symcheck.kernels.documentation import KIND, calls, out_of
 
-SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio"}  # the same for numbers and in loops
+SINGLE = {"sqrt": "math.sqrt", "power": "math.pow", "gamma_ratio": "gamma_ratio", OF_HALF: OF_HALF}  # for loops, too
 LIBRARY = {"arctan": "atan"}  # what `math` calls otherwise
 BUILT_ON = {"log1p_ratio": "log1p", "expm1_ratio": "expm1"}
 DOUBLE = ("sin", "cos", "tan", "arctan", "exp", "expm1", "log", "log1p")  # from the C library, and for loops
@@ -117,7 +117,9 @@ def put(context, array, place, n, value):
 def files(key: str, kernels: Mapping[str, CompiledKernel]) -> dict[str, str]:
     """The module of a paper, which needs Numba and nothing else."""
     texts = [source(name, compiled) for name, compiled in kernels.items()]
-    called = {operation.function for compiled in kernels.values() for operation in compiled.pointwise.operations}
+    called = {
+        operation.function for compiled in kernels.values() for operation in map(of_half, compiled.pointwise.operations)
+    }
     mathematics = _functions(called | {BUILT_ON[name] for name in called & {*BUILT_ON}})
     functions = [_defined(calling)[fitting.__name__], *_defined(numba_calls).values()]
     names = ", ".join(f'"{name}"' for name in sorted(kernels))
@@ -206,6 +208,7 @@ def _passed(function: str) -> str:
 
 
 def _assignment(operation: Operation) -> str:
+    operation = of_half(operation)
     function, operands = operation.function, [number(x) for x in operation.operands]
     if function in INFIX:
         return f"{operation.result} = {operands[0]} {INFIX[function]} {operands[1]}"

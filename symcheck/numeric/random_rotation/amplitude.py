@@ -26,6 +26,7 @@ from symcheck.numeric.domain import (
     probability,
     require,
     shortened,
+    times_power,
     within,
 )
 
@@ -168,7 +169,9 @@ def moment_of_amplitude(m: ArrayLike, alpha: ArrayLike, beta: ArrayLike, gamma: 
     with np.errstate(over="ignore"):
         finite = 8 * dissipation**2 > noise**2 * (2 + 3 * power)
     require(finite, "gamma", dissipation, f"satisfy 8 gamma^2 > alpha^2 (2 + 3 m) for m = {shortened(power)}", "4.0.9")
-    return evaluated("moment of a", poloskov2004.moment_of_amplitude, power, noise, additive, dissipation)
+    unit, (_, *parameters) = _scaled(np.zeros(()), noise, additive, dissipation)
+    moment = poloskov2004.moment_of_amplitude
+    return evaluated("moment of a", lambda m, *x: times_power(moment(m, *x), unit, m), power, *parameters)
 
 
 @gufunc("(),(),()->()")

@@ -30,6 +30,7 @@ from symcheck.numeric.domain import (
     real,
     require,
     shortened,
+    times_power,
     within,
 )
 
@@ -176,7 +177,9 @@ def moment_of_frequency(m: ArrayLike, k: ArrayLike, g_13: ArrayLike, g_23: Array
     power, ratio, noise, additive, dissipation = in_one_library(*given)
     finite = 2 * dissipation > power * noise**2
     require(finite, "d_33", dissipation, f"satisfy 2 d_33 > m g_13^2 for m = {shortened(power)}", "4.0.11")
-    return evaluated("moment of Omega", poloskov2004.moment_of_frequency, power, ratio, noise, additive, dissipation)
+    unit, parameters = _scaled(ratio, noise, additive, dissipation)
+    moment = poloskov2004.moment_of_frequency
+    return evaluated("moment of Omega", lambda m, *x: times_power(moment(m, *x), unit, m), power, *parameters)
 
 
 @gufunc("(),(),(),()->()")
