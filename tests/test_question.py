@@ -903,5 +903,5 @@ def test_frames_at_the_left_may_be_typed_as_they_are_shown() -> None:
 def test_a_function_of_a_letter_with_an_index_is_said_for_all_of_them_and_with_a_label_for_one() -> None:
     assert decide(r"f(y) = 2 y^2", [r"f(\sigma_i) = \sigma_i^2"]).verdict == "refuted"
     assert decide(r"f(\sigma_1) = \sigma_1^2", [r"f(\sigma_i) = \sigma_i^2"]).verdict == "proved"
-    for one in (r"f(x_0) = x_0^2", r"f(x_1) = x_1^2", r"f(x_n) = x_n^2", r"f(x_i) = k_i x_i^2"):
+    for one in (r"f(x_0) = x_0^2", r"f(x_1) = x_1^2", r"f(x_n) = x_n^2", r"f(x_i) = k_i x_i^2", r"f(x_i) = i x_i^2"):
         assert decide(r"f(y) = 2 y^2", [one]).verdict not in ("proved", "refuted")

@@ -332,7 +332,7 @@ def _is_for_all(arguments: Sequence[str], right: str) -> bool:
         others = [p for p in occurrences(right) if p.role != "subscript" and spelling(p) != each]
         if below and (not below <= _EACH or each not in spellings(right)):
             return False
-        if any(below.intersection(words(place.subscript)) for place in others):
+        if any(below.intersection((place.word, *words(place.subscript))) for place in others):
             return False
     return True
 
