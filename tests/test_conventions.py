@@ -434,6 +434,8 @@ UNSAID = [
     (r"\mathbf{r} = \begin{bmatrix} r_x \\ r_y \\ r_z \end{bmatrix}", []),
     ("f(b + c) = fb + fc", []),
     ("e^{A + B} = e^A e^B", []),
+    ("e^{A t} e^{B t} = e^{(A + B) t}", []),
+    (r"\exp(A t) \exp(B t) = \exp(A t + B t)", []),
     ("|z|^2 = z^2", []),
     (r"\mathbf{x}^T A \mathbf{y} = \mathbf{y}^T A \mathbf{x}", []),
     (r"A B \ne B A", []),

@@ -189,11 +189,16 @@ def _on(rate: Rate, meant: Mapping[str, Set[Rate]], notation: Notation) -> Itera
 
 
 def _exponents(tree: Tree, said: Set[str]) -> Iterator[str]:
-    """Capital letters that are added in an exponent where products of such exponentials stand too."""
-    powers = [part for _, part in walk(tree) if isinstance(part, Pow) and isinstance(part.exponent, Add)]
-    if not any(isinstance(part, Mul) and sum(isinstance(f, Pow) for f in part.factors) > 1 for _, part in walk(tree)):
+    """Capital letters that are added in an exponent, perhaps all times the same, where products of powers stand too."""
+    exponents: dict[Tree, Tree] = {part: part.exponent for _, part in walk(tree) if isinstance(part, Pow)}
+    exponents |= {
+        part: part.arguments[0] for _, part in walk(tree) if isinstance(part, Call) and part.function == "exp"
+    }
+    if not any(isinstance(part, Mul) and sum(f in exponents for f in part.factors) > 1 for _, part in walk(tree)):
         return
-    for power in powers:
-        added = sorted(names(power.exponent))
-        if len(added) > 1 and all(len(x) == 1 and x.isupper() and x not in said for x in added):
-            yield ", ".join(added)
+    for part in (part for each in exponents.values() for _, part in walk(each) if isinstance(part, Add)):
+        added = [{*names(term)} for term in part.terms]
+        capitals = sorted({x for x in set[str]().union(*added) if len(x) == 1 and x.isupper() and x not in said})
+        one_each = all(len(own.intersection(capitals)) == 1 for own in added)
+        if len(capitals) > 1 and one_each and len({frozenset(own.difference(capitals)) for own in added}) == 1:
+            yield ", ".join(capitals)
