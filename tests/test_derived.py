@@ -38,6 +38,12 @@ COMPARED = [
     (r"y = 2 z", ("x = 0", "y = 4 x + 2 z"), Found(holds=True, bound=True)),
     (r"y = 3 z", ("x = 0", "y = 4 x + 2 z"), Found(holds=False, bound=True)),
     (r"x = 3 y", (*SIDES, "x = x + 1"), None),
+    (r"\dot V = 2 x \dot x", (r"V = x^2",), Found(holds=True, bound=True)),
+    (r"\dot V = 3 x \dot x", (r"V = x^2",), Found(holds=False, bound=True)),
+    (r"\dot V = -2 x^2", (r"V = x^2", r"\dot x = -x"), Found(holds=True, bound=True)),
+    (r"\ddot x = \alpha \sin t", (r"x = -\alpha \cos t",), Found(holds=False, bound=True)),
+    # three equations do not follow from one, and fail without anything being wrong
+    (r"\mathbf{x} = \mathbf{y}", (r"\mathbf{x} \cdot \mathbf{z} = \mathbf{y} \cdot \mathbf{z}",), Found(False, False)),
 ]
 
 

@@ -156,6 +156,12 @@ def told(folder: Path, text: str) -> list[str]:
     return [finding.place for finding in look(folder / "paper.md").findings]
 
 
+def test_two_disagreements_that_share_nothing_are_told_each(tmp_path: Path) -> None:
+    one, other = PLANTED["a rate of change"], PLANTED["a frame at the left"]
+    wrong = [each.text.replace("SLIP", each.wrong) for each in (one, other)]
+    assert told(tmp_path, "# One\n\n" + wrong[0] + "\n# Another\n\n" + wrong[1]) == ["line 8", "line 15"]
+
+
 @pytest.mark.parametrize("name", every(2, PLANTED))
 def test_a_slip_is_told_and_the_right_text_is_not_accused(name: str, tmp_path: Path) -> None:
     planted = PLANTED[name]

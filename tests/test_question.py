@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from symcheck.checker import check
 from symcheck.cli import cli
 from symcheck.question import Answer, repairs
 from symcheck.question.answer import Status
+from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import apart
 
 
@@ -905,3 +907,20 @@ def test_a_function_of_a_letter_with_an_index_is_said_for_all_of_them_and_with_a
     assert decide(r"f(\sigma_1) = \sigma_1^2", [r"f(\sigma_i) = \sigma_i^2"]).verdict == "proved"
     for one in (r"f(x_0) = x_0^2", r"f(x_1) = x_1^2", r"f(x_n) = x_n^2", r"f(x_i) = k_i x_i^2", r"f(x_i) = i x_i^2"):
         assert decide(r"f(y) = 2 y^2", [one]).verdict not in ("proved", "refuted")
+
+
+def test_a_limit_that_strikes_a_clean_up_is_told_again_and_nothing_is_dropped() -> None:
+    class Slow:
+        def __del__(self) -> None:
+            until = time.process_time() + 0.2
+            while time.process_time() < until:
+                pass
+
+    def struck() -> None:
+        with limited(0.05):
+            Slow()  # cleaned up at once; what were raised there would be printed, which is an error here
+            while True:
+                pass
+
+    with pytest.raises(OutOfTime):
+        struck()

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import permutations
 
 from symcheck.document.checks import REFERRING, Checks, Definition, Place, Question
-from symcheck.document.points import Found, compared, idle, slips, sources_of
+from symcheck.document.points import Found, compared, idle, is_source, slips, slips_of_source
 from symcheck.document.roles import OF_KNOWN, Roles
 from symcheck.document.survey import SMALLEST
 from symcheck.document.work import Work
@@ -26,7 +26,7 @@ AROUND = 3  # words before so many formulas, from one on, tell what it rests on:
 LATER = "later"  # the kind of questions of which nothing is proved
 MOST_STEPS = 2000  # of the search for sets
 SAID = 8  # times that it is said what a letter is; one of which it is said more often is another one in each case
-SAME = 2  # sources that say what the same is as the relation, of which one holds in another case
+SAME = 2  # sources with the same left side as the relation, of which one holds in another case
 ANEW = 2  # sections that say what a letter is, which means the same in all of them all the same
 COMPARED = 12  # of these sets, those that bind the letters of the equation
 ASKED = 8  # of these, those that are asked, where it holds
@@ -192,7 +192,7 @@ def _slip(question: Question) -> str:
         found = ""
         with suppress(OutOfTime), limited(UNBOUND):
             found = next(slips(question.relation, question.where, question.letters), "")
-        return found or next(sources_of(question.relation, question.where, question.letters), "")
+        return found or next(slips_of_source(question.relation, question.where, question.letters), "")
     return ""
 
 
@@ -209,7 +209,7 @@ def _holds(question: Question) -> bool:
     points = compared(question.relation, question.where, question.letters, further=True)
     if points is not None and (points.holds or points.bound):
         return points.holds
-    return question.relation in sources_of(question.relation, question.where, question.letters, slipped=False)
+    return is_source(question.relation, question.where, question.letters)
 
 
 def exchanged(question: Question, place: Place) -> Question:

@@ -218,19 +218,19 @@ def _written(symbols: Sequence[Symbol], *sides: Basic) -> Callable[..., Any]:
     return found
 
 
-def sources_of(relation: str, others: tuple[str, ...], letters: Said, slipped: bool = True) -> Iterator[str]:
-    """The relation after a slip, or as it is, from which with all others but the last one this last one follows."""
+def is_source(relation: str, others: tuple[str, ...], letters: Said) -> bool:
+    """Does the last one of the others follow from all of them before it and the relation?"""
     *rest, last = others
-    texts: Iterable[str] = (relation,)
-    if slipped:
-        try:
-            texts = (to_latex(slip.tree) for slip in likely(readings(plainly(Asked(relation, (), (), letters)))[0]))
-        except (SymcheckError, *FAULTS):
-            return
-    for text in texts:
-        found = compared(last, (*rest, text), letters)
-        if found is not None and found.holds and found.bound:
-            yield text
+    found = compared(last, (*rest, relation), letters)
+    return found is not None and found.holds and found.bound
+
+
+def slips_of_source(relation: str, others: tuple[str, ...], letters: Said) -> Iterator[str]:
+    """The relations one slip of the pen away that are such a source, the likeliest first."""
+    with suppress(SymcheckError, *FAULTS):
+        for slip in likely(readings(plainly(Asked(relation, (), (), letters)))[0]):
+            if is_source(text := to_latex(slip.tree), others, letters):
+                yield text
 
 
 def _unknown(equations: Iterable[Equation]) -> frozenset[Expr]:

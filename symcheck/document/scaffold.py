@@ -75,8 +75,8 @@ def drafted(file: Path, work: Work) -> Draft:
     """A source, read, with what each relation is taken for."""
     printed = source(file)
     seen, every = known(printed.formulas, work)
-    own = rules(seen, every)
-    if (formulas := by_rules(printed.formulas, own)) != [*printed.formulas]:
+    rewriting = rules(seen, every)
+    if (formulas := by_rules(printed.formulas, rewriting)) != [*printed.formulas]:
         seen, every = known(formulas, work)
     every = without_parts_of_names(every, seen)
     said = [f"{file}: {fault.place}: {fault.message}" for fault in printed.faults]
@@ -88,7 +88,7 @@ def drafted(file: Path, work: Work) -> Draft:
         for x in each.names:
             scopes.setdefault(x, []).append(formula.scope)
     units = {x: told for x, own in scopes.items() if (told := of_document(x, printed.told, own))}
-    return Draft(file, printed.formulas, every, guesses, said, units, (*own, *_spelled(formulas)))
+    return Draft(file, printed.formulas, every, guesses, said, units, (*rewriting, *_spelled(formulas)))
 
 
 def new(file: Path, folder: Path, work: Work) -> list[str]:

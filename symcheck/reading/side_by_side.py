@@ -44,27 +44,11 @@ _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A
 # weights and gravity, gases, circuits, ways and times
 _USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
-_SPELLED = frozenset(  # in italics, without brackets
-    {
-        "max",
-        "min",
-        "sup",
-        "inf",
-        "var",
-        "cov",
-        "avg",
-        "std",
-        "det",
-        "ln",
-        "log",
-        "exp",
-        "sin",
-        "cos",
-        "tan",
-        "lim",
-        "arg",
-    }
-)
+# in italics, without brackets
+_SPELLED = frozenset({
+    "max", "min", "sup", "inf", "var", "cov", "avg", "std", "det", "ln", "log", "exp", "sin", "cos", "tan", "lim",
+    "arg",
+})  # fmt: skip
 _CAPACITIES = frozenset({"Cp", "Cv"})  # of heat
 _DEFINED = frozenset({"RT", "RC", "LC", "GM"})  # usual products, of which none is a whole left side
 # two letters among the arguments of what is defined: `H(x, sf) =`

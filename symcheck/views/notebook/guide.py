@@ -23,7 +23,7 @@ from symcheck.views.notebook.output import Output, Verbatim
 EXAMPLE = "pendulum"
 WIDTH = "110"  # columns of what commands print
 COLOURED = ("FORCE_COLOR", "CLICOLOR_FORCE", "TTY_COMPATIBLE")  # which a Jupyter kernel sets
-SECONDS = 300  # that a command may take, on a busy machine
+SECONDS = 120  # that a command may take
 _TIMES = re.compile(r"[ ,]+(?:\d+\.\d+ s|time)$", re.MULTILINE)  # differ from run to run, at the end of a line
 _SPACES = re.compile(r" +$", re.MULTILINE)  # that fill the lines of tables
 
