@@ -43,7 +43,11 @@ COMPARED = [
     (r"\dot V = -2 x^2", (r"V = x^2", r"\dot x = -x"), Found(holds=True, bound=True)),
     (r"\ddot x = \alpha \sin t", (r"x = -\alpha \cos t",), Found(holds=False, bound=True)),
     # three equations do not follow from one, and fail without anything being wrong
-    (r"\mathbf{x} = \mathbf{y}", (r"\mathbf{x} \cdot \mathbf{z} = \mathbf{y} \cdot \mathbf{z}",), Found(False, False)),
+    (
+        r"\mathbf{x} = \mathbf{y} + \mathbf{z}",
+        (r"\mathbf{x} \cdot \mathbf{z} = \mathbf{y} \cdot \mathbf{z} + \mathbf{z} \cdot \mathbf{z}",),
+        Found(holds=False, bound=False),
+    ),
 ]
 
 
