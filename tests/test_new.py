@@ -168,6 +168,24 @@ def test_vectors_in_plain_letters_are_known_by_what_they_are_equal_to(tmp_path: 
     assert not look(tmp_path / "right" / "paper.md").findings
 
 
+ASSIGNED = r"""# An angle
+
+The angle is $\phi = |\vec e|$. If it is the long way round, then
+$$\phi = -\phi$$
+and the next one follows by
+$$n = n + 1$$
+so that altogether
+$$\phi^2 = \vec e \cdot \vec e$$
+"""
+
+
+def test_what_becomes_something_of_itself_is_neither_claimed_nor_taken_for_granted(tmp_path: Path) -> None:
+    audit = begun(tmp_path, ASSIGNED, "paper.md")
+    assert [*verdicts(audit).values()] == ["proved"]
+    assert (audit / "audit.py").read_text(encoding="utf-8").count("a letter becomes something of itself") == 2
+    assert not look(tmp_path / "paper.md").findings
+
+
 TWO_WAYS = r"""# A function in two ways
 
 The function is

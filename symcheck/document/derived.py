@@ -259,7 +259,7 @@ class Derived:
         if seen.reason or not seen.plain or any(self.said[x] > SAID for x in seen.names):
             return
         for link in seen.links:
-            if formula.display or max(link.sizes) >= SMALLEST:
+            if (formula.display or max(link.sizes) >= SMALLEST) and not link.is_assignment:
                 yield Definition(k, link)
 
     def questions(self, k: int, later: bool = False) -> list[tuple[Question, ...]]:

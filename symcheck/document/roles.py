@@ -55,6 +55,9 @@ def _letters(text: str) -> frozenset[str]:
     return spellings(text.partition(r"\in")[0])
 
 
+ASSIGNED = "a letter becomes something of itself: an assignment, or an equation to be solved? say what it is"
+
+
 class Roles:
     """The roles of the relations of a document, in printed order."""
 
@@ -72,6 +75,8 @@ class Roles:
         seen, known = self.seen[k], self.known(k)
         if not (seen.read or seen.apart):
             return Guess("exclusion", reason=" ".join(seen.reason.split()))
+        if any(link.is_assignment for link in seen.links):
+            return Guess("exclusion", reason=ASSIGNED)
         heads = {x: link for x, link in seen.heads.items() if self._is_new(k, x, link, known)}
         for x, link in heads.items():
             if not _is_length(x, link):

@@ -42,6 +42,9 @@ class Role:
     known: bool = True  # is the formula read?
 
 
+LONGEST_ASSIGNED = 3  # parts of x + 1 and of 2x; longer ones may be identities, as x = tan(arctan x)
+
+
 @dataclass(frozen=True)
 class Link:
     """One equation of a formula: two sides, each with its letters."""
@@ -58,6 +61,12 @@ class Link:
     def latex(self) -> str:
         """The equation."""
         return f"{self.left} = {self.right}"
+
+    @property
+    def is_assignment(self) -> bool:
+        """Does a letter become something of itself, as in x = x + 1 and x = -x, which no value of it is meant to be?"""
+        alone = self.names[0] == self.names[1] and len(self.names[0]) == self.sizes[0] == 1
+        return alone and not self.chained and self.sizes[1] <= LONGEST_ASSIGNED
 
 
 @dataclass(frozen=True)
