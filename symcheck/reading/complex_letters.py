@@ -117,7 +117,8 @@ def equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
 
 @lru_cache(maxsize=512)  # each reading of a formula asks for them
 def _equated(formula: str) -> tuple[tuple[str, str], ...]:
-    pairs = [pair for a, b in itertools.pairwise(_members(formula)) for pair in ((a, b), (b, a))]
+    sides = (both for members in _relations(formula) for both in itertools.pairwise(members))
+    pairs = [(x.strip("& "), y.strip("& ")) for a, b in sides for x, y in ((a, b), (b, a))]
     return tuple((letter, other) for x, other in pairs if (letter := _letter(x)) and _plain(letter) == _plain(x))
 
 
@@ -140,12 +141,21 @@ def _plain(latex: str) -> list[str]:
 _LAYOUT = SPACES | {"{", "}"}
 
 
-def _members(formula: str) -> list[str]:
-    """What stands between the equality signs outside of all brackets."""
-    depth, start, found = 0, 0, []
-    for tok in tex.tokenize(formula):
-        depth += (tok.text in OPEN) - (tok.text in CLOSE)
-        if tok.text == "=" and depth == 0:
+# what parts relations, and what aligns them
+_PARTING = re.compile(r"\\\\|[,;]|\\q?quad(?![A-Za-z])|\\text(?![A-Za-z])")
+_ALIGNED = re.compile(r"\\(?:begin|end)\s*\{\s*(?:a\s*l\s*i\s*g\s*n|s\s*p\s*l\s*i\s*t|g\s*a\s*t\s*h\s*e\s*r)[^}]*\}")
+
+
+def _relations(formula: str) -> Iterator[list[str]]:
+    """For each relation what stands between its equality signs, outside of all brackets and matrices."""
+    depth, start, found = 0, 0, list[str]()
+    for tok in tex.tokenize(formula := _ALIGNED.sub(" ", formula)):
+        depth += (tok.text in OPEN or tok.text == r"\begin") - (tok.text in CLOSE or tok.text == r"\end")
+        parts = _PARTING.fullmatch(tok.text)
+        if depth == 0 and (parts or tok.text == "="):
             found.append(formula[start : tok.at])
-            start = tok.at + 1
-    return [*found, formula[start:]]
+            start = formula.find("}", tok.at) + 1 if tok.text == r"\text" else tok.at + len(tok.text)
+            if parts:
+                yield found
+                found = []
+    yield [*found, formula[start:]]

@@ -145,7 +145,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             ends.setdefault(letter, (low, high))
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
-    printed = [formula for formula in formulas if r"\begin" in formula]
+    printed = [_DOTS.sub(r"\1", formula) for formula in formulas if r"\begin" in formula]
     shapes = {letter: shape for letter, other in equated(printed) if (shape := _shape(other))}
     shapes |= {letter: (3, 3) for letter, other in equated(formulas) if letter.isupper() and _SKEW_ADDED.search(other)}
     found: dict[str, Evidence] = {}
@@ -191,6 +191,9 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
                 own.running = True
     _complete(found)
     return found
+
+
+_DOTS = re.compile(r"\\d+ot(?![a-z])\s*(?:\{([^{}]*)\})?")  # the rate of what is printed as a column is one
 
 
 def _is_mixed(subscript: Sequence[str]) -> bool:
@@ -491,7 +494,8 @@ def canonical(latex: str) -> str:
 
 # a matrix that contains no other environment, perhaps transposed
 _ENTRIES = re.compile(
-    r"\s*\\begin\{([pbBv]?matrix|smallmatrix)\}((?:(?!\\begin).)*)\\end\{\1\}(\s*\^\s*\{?\s*T\s*\}?)?\s*[.,;]?\s*",
+    r"\s*(?:\\begin\{([pbBv]?matrix\*?|smallmatrix)\}(?:\[[lcr]\])?|(?:\\left)?[\[(]\\begin\{(array)\}\{[lcr|]*\})"
+    r"((?:(?!\\begin).)*)(?:\\end\{\1\}|\\end\{\2\}(?:\\right)?[\])])(\s*\^\s*\{?\s*T\s*\}?)?\s*[.,;]?\s*",
     re.DOTALL,
 )
 
@@ -500,10 +504,10 @@ def _shape(latex: str) -> tuple[int, ...]:
     """The numbers of rows and columns of a printed matrix, or of the components of a column; nothing else has any."""
     if not (found := _ENTRIES.fullmatch(tex.compact(latex))):
         return ()
-    rows = [row.split("&") for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[2]) if row.strip()]
+    rows = [row.split("&") for row in re.split(r"\\\\(?:\[[^\]]*\])?", found[3]) if row.strip()]
     if len({len(row) for row in rows}) != 1:
         return ()
     blank = [not any(map(str.strip, column)) for column in zip(*rows, strict=True)]
     columns = len(blank[:: 2 if is_doubled(blank) else 1])
-    (size, *_) = sizes = (columns, len(rows)) if found[3] else (len(rows), columns)
+    (size, *_) = sizes = (columns, len(rows)) if found[4] else (len(rows), columns)
     return sizes if sizes[1] != 1 else (size,)

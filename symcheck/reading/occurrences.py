@@ -175,6 +175,8 @@ class Scan(tex.Reader):
         name = "".join(self.group())
         if name == "array" and self.peek() == "{":
             self.group()
+        elif name.endswith("matrix*") and self.peek() == "[":
+            self.i += 3  # how its columns are aligned
 
     def inside(self, scope: Scope) -> Iterator[Occurrence]:
         """The letters of one TeX argument."""
