@@ -37,6 +37,14 @@ DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|fi
 NAMING = re.compile(
     rf"{DERIVED.pattern}|(?<!in the )\blimit(?:s|ed)?\b|\b(?:laws?|models?|examples?|consider\w*)\b", re.IGNORECASE
 )
+# words before what holds nearly, and signs of it between letters, or of a function
+NEARLY = re.compile(
+    r"\b(?:lineari[sz]\w*|neglect\w*|approximation\w*|(?:first|second|leading|lowest|higher)[- ]order"
+    r"|small[- ](?:\w+ )?(?:angles?|perturbations?|deviations?|oscillations?|displacements?|rotations?|errors?|motions?)"
+    r"|(?:is|are|be|for|sufficiently|very|enough) small)\b",
+    re.IGNORECASE,
+)
+NEAR = re.compile(r"(?:\\(?:sin|cos|tan|sqrt|frac|exp)(?![A-Za-z]).*|[A-Za-z].*)\\(?:approx|simeq)(?![A-Za-z])")
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
 FOLLOWING = 1.2  # for all sets of a relation
@@ -342,6 +350,25 @@ class Derived:
                     found[s] = {s, *larger[0]}
         return {(t, s) for s, group in found.items() for t in group}
 
+    def nearly(self, holding: Iterable[tuple[Place, ...]]) -> tuple[set[int], set[int]]:
+        """The formulas that hold exactly, and those that hold nearly: behind words that say so, and what these agree with.
+
+        The part of the document that begins with such words goes with them; what stands before all of these is exact.
+        """
+        formulas = self.checks.formulas
+        marks = [k for k, f in enumerate(formulas) if NEARLY.search(f.before) or NEAR.search(f.latex)]
+        if not marks:
+            return set(), set()
+        exact = {*range(marks[0])}
+        close = {k for m in marks for k in range(m, len(formulas)) if formulas[k].part == formulas[m].part} - exact
+        open_, every = True, [{m for m, _ in places} for places in holding]
+        while open_:
+            more = {m for own in every for m in own if own & close and not own & exact} - close
+            more_exact = {m for own in every for m in own if own & exact and not own & close} - exact
+            open_ = bool(more or more_exact)
+            close, exact = close | more, exact | more_exact
+        return exact, close
+
     def _says_anew(self, k: int, heads: Set[str], m: int) -> bool:
         """Does a formula say of a letter of another one what it is, as another section does?"""
         section = self.checks.formulas[k].scope[0]
@@ -443,6 +470,8 @@ def blamed(
     same = _same(holding)
     linked = sets.linked(holding)
     failing = [question for each in outcomes for question in each.failing if sets.is_telling(question, linked)]
+    exact, close = sets.nearly(holding)
+    failing = [q for q in failing if not (exact & (own := {m for m, _ in q.places}) and close & own)]
     near = {m for question in failing if sets.is_telling(question) for m in question.places}
     held, failed = (
         Counter(x for places in every for x in {same[m] for m in places})
@@ -525,10 +554,13 @@ class _Same(dict[Place, Place]):
 
 
 def _same(holding: Iterable[tuple[Place, ...]]) -> Mapping[Place, Place]:
-    """Of two relations, one holds where the other does, if nothing else is needed for that."""
+    """Of two relations, one holds where the other does, if nothing else is needed for that.
+
+    One component alone does not say what a whole column does.
+    """
     same = _Same()
     for places in holding:
-        if len(places) == 2:
+        if len(places) == 2 and len({WRITTEN_OUT.search(text) is None for _, text in places}) == 1:
             first, second = sorted(same[place] for place in places)
             same.update({k: first for k, each in same.items() if each == second} | {second: first})
     return same

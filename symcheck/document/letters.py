@@ -185,7 +185,14 @@ def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequen
     formulas = by_rules(formulas, rules(seen, every))
     kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
     plain = {bold: face(bold).removesuffix("}") for bold in kinds}
-    both = {bold: letter for bold, letter in plain.items() if kinds[bold] == kinds.get(letter)}
+    sizes: dict[str, set[tuple[int, ...]]] = {}
+    for role in (role for each in seen for role in each.roles if role.size):
+        sizes.setdefault(shown(role.letter), set()).add(role.size)
+    both = {
+        bold: letter
+        for bold, letter in plain.items()
+        if kinds[bold] == kinds.get(letter) and len(sizes.get(bold, set()) | sizes.get(letter, set())) < 2
+    }
     if not both:
         return [*formulas]
     printed = re.compile("|".join(re.escape(bold) + r"(?!_)" for bold in sorted(both)))

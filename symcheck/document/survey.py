@@ -11,7 +11,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.prepare import Asked, Understood, definitions, plainly, readings
 from symcheck.reading import System, Tree, relations, to_latex
-from symcheck.reading.guesses import ECCENTRICITY, Guess
+from symcheck.reading.guesses import ECCENTRICITY, PRINTED, Guess
 from symcheck.reading.inference import Inference, inferred
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
@@ -40,6 +40,7 @@ class Role:
     why: str
     sure: bool
     known: bool = True  # is the formula read?
+    size: tuple[int, ...] = ()  # of what is printed as equal to it
 
 
 LONGEST_ASSIGNED = 3  # parts of x + 1 and of 2x; longer ones may be identities, as x = tan(arctan x)
@@ -274,7 +275,8 @@ def _roles(inferences: list[Inference]) -> Iterator[Role]:
         own = _phrase(guess)
         others = (g for each in near[1:] for g in each.guesses if g.letter.latex == guess.letter.latex)
         sure = all(_phrase(g) == own for g in others)
-        yield Role(guess.letter.latex, _kind(guess), own, guess.taken, guess.why, sure)
+        size = guess.letter.size if guess.why == PRINTED else ()
+        yield Role(guess.letter.latex, _kind(guess), own, guess.taken, guess.why, sure, size=size)
 
 
 def _kind(guess: Guess) -> str:

@@ -154,8 +154,13 @@ def constant(reading: Reading) -> Iterator[tuple[str, str]]:
             todo = {more for each in todo for more in _on(each, meant, reading.inference.notation)} - on
         for variable, _ in part.variables:
             by = variable.function if isinstance(variable, Call) else variable
-            if isinstance(by, Name) and on.isdisjoint({_rate(by)} if part.partial else _along(by, meant, reading)):
+            if isinstance(by, Name) and on.isdisjoint(_places(by, meant) if part.partial else _along(by, meant, reading)):
                 yield to_latex(part.body), to_latex(variable)
+
+
+def _places(by: Name, meant: Mapping[str, Set[Rate]]) -> set[Rate]:
+    """A letter, and the letters of what it is equal to, as the components of a column are."""
+    return {_rate(by), *((x, primes, dots + by.dots) for x, primes, dots in meant.get(by.letter, ()))}
 
 
 def _along(by: Name, meant: Mapping[str, Set[Rate]], reading: Reading) -> set[Rate]:

@@ -20,6 +20,7 @@ from symcheck.question.determinants import DET, Determinants, has
 from symcheck.question.prepare import Reading, declared_sizes
 from symcheck.question.small_matrices import Small
 from symcheck.reading import Notation, Tree, read, with_brackets
+from symcheck.reading.faces import face
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.inference import Inference
 from symcheck.reading.names import KINDS_OPEN
@@ -225,6 +226,11 @@ def false_gradients(reading: Reading) -> Iterator[list[Problem]]:
                     yield [*small.problems((left, layout), statement.hypotheses)]
 
 
+def _stem(latex: str) -> str:
+    """The letter itself, without its style, index and case."""
+    return (face(latex).removesuffix("}") or latex).partition("_")[0].lower()
+
+
 @dataclass
 class Lowering:
     """Trees as terms of matrices, of shapes that fit together; NoForm where they have parts that are none."""
@@ -358,6 +364,10 @@ class Lowering:
         (name, shape), change = self.letter(variable), self.names.get("change")
         if not isinstance(name, str) or change is not None or self.declaration(variable).skew:
             raise NoForm("a derivative by several letters, or by a matrix whose entries depend on each other")
+        inside = {part.letter for part in nodes(body) if isinstance(part, Name)}
+        others = [self.declaration(part) for part in nodes(body) if isinstance(part, Name) and part.letter != variable.letter]
+        if variable.letter not in inside or any(_stem(x.latex) == _stem(variable.letter) for x in others):
+            raise NoForm("what may be a function of it, or one of its components, is no constant")
         self.varied, change = name, self.named("change", f"d{name}")
         self.shapes[change] = shape
         match body:

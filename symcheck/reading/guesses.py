@@ -24,7 +24,7 @@ from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
-from symcheck.reading.occurrences import INTEGRALS, Occurrence
+from symcheck.reading.occurrences import FUNCTIONS_SPELLED, INTEGRALS, Occurrence
 
 _MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
 ECCENTRICITY = "it stands as an eccentricity does"
@@ -680,7 +680,10 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         return
     kind = of.framed or ("vector" if face(of.spelling) else "scalar")
     primed = any(place.primes for place in of.places)
-    behind = any(place.role == "derived" and place.before in ("d", r"\partial") for place in of.places)
+    behind = any(
+        place.role == "derived" and place.before in ("d", r"\partial") and not _goes_on(place.after)
+        for place in of.places
+    )
     direct = of.dotted or primed or behind
     within = any(x in every and _stands_in_body(every[x]) for x in on)
     within |= any(place.role == "variable" and place.before == r"\partial" for place in of.places)
@@ -723,6 +726,15 @@ def _at_last(name: str, every: Mapping[str, Evidence], seen: Set[str]) -> list[s
     own = said[1].split(", ") if said else [time(every)] if each.dotted else each.by if moved and not each.said else []
     further = [x for x in own if x not in seen and x != name]
     return [x for each in further for x in _at_last(each, every, seen | {name})] or [name]
+
+
+def _goes_on(token: str) -> bool:
+    """Does a product go on with this token?"""
+    return tex.is_letter(token) or token in OVER | FUNCTIONS_SPELLED | FACTORS
+
+
+# what factors of a product begin with that are more than a letter
+FACTORS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\sqrt", r"\cdot", r"\times", r"\left", "(", "[", "{", "|", r"\|"})
 
 
 def _stands_in_body(of: Evidence) -> bool:

@@ -16,7 +16,7 @@ from typing import Any, TypeVar
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.calculus import nodes as nodes_of
 from symcheck.core.formulas import contrary
-from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Formula, Node, Term, mapped, node
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Formula, Node, Term, mapped, node
 from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError, Unsaid
 from symcheck.reading import tree as tree_of
@@ -1349,6 +1349,10 @@ class Lowering:
     def of_derivative(self, tree: Derivative, env: Env) -> Value:
         value = self.value(tree.body, env)
         for variable_tree, order in tree.variables:
+            by = self.value(variable_tree, env)
+            if tree.partial and len(shape(by)) == 1:
+                value = self.gradient(value, by, order, tree, env)
+                continue
             by = self.scalar(variable_tree, env)
             if isinstance(by, Applied) and tree.partial:
                 value = each_part(partial(self.by_function, by=by, order=order, tree=tree, env=env), value)
@@ -1357,6 +1361,29 @@ class Lowering:
             else:
                 value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
+
+    def gradient(self, value: Value, by: list[Term], order: int, tree: Derivative, env: Env) -> Value:
+        """The partial derivatives of a number by the components of a column, or a row, of letters."""
+        if isinstance(value, list) or order != 1:
+            raise Unsaid(f"{to_latex(tree)}: are its rows those of what is differentiated? write it out")
+        places = [self.rate(self.written_out(each, tree, env), tree) for each in by]
+        if len({*places}) < len(places):
+            raise Unsaid(f"{to_latex(tree)}: a derivative by letters of which two are the same; write it out")
+        return type(by)(self.by_place(value, each, tree, env) for each in places)
+
+    def rate(self, term: Term, tree: Tree) -> Term:
+        """A derivative of the value of a function as that of its rate."""
+        if isinstance(term, Binder) and term.tag == "diff" and isinstance(term.body, Applied):
+            order, _ = term.outside
+            return self.slope(term.body, term.letter, int(str(order)), tree, partial=False)
+        return term
+
+    def by_place(self, value: Value, by: Term, tree: Derivative, env: Env) -> Value:
+        if isinstance(by, Applied):
+            return each_part(partial(self.by_function, by=by, order=1, tree=tree, env=env), value)
+        if not isinstance(by, str):
+            raise Unsaid(f"{to_latex(tree)}: a derivative by what is no letter; write it out")
+        return self.derived(value, by, 1, tree, partial=True)
 
     def along(self, value: Value, by: Applied, order: int, tree: Derivative) -> Value:
         r"""The total derivative by what depends on another letter, as `\dot r / \dot \theta` for `dr / d\theta`."""

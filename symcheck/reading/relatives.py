@@ -9,6 +9,8 @@ import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from symcheck.reading.evidence import spellings
+
 # a bold letter, and its subscript
 _BOLD = re.compile(r"\\(?:mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{(\\?[A-Za-z]+)\}(?:_(.+))?")
 # a bold lower-case letter with a hat: a unit vector
@@ -94,10 +96,11 @@ def relatives(
         if match is None or bold not in varying:
             continue
         base, script = match[1], (match[2] or "").strip("{}")
-        if (plain := f"{base}_{match[2]}" if match[2] else base) in varying:
+        listed = [right for each in formulas if (right := _listed(each, bold))] if bold in solved else []
+        plain = f"{base}_{match[2]}" if match[2] else base
+        if plain in varying and not any(plain in spellings(right) for right in listed):
             found.lengths[plain] = bold
-        written_out = bold in solved and any(_is_written_out(each, bold) for each in formulas)
-        if (bold not in free and bold not in solved) or written_out:
+        if (bold not in free and bold not in solved) or listed:
             continue
         for parts in _components(base, script, letters, least=1 if bold in solved else 2):
             found.components[bold] = _matrix([part] for part in parts)
@@ -116,10 +119,10 @@ def relatives(
     return found
 
 
-def _is_written_out(formula: str, bold: str) -> bool:
-    r"""Does a formula say what the components of a vector are, as in `\mathbf{q} = (q_w, q_x, q_y, q_z)`?"""
-    left, sign, right = formula.replace(" ", "").partition("=")
-    return bool(sign) and left == bold.replace(" ", "") and _LISTED.match(right) is not None
+def _listed(formula: str, bold: str) -> str:
+    r"""What a formula says the components of a vector are, as in `\mathbf{q} = (q_w, q_x, q_y, q_z)`; "" if nothing."""
+    left, _, right = formula.partition("=")
+    return right if "".join(left.split()) == bold.replace(" ", "") and _LISTED.match(right.replace(" ", "")) else ""
 
 
 def _matrix(rows: Iterable[Sequence[str]]) -> str:
