@@ -734,7 +734,9 @@ def _goes_on(token: str) -> bool:
 
 
 # what factors of a product begin with that are more than a letter
-FACTORS = frozenset({r"\frac", r"\dfrac", r"\tfrac", r"\sqrt", r"\cdot", r"\times", r"\left", "(", "[", "{", "|", r"\|"})
+FACTORS = frozenset(
+    {r"\frac", r"\dfrac", r"\tfrac", r"\sqrt", r"\cdot", r"\times", r"\left", "(", "[", "{", "|", r"\|"}
+)
 
 
 def _stands_in_body(of: Evidence) -> bool:

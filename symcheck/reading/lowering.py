@@ -1366,12 +1366,12 @@ class Lowering:
         """The partial derivatives of a number by the components of a column, or a row, of letters."""
         if isinstance(value, list) or order != 1:
             raise Unsaid(f"{to_latex(tree)}: are its rows those of what is differentiated? write it out")
-        places = [self.rate(self.written_out(each, tree, env), tree) for each in by]
+        places = [self.as_rate(self.written_out(each, tree, env), tree) for each in by]
         if len({*places}) < len(places):
             raise Unsaid(f"{to_latex(tree)}: a derivative by letters of which two are the same; write it out")
         return type(by)(self.by_place(value, each, tree, env) for each in places)
 
-    def rate(self, term: Term, tree: Tree) -> Term:
+    def as_rate(self, term: Term, tree: Tree) -> Term:
         """A derivative of the value of a function as that of its rate."""
         if isinstance(term, Binder) and term.tag == "diff" and isinstance(term.body, Applied):
             order, _ = term.outside
