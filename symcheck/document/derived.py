@@ -40,7 +40,7 @@ NAMING = re.compile(
 # words before what holds nearly, and signs of it between letters, or of a function
 NEARLY = re.compile(
     r"\b(?:lineari[sz]\w*|neglect\w*|approximation\w*|(?:first|second|leading|lowest|higher)[- ]order"
-    r"|small[- ](?:\w+ )?(?:angles?|perturbations?|deviations?|oscillations?|displacements?|rotations?|errors?|motions?)"
+    r"|small[- ](?:\w+ )?(?:angle|perturbation|deviation|oscillation|displacement|rotation|error|motion)s?"
     r"|(?:is|are|be|for|sufficiently|very|enough) small)\b",
     re.IGNORECASE,
 )
@@ -351,7 +351,7 @@ class Derived:
         return {(t, s) for s, group in found.items() for t in group}
 
     def nearly(self, holding: Iterable[tuple[Place, ...]]) -> tuple[set[int], set[int]]:
-        """The formulas that hold exactly, and those that hold nearly: behind words that say so, and what these agree with.
+        """The formulas that hold exactly, and those that hold nearly: behind words that say so, or as these do.
 
         The part of the document that begins with such words goes with them; what stands before all of these is exact.
         """

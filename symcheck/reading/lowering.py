@@ -1351,7 +1351,7 @@ class Lowering:
         for variable_tree, order in tree.variables:
             by = self.value(variable_tree, env)
             if tree.partial and len(shape(by)) == 1:
-                value = self.gradient(value, by, order, tree, env)
+                value = self.by_components(value, by, order, tree, env)
                 continue
             by = self.scalar(variable_tree, env)
             if isinstance(by, Applied) and tree.partial:
@@ -1362,7 +1362,7 @@ class Lowering:
                 value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
         return value
 
-    def gradient(self, value: Value, by: list[Term], order: int, tree: Derivative, env: Env) -> Value:
+    def by_components(self, value: Value, by: list[Term], order: int, tree: Derivative, env: Env) -> Value:
         """The partial derivatives of a number by the components of a column, or a row, of letters."""
         if isinstance(value, list) or order != 1:
             raise Unsaid(f"{to_latex(tree)}: are its rows those of what is differentiated? write it out")
