@@ -574,3 +574,91 @@ def test_no_search_is_made_for_what_cannot_change_the_answer(monkeypatch: pytest
     assert len(asked) == 2  # matrices that are printed have no other numbers of rows
     assert decide(r"\mathbf{a}\mathbf{a}^T = \mathbf{b}\mathbf{b}^T + [\mathbf{a}]_{\times}").verdict == "undecided"
     assert len(proofs) < 40  # of hundreds of slips; the others fail where some numbers stand for the letters
+
+
+PLACE = r"\mathbf{x} = \begin{pmatrix} x \\ y \end{pmatrix}"
+COORDINATES = r"q = \begin{pmatrix} x \\ \theta \end{pmatrix}"
+ENERGY = r"L = \frac12 m \dot x^2 + \frac12 J \dot\theta^2 - k x \theta"
+GRADIENTS: dict[str, list[tuple[str, list[str]]]] = {
+    "proved": [
+        (r"\frac{\partial f}{\partial \mathbf{x}} = \begin{pmatrix} 2x \\ 2y \end{pmatrix}", ["f = x^2 + y^2", PLACE]),
+        (r"\frac{\partial f}{\partial \mathbf{x}} = 2\mathbf{x}", ["f = x^2 + y^2", PLACE]),
+        (r"\frac{\partial L}{\partial q} = \begin{pmatrix} -k\theta \\ -k x \end{pmatrix}", [COORDINATES, ENERGY]),
+        (r"\frac{\partial L}{\partial \dot q} = \begin{pmatrix} m\dot x \\ J\dot\theta \end{pmatrix}",
+         [COORDINATES, ENERGY]),
+        (r"\frac{d}{dt}\left(\frac{\partial L}{\partial \dot q}\right) - \frac{\partial L}{\partial q}"
+         r" = \begin{pmatrix} m\ddot x + k\theta \\ J\ddot\theta + k x \end{pmatrix}", [COORDINATES, ENERGY]),
+        (r"\frac{\partial V}{\partial \mathbf{r}} = \frac{\mu}{r^3}\mathbf{r}",
+         [r"V = -\frac{\mu}{r}", r"r = |\mathbf{r}|"]),
+    ],
+    "refuted": [
+        (r"\frac{\partial f}{\partial \mathbf{x}} = \begin{pmatrix} 2x \\ y \end{pmatrix}", ["f = x^2 + y^2", PLACE]),
+        (r"\frac{\partial f}{\partial \mathbf{x}} = \mathbf{0}", ["f = x^2 + y^2", PLACE]),
+        (r"\frac{\partial V}{\partial \mathbf{r}} = \frac{\mu}{r^2}\mathbf{r}",
+         [r"V = -\frac{\mu}{r}", r"r = |\mathbf{r}|"]),
+        (r"\frac{\partial L}{\partial \dot q} = \begin{pmatrix} m\dot x \\ m\dot\theta \end{pmatrix}",
+         [COORDINATES, ENERGY]),
+    ],
+    "undecided": [  # a stationary point, two components that are one letter, and a component that is no letter
+        (r"\frac{\partial f}{\partial \mathbf{x}} = \mathbf{0}", []),
+        (r"\frac{\partial f}{\partial q} = \begin{pmatrix} 2y \\ 2y \end{pmatrix}",
+         ["f = y^2", r"q = \begin{pmatrix} y \\ y \end{pmatrix}"]),
+        (r"\frac{\partial f}{\partial q} = \begin{pmatrix} 2x \\ 1 \end{pmatrix}",
+         ["f = x^2 + y", r"q = \begin{pmatrix} 2x \\ y \end{pmatrix}"]),
+        (r"\frac{\partial \mathbf{f}}{\partial \mathbf{x}} = 0", []),  # rows or columns
+    ],
+    "ambiguous": [  # they may be components, or constant
+        (r"\frac{\partial}{\partial \mathbf{x}} (x^2 + y^2) = \mathbf{0}", []),
+        (r"\frac{\partial f}{\partial \mathbf{x}} = \mathbf{0}", ["f = x_1^2"]),
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "where"), [(v, *each) for v, several in GRADIENTS.items() for each in several]
+)
+def test_a_derivative_by_a_column_of_letters_is_the_column_of_their_derivatives(
+    verdict: str, relation: str, where: list[str]
+) -> None:
+    assert decide(relation, where=where).verdict == verdict
+
+
+PRODUCTS = {
+    r"\frac{d m v^2}{dt} = 2 m v \dot v": "proved",
+    r"\frac{d I \omega}{dt} = I \dot\omega": "proved",
+    r"\frac{\partial a x^2 y}{\partial x} = 2 a x y": "proved",
+    r"\frac{\partial a \sqrt{x}}{\partial x} = \frac{a}{2\sqrt{x}}": "proved",
+    r"\frac{d a \sin x}{dx} = a \cos x": "proved",
+    r"\frac{\partial a |\mathbf{x}|}{\partial \mathbf{x}} = \frac{a \mathbf{x}}{|\mathbf{x}|}": "proved",
+    r"\frac{d uv}{dx} = u \frac{dv}{dx} + v \frac{du}{dx}": "proved",
+    r"\frac{d m v^2}{dt} = m v \dot v": "refuted",
+    r"\frac{\partial a x^2 y}{\partial x} = a x y": "refuted",
+    r"\frac{d uv}{dx} = u \frac{dv}{dx}": "ambiguous",
+}
+
+
+@pytest.mark.parametrize("relation", PRODUCTS)
+def test_a_letter_behind_the_d_that_other_factors_follow_may_be_constant(relation: str) -> None:
+    assert decide(relation).verdict == PRODUCTS[relation]
+
+
+MATRIX, COLUMN = r"\begin{bmatrix} 0 & 1 \\ 0 & a \end{bmatrix}", r"\begin{bmatrix} 0 \\ b \end{bmatrix}"
+
+
+@pytest.mark.parametrize(
+    "relation",
+    [
+        rf"A = {MATRIX}, \quad B = {COLUMN}",
+        rf"A &= {MATRIX} \\ B &= {COLUMN}",
+        rf"\begin{{aligned}} A &= {MATRIX} \\ B &= {COLUMN} \end{{aligned}}",
+        rf"A = {MATRIX} \text{{ and }} B = {COLUMN}",
+        rf"A = {MATRIX}, \quad \dot B = {COLUMN}",
+        r"A = \left[\begin{array}{cc} 0 & 1 \\ 0 & a \end{array}\right], B = (\begin{array}{c} 0 \\ b \end{array})",
+        r"A = \begin{bmatrix*}[r] 0 & 1 \\ 0 & a \end{bmatrix*}, B = \begin{pmatrix*} 0 \\ b \end{pmatrix*}",
+    ],
+)
+def test_what_is_equal_to_a_printed_matrix_is_one_wherever_that_stands(relation: str) -> None:
+    taken = decide(relation).letters
+    assert taken["A"].startswith("a matrix")
+    assert taken["B"].startswith("a vector")
+    assert "r" not in taken

@@ -325,3 +325,45 @@ def test_what_may_be_one_name_in_a_formula_may_be_one_in_all_of_a_document(tmp_p
     assert look(tmp_path / "n.md").read == (False, False)
     (tmp_path / "n.md").write_text(text + "\nThe factors are $$C = 2 r$$ here.\n", encoding="utf-8")
     assert look(tmp_path / "n.md").read == (True, True, True)
+
+
+# what holds nearly does not follow from what holds exactly, and says nothing against it
+SWINGING = r"""# A pendulum
+
+The equation of motion is
+$$m l^2 \ddot\theta + m g l \sin\theta = u l$$
+and, since $m \ne 0$ and $l \ne 0$,
+$$l \ddot\theta + g \sin\theta = \frac{u}{m}$$
+
+## Near the rest
+
+Linearized about the rest this is
+$$l \ddot\theta + g \theta = \frac{u}{m}$$
+and therefore
+$$\ddot\theta = \frac{u}{m l} - \frac{g}{l} \theta$$
+
+## A model
+
+With its rate the angle satisfies
+$$\begin{pmatrix} \dot\theta \\ \ddot\theta \end{pmatrix} = \begin{pmatrix} 0 & 1 \\ -\frac{g}{l} & 0 \end{pmatrix}
+\begin{pmatrix} \theta \\ \dot\theta \end{pmatrix} + \begin{pmatrix} 0 \\ \frac{1}{m l} \end{pmatrix} u$$
+"""
+SWINGS = [
+    (r"l \ddot\theta + g \sin", r"m l \ddot\theta + g \sin", ["line 6"]),
+    (r"\frac{u}{m l} - \frac{g}{l} \theta", r"\frac{u}{m l} + \frac{g}{l} \theta", ["line 13"]),
+    (r"\\ \frac{1}{m l} \end", r"\\ \frac{1}{m} \end", ["line 18"]),
+]
+
+
+def test_what_holds_nearly_is_not_held_against_what_holds_exactly(tmp_path: Path) -> None:
+    (tmp_path / "pendulum.md").write_text(SWINGING, encoding="utf-8")
+    assert not look(tmp_path / "pendulum.md").findings
+
+
+@pytest.mark.parametrize(("right", "wrong", "places"), SWINGS)
+def test_slips_among_what_holds_nearly_and_exactly_are_found(
+    right: str, wrong: str, places: list[str], tmp_path: Path
+) -> None:
+    assert right in SWINGING
+    (tmp_path / "pendulum.md").write_text(SWINGING.replace(right, wrong), encoding="utf-8")
+    assert [each.place for each in look(tmp_path / "pendulum.md").findings] == places

@@ -468,10 +468,10 @@ def blamed(
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
     holding = [*(question.places for each in outcomes for question in each.holding), *shown]
     same = _same(holding)
+    several = Counter(same[m] for m in {m for places in holding for m in places})
     linked = sets.linked(holding)
     failing = [question for each in outcomes for question in each.failing if sets.is_telling(question, linked)]
-    exact, close = sets.nearly(holding)
-    failing = [q for q in failing if not (exact & (own := {m for m, _ in q.places}) and close & own)]
+    failing = _comparable(failing, *sets.nearly(holding))
     near = {m for question in failing if sets.is_telling(question) for m in question.places}
     held, failed = (
         Counter(x for places in every for x in {same[m] for m in places})
@@ -498,7 +498,8 @@ def blamed(
             most |= {same[m] for m in found}
             done = {same[m] for m in found}
             never = {m: slip for m, slip in found.items() if not held[same[m]]}
-            likely = never if len({same[m] for m in never}) == 1 else found
+            unlike_others = {m: slip for m, slip in never.items() if several[same[m]] < 2}
+            likely = next((x for x in (never, unlike_others) if len({same[m] for m in x}) == 1), found)
             if len({same[m] for m in likely}) == 1 or len({m for m, _ in likely}) == 1:
                 wrong |= {m: slip.question for (m, _), slip in likely.items()}
             elif done:
@@ -510,6 +511,16 @@ def blamed(
             }
             until = end
     return wrong, unlike
+
+
+def _comparable(failing: Sequence[Question], exact: Set[int], close: Set[int]) -> list[Question]:
+    """The relations that fail where it counts: not what holds nearly with what holds exactly.
+
+    What does not hold with either, and fails with both, is meant to hold nearly.
+    """
+    own = {question: {m for m, _ in question.places} for question in failing}
+    close = close | {m for places in own.values() if places & close for m in places - exact}
+    return [question for question, places in own.items() if not (places & exact and places & close)]
 
 
 def _explained(

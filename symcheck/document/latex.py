@@ -141,6 +141,7 @@ class Scanner:
 
     def end(self) -> None:
         """A paragraph ends, or a display parts it: what is said in it of letters."""
+        self.prose.append(" ")
         text = "".join(self.paragraph)
         if self.titled and text.strip():
             self.titled, self.listed = False, LISTS.match(text) is not None

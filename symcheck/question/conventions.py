@@ -154,9 +154,9 @@ def constant(reading: Reading) -> Iterator[tuple[str, str]]:
             todo = {more for each in todo for more in _on(each, meant, reading.inference.notation)} - on
         for variable, _ in part.variables:
             by = variable.function if isinstance(variable, Call) else variable
-            if isinstance(by, Name) and on.isdisjoint(
-                _places(by, meant) if part.partial else _along(by, meant, reading)
-            ):
+            if not isinstance(by, Name):
+                continue
+            if on.isdisjoint(_places(by, meant) if part.partial else _along(by, meant, reading)):
                 yield to_latex(part.body), to_latex(variable)
 
 

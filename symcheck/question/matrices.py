@@ -364,11 +364,8 @@ class Lowering:
         (name, shape), change = self.letter(variable), self.names.get("change")
         if not isinstance(name, str) or change is not None or self.declaration(variable).skew:
             raise NoForm("a derivative by several letters, or by a matrix whose entries depend on each other")
-        inside = {part.letter for part in nodes(body) if isinstance(part, Name)}
-        others = [
-            self.declaration(part) for part in nodes(body) if isinstance(part, Name) and part.letter != variable.letter
-        ]
-        if variable.letter not in inside or any(_stem(x.latex) == _stem(variable.letter) for x in others):
+        inside, of = {part.letter for part in nodes(body) if isinstance(part, Name)}, variable.letter
+        if of not in inside or any(_stem(x) == _stem(of) for x in inside - {of}):
             raise NoForm("what may be a function of it, or one of its components, is no constant")
         self.varied, change = name, self.named("change", f"d{name}")
         self.shapes[change] = shape

@@ -24,7 +24,7 @@ from symcheck.reading.evidence import Evidence, time
 from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
-from symcheck.reading.occurrences import FUNCTIONS_SPELLED, INTEGRALS, Occurrence
+from symcheck.reading.occurrences import FRACTIONS, FUNCTIONS_SPELLED, INTEGRALS, Occurrence
 
 _MASSES = frozenset({"m", "M", r"\rho", "}"})  # before the g of gravity
 ECCENTRICITY = "it stands as an eccentricity does"
@@ -734,9 +734,7 @@ def _goes_on(token: str) -> bool:
 
 
 # what factors of a product begin with that are more than a letter
-FACTORS = frozenset(
-    {r"\frac", r"\dfrac", r"\tfrac", r"\sqrt", r"\cdot", r"\times", r"\left", "(", "[", "{", "|", r"\|"}
-)
+FACTORS = frozenset({r"\sqrt", r"\cdot", r"\times", r"\left", "(", "[", "{", "|", r"\|"}) | FRACTIONS
 
 
 def _stands_in_body(of: Evidence) -> bool:
