@@ -662,3 +662,33 @@ def test_what_is_equal_to_a_printed_matrix_is_one_wherever_that_stands(relation:
     assert taken["A"].startswith("a matrix")
     assert taken["B"].startswith("a vector")
     assert "r" not in taken
+
+
+X_T, FORCED = "f = x^2 t", r"L = \frac12 m \dot q^2 - \frac12 k q^2 + q \sin t"
+CHAINS: dict[str, list[tuple[str, list[str]]]] = {
+    "proved": [
+        (r"\frac{df}{dt} = \frac{\partial f}{\partial t} + \frac{\partial f}{\partial x} \frac{dx}{dt}", [X_T]),
+        (r"\dot f = \frac{\partial f}{\partial t} + \frac{\partial f}{\partial x} \dot x", [X_T]),
+        (r"\frac{dL}{dt} = \frac{\partial L}{\partial q} \dot q + \frac{\partial L}{\partial\dot q} \ddot q"
+         r" + \frac{\partial L}{\partial t}", [FORCED]),
+        (r"\frac{\partial f}{\partial t} = x^2", [X_T]),
+        (r"\frac{\partial u^2}{\partial t} = 2 u \frac{\partial u}{\partial t}", []),
+        (r"\frac{\partial u}{\partial t} = -c \frac{\partial u}{\partial x}", ["u = f(x - ct)"]),
+    ],
+    "refuted": [
+        (r"\frac{df}{dt} = \frac{\partial f}{\partial t} - \frac{\partial f}{\partial x} \frac{dx}{dt}", [X_T]),
+    ],
+    "undecided": [  # what moves may be held constant, or not
+        (r"\frac{\partial f}{\partial t} = x^2", [X_T, r"\dot x = v"]),
+        (r"\frac{\partial T}{\partial t} = m \dot x \ddot x", [r"T = \frac12 m \dot x^2"]),
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "where"), [(v, *each) for v, several in CHAINS.items() for each in several]
+)
+def test_beside_total_derivatives_a_partial_one_holds_constant_what_moves(
+    verdict: str, relation: str, where: list[str]
+) -> None:
+    assert decide(relation, where=where).verdict == verdict

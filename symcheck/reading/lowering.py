@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache, partial
 from math import comb, factorial
@@ -81,6 +82,7 @@ from symcheck.reading.tree import (
     BigProduct,
     BigSum,
     Binomial,
+    Blank,
     Call,
     CaseList,
     Chain,
@@ -310,6 +312,7 @@ class Lowering:
         self.standing: dict[Name, Value] = {}  # what the arguments of a defined function stand for
         self.met: dict[str, Name] = {}  # variables of letters that are printed, with one place
         self.arities: dict[str, int] = {}  # how many arguments each function has
+        self.tree: Tree = Blank()  # of the relation
         self.kinds: frozenset[type[Tree]] | None = None  # of all parts of the relation, where it is a whole one
         self.aside: list[Formula] = []  # that there are the limits in a relation
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
@@ -330,6 +333,7 @@ class Lowering:
     def whole(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, in which every letter that is printed occurs."""
         self.met.clear()
+        self.tree = relation.tree
         self.kinds = frozenset(type(part) for part in nodes(relation.tree))
         if Total in self.kinds:
             refuse_uneven(relation.tree)
@@ -1450,8 +1454,33 @@ class Lowering:
             raise SymcheckError(
                 f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative"
             )
+        if partial and (explicit := self.explicit(term, by, tree)) is not None:
+            return node("diff", explicit, f"{by}_alone", order, by)
         self.refuse_unsaid(term, by, tree, held=partial)
         return node("diff", term, by, order, by)
+
+    def explicit(self, term: Term, by: str, tree: Tree) -> Term | None:
+        """The term with another letter in the place of a variable where that stands itself; None if that is all.
+
+        Beside total derivatives a partial one holds constant what depends on the variable alone; else that is not said.
+        """
+        inside, met = self.inside, {**self.met}
+        with suppress(SymcheckError):
+            term = self.written_out(term, tree, {})
+        self.inside, self.met = inside, met
+        derivatives = [part for part in nodes(self.tree) if isinstance(part, Derivative)]
+        own = {part.function for part in _calls(term) if part.terms == (by,)}
+        for body in (part.body for part in derivatives if part.partial):
+            name = body.function if isinstance(body, Call) else body
+            letter = self.notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
+            own -= {letter.stem} if letter else set()
+        if not own:
+            return None
+        alone = _alone(term, by, f"{by}_alone")
+        dots = any(isinstance(part, Name) and part.dots for part in nodes(self.tree))
+        if alone == term or not (dots or any(not part.partial for part in derivatives)):
+            raise Unsaid(f"{to_latex(tree)}: is {min(own)} held constant, or not? write a total derivative, or what is")
+        return alone
 
     def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:
         """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""
@@ -1588,6 +1617,23 @@ def _through(term: Term, by: str) -> bool:
     if isinstance(term, Applied) and any(part != by and by in _names(part) for part in term.terms):
         return True
     return any(_through(part, by) for part in term.inside + term.outside)
+
+
+def _calls(term: Term) -> Iterator[Applied]:
+    """The values of functions in a term."""
+    if isinstance(term, Applied):
+        yield term
+    for part in (*term.inside, *term.outside) if isinstance(term, Node) else ():
+        yield from _calls(part)
+
+
+def _alone(term: Term, name: str, other: str) -> Term:
+    """A term with another letter in the place of one, but for the arguments of functions."""
+    if term == name:
+        return other
+    if isinstance(term, Applied) or not isinstance(term, Node):
+        return term
+    return mapped(term, lambda part: _alone(part, name, other))
 
 
 def _slope(term: Term, by: str) -> Term:
