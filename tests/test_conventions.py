@@ -692,3 +692,49 @@ def test_beside_total_derivatives_a_partial_one_holds_constant_what_moves(
     verdict: str, relation: str, where: list[str]
 ) -> None:
     assert decide(relation, where=where).verdict == verdict
+
+
+KINETIC = r"T = \frac12 \boldsymbol\omega \cdot \mathbf{J} \boldsymbol\omega"
+EULER = r"\mathbf{J} \dot{\boldsymbol\omega} + \boldsymbol\omega \times \mathbf{J} \boldsymbol\omega = \mathbf{u}"
+CONTRACTED: dict[str, list[tuple[str, list[str]]]] = {
+    "proved": [
+        (r"\mathbf{a} \cdot \mathbf{J} \mathbf{b} = \mathbf{a}^T \mathbf{J} \mathbf{b}", []),
+        (r"\mathbf{a} \cdot \mathbf{J} \cdot \mathbf{b} = \mathbf{a}^T \mathbf{J} \mathbf{b}", []),
+        (r"\mathbf{a} \cdot \mathbf{J} = \mathbf{J}^T \mathbf{a}", []),
+        (r"\mathbf{a} \cdot \mathbf{A} \mathbf{B} \mathbf{b} = \mathbf{a}^T \mathbf{A} (\mathbf{B} \mathbf{b})", []),
+        (r"\mathbf{a} \cdot \mathbf{J} \mathbf{b}\, \mathbf{c} = (\mathbf{a}^T \mathbf{J} \mathbf{b}) \mathbf{c}", []),
+    ],
+    "refuted": [
+        (r"\mathbf{a} \cdot \mathbf{J} \cdot \mathbf{b} = 2 \mathbf{a}^T \mathbf{J} \mathbf{b}", []),
+        (r"\dot T = 2 \boldsymbol\omega \cdot \mathbf{J} \dot{\boldsymbol\omega}", [KINETIC]),
+    ],
+    "ambiguous": [  # these hold for symmetric matrices, as those of inertia are
+        (r"\mathbf{a} \cdot \mathbf{J} \mathbf{b} = \mathbf{b} \cdot \mathbf{J} \mathbf{a}", []),
+        (r"\mathbf{a} \cdot \mathbf{J} = \mathbf{J} \mathbf{a}", []),
+        (r"\dot T = \boldsymbol\omega \cdot \mathbf{J} \dot{\boldsymbol\omega}", [KINETIC]),
+        (r"\dot V = 2 \mathbf{x}^T \mathbf{P} \dot{\mathbf{x}}", [r"V = \mathbf{x}^T \mathbf{P} \mathbf{x}"]),
+    ],
+    "unreadable": [(r"\mathbf{a} \cdot \mathbf{J} \mathbf{b} \cdot \mathbf{c} = 0", [])],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "where"), [(v, *each) for v, several in CONTRACTED.items() for each in several]
+)
+def test_a_dot_before_a_matrix_contracts_and_symmetry_is_asked_about(
+    verdict: str, relation: str, where: list[str]
+) -> None:
+    assert decide(relation, where=where).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("relation", "where"),
+    [
+        (r"\dot T = \boldsymbol\omega \cdot \mathbf{u}", [KINETIC, EULER]),
+        (r"\dot V = 2 \mathbf{x}^T \mathbf{J} \dot{\mathbf{x}}", [r"V = \mathbf{x}^T \mathbf{J} \mathbf{x}"]),
+    ],
+)
+def test_what_holds_for_a_symmetric_matrix_is_proved_if_it_is_said_to_be(relation: str, where: list[str]) -> None:
+    answer = decide(relation, where, r"\mathbf{J}^T = \mathbf{J}")
+    assert answer.verdict == "proved"
+    assert r"\mathbf{J}^T = \mathbf{J}" in answer.used

@@ -367,3 +367,11 @@ def test_slips_among_what_holds_nearly_and_exactly_are_found(
     assert right in SWINGING
     (tmp_path / "pendulum.md").write_text(SWINGING.replace(right, wrong), encoding="utf-8")
     assert [each.place for each in look(tmp_path / "pendulum.md").findings] == places
+
+
+def test_a_matrix_of_which_nothing_is_said_may_be_symmetric() -> None:
+    rate, energy = r"\dot V = 2 \mathbf{x}^T \mathbf{P} \dot{\mathbf{x}}", (r"V = \mathbf{x}^T \mathbf{P} \mathbf{x}",)
+    assert compared(rate, energy, ()) == Found(holds=True, bound=True)
+    assert compared(rate.replace("2", "3"), energy, ()) == Found(holds=False, bound=True)
+    given = (*energy, r"\mathbf{P} = \begin{pmatrix} 1 & 2 & 0 \\ 0 & 1 & 0 \\ 0 & 0 & 1 \end{pmatrix}")
+    assert compared(rate, given, ()) == Found(holds=False, bound=True)

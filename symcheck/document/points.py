@@ -21,6 +21,7 @@ from symcheck.document.letters import depends_on
 from symcheck.document.survey import Said
 from symcheck.question.antiderivatives import FAULTS
 from symcheck.question.cases import CASE
+from symcheck.question.matrices import open_matrices
 from symcheck.question.prepare import Asked, alone_of, plainly, readings, worded
 from symcheck.question.repairs import likely, missing
 from symcheck.reading import to_latex, to_sympy
@@ -73,8 +74,31 @@ class Found(NamedTuple):
 def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bool = False) -> Found | None:
     """How a relation compares with the equations from which it may follow; None where no points are found.
 
-    Nor where one side alone has further letters, unless it is asked whether it holds for all values of these.
+    Nor where one side alone has further letters, unless it is asked whether it holds for all values of these. Texts
+    rarely say that a matrix is symmetric: what holds if those are that nothing says holds.
     """
+    found = _compared(relation, sources, letters, further)
+    if found is None or found.holds or not (symmetric := _symmetric((relation, *sources), letters)):
+        return found
+    other = _compared(relation, (*sources, *symmetric), letters, further)
+    return other if other is not None and other.holds else found
+
+
+def _symmetric(texts: Sequence[str], letters: Said) -> list[str]:
+    """That the matrices are symmetric of which no equation says what they are."""
+    every = dict.fromkeys(x for text in texts for x in _matrices(text, letters))
+    return [f"{x}^T = {x}" for x in every if not any(_bare(text).startswith(f"{_bare(x)}=") for text in texts)]
+
+
+@lru_cache(4096)
+def _matrices(text: str, letters: Said) -> tuple[str, ...]:
+    """The matrices in a text that are no identity, and not made of a vector or printed components."""
+    with suppress(SymcheckError, *FAULTS):
+        return tuple(open_matrices(readings(plainly(Asked(text, letters=_own(text, letters))))[0]))
+    return ()
+
+
+def _compared(relation: str, sources: tuple[str, ...], letters: Said, further: bool) -> Found | None:
     try:
         asked = [*_equations(relation, letters)]
         unknown = _unknown(asked)
@@ -327,13 +351,17 @@ def _hold(equations: Iterable[Equation], points: Sequence[dict[Symbol, float]]) 
 
 
 def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
-    bare = _bare(text)
-    own = (
-        (x, phrase) for x, phrase in letters if _bare(x) in bare and all(_bare(y) in bare for y in depends_on(phrase))
-    )
-    if not (found := _read(text, tuple(own))):
+    if not (found := _read(text, _own(text, letters))):
         raise SymcheckError("no equation is read here")
     return found
+
+
+def _own(text: str, letters: Said) -> Said:
+    """What is said of the letters of a text."""
+    bare = _bare(text)
+    return tuple(
+        (x, phrase) for x, phrase in letters if _bare(x) in bare and all(_bare(y) in bare for y in depends_on(phrase))
+    )
 
 
 @lru_cache(4096)

@@ -45,7 +45,7 @@ from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, covers, false_gradients, oblong, of_any_size
+from symcheck.question.matrices import OfAnySize, covers, false_gradients, oblong, of_any_size, open_matrices
 from symcheck.question.measured import ONE, measured
 from symcheck.question.measured import checked as checked_units
 from symcheck.question.parts_of_turns import with_parts_of_turns
@@ -90,6 +90,7 @@ SQUARE = (
     "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
 )
 UP_TO = "a whole number (a sum or product runs up to it)"
+MOST_SYMMETRIC = 4  # matrices of which each alone is taken to be symmetric, if not all can be
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
@@ -249,7 +250,10 @@ def answered(
     if (answer := _agreed(found)) is not None:
         if answer.verdict is Status.PROVED and asked and not square and _holds_for_square_alone(asked):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=SQUARE, seconds=seconds)
-        if answer.verdict is Status.REFUTED and (reason := braced(printed.relation)):
+        reason = braced(printed.relation) if answer.verdict is Status.REFUTED else ""
+        if answer.verdict is Status.REFUTED and asked:
+            reason = reason or _of_symmetric(asked, found[0][0])
+        if reason:
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
         return replace(answer, used=tuple(spelled.get(text, text) for text in answer.used), seconds=seconds)
     shown = "; ".join(f"{', '.join(r.inference.choices)}: {a.verdict}" for r, a in found)
@@ -321,6 +325,18 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
         return near[0]
     return found[0][1] if not near and {*remote} in ({Status.PROVED}, {Status.AMBIGUOUS}) else None
+
+
+def _of_symmetric(asked: Asked, reading: Reading) -> str:
+    """That a relation which is refuted holds for symmetric matrices, as texts rarely say that they are; or ""."""
+    free = [x for x in open_matrices(reading) if x not in reading.source[2]]
+    open_ = [x for x in free if not any(x in text for text in asked.given)]
+    for those in dict.fromkeys(((*open_,), *((x,) for x in open_[:MOST_SYMMETRIC]))) if open_ else ():
+        symmetric = [f"{x}^T = {x}" for x in those]
+        given = (*asked.given, *symmetric)
+        if answered(asked.relation, asked.where, given, dict(asked.letters), wanted=False).verdict is Status.PROVED:
+            return f"it holds if {', '.join(symmetric)}; say whether that is meant"
+    return ""
 
 
 def _holds_for_square_alone(asked: Asked) -> bool:

@@ -111,6 +111,12 @@ def covers(general: Inference, other: Inference) -> bool:
     )
 
 
+def open_matrices(reading: Reading) -> list[str]:
+    """The matrices of a reading that are no identity, and not made of a vector or of printed components."""
+    every = (guess.letter for guess in reading.inference.guesses if guess.letter.kind == "matrix")
+    return [x.latex for x in every if not (x.identity or x.skew or x.components)]
+
+
 class Mismatch(NoForm):
     """Shapes that do not fit together."""
 

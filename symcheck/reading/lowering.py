@@ -802,22 +802,28 @@ class Lowering:
         refuse_order(tree, self.notation)
         scalars: list[Number] = []
         product: Value = None
-        ended = -1  # the last factor of a scalar product of two vectors
+        ended, rows = -1, False  # the last factor of a scalar product of two vectors; does a row come of a dot?
         for k, factor in enumerate(tree.factors):
             value = self.value(factor, env)
             if isinstance(value, list) and k in tree.dotted and ended == k - 1:
                 raise SymcheckError(f"{to_latex(tree)}: which two vectors does the dot multiply? write brackets")
-            if isinstance(value, list) and k in tree.dotted and isinstance(product, list):
+            contracted = k in tree.dotted and len(shape(value)) == 2 and len(shape(product)) == 1
+            if contracted and isinstance(product, list):  # a dot between a vector and a matrix, as in w . J w
+                product = Row(product)
+            elif isinstance(value, list) and isinstance(product, list) and (k in tree.dotted or rows):
                 ended = k
+            rows = rows or contracted
             if isinstance(value, list):
                 product = value if product is None else self.multiplied(product, value, tree, dotted=k in tree.dotted)
             if not isinstance(value if product is None else product, list):
+                rows = False
                 scalars.append(value if product is None else product)
                 product = None
             elif not isinstance(value, list):
                 scalars.append(value)
         if product is None:
             return multiplied(*scalars)
+        product = list(product) if rows else product
         return zipped(lambda t: multiplied(*scalars, t), [product]) if scalars else product
 
     def multiplied(self, a: Value, b: Value, tree: Tree, *, dotted: bool = False) -> Value:

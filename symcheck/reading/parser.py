@@ -769,7 +769,7 @@ class Builder:
             dotted = False
         if len(factors) > 1 and any(isinstance(factor, Infinity) for factor in factors):
             raise self.fail(items[0].at, "infinity is no factor; write a comma before what follows, or brackets")
-        vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k]))
+        vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.has_components(factors[k]))
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
 
     def refuse_numbers(self, items: list[Item]) -> None:
@@ -942,6 +942,10 @@ class Builder:
             if letter is not None and len(letter.size) == 1:
                 return True
         return False
+
+    def has_components(self, tree: Tree) -> bool:
+        """Is it a vector, or a matrix, with which a vector before the dot is contracted?"""
+        return self.is_vector(tree) or (isinstance(tree, Name) and self.kind(tree) == "matrix")
 
     def in_brackets(self, item: Item) -> bool:
         return item.kind == "group" or item.square
