@@ -11056,7 +11056,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "K_B := \\frac{1}{2} m {}^N\\bar{v}^{B_o} \\cdot {}^N\\bar{v}^{B_o} + \\frac{1}{2} {}^N\\bar{\\omega}^B \\cdot \\breve{I}^{B/B_o} \\cdot {}^N\\bar{\\omega}^B",
-        "Chain(K_B, Add(Mul(Div(1; 2), m, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }; 3), Mul(Div(1; 2), \\prescript { N } { } { \\bar { \\omega } } ^ { B }, \\breve { I } ^ { B / B _ { o } }, \\prescript { N } { } { \\bar { \\omega } } ^ { B })); =)",
+        "Chain(K_B, Add(Mul(Div(1; 2), m, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, \\prescript { N } { } { \\bar { v } } ^ { B _ { o } }; 3), Mul(Div(1; 2), \\prescript { N } { } { \\bar { \\omega } } ^ { B }, \\breve { I } ^ { B / B _ { o } }, \\prescript { N } { } { \\bar { \\omega } } ^ { B }; 2)); =)",
         "moorepants/learn-multibody-dynamics/energy.rst",
     ),
     (

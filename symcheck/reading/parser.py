@@ -769,8 +769,9 @@ class Builder:
             dotted = False
         if len(factors) > 1 and any(isinstance(factor, Infinity) for factor in factors):
             raise self.fail(items[0].at, "infinity is no factor; write a comma before what follows, or brackets")
-        vectors = tuple(k for k in dots if self.is_vector(factors[k - 1]) and self.has_components(factors[k]))
-        return factors[0] if len(factors) == 1 else Mul(tuple(factors), vectors)
+        vectors = {k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k])}
+        vectors |= {k for k in dots if k - 1 not in vectors and self.contracts(factors[k - 1], factors[k])}
+        return factors[0] if len(factors) == 1 else Mul(tuple(factors), tuple(sorted(vectors)))
 
     def refuse_numbers(self, items: list[Item]) -> None:
         """`Re` without a sign between its letters is hardly R times Euler's number; so with other such numbers."""
@@ -943,9 +944,15 @@ class Builder:
                 return True
         return False
 
-    def has_components(self, tree: Tree) -> bool:
-        """Is it a vector, or a matrix, with which a vector before the dot is contracted?"""
-        return self.is_vector(tree) or (isinstance(tree, Name) and self.kind(tree) == "matrix")
+    def contracts(self, left: Tree, right: Tree) -> bool:
+        """Does a dot between these contract a vector with a matrix? With a hat the vector may stand for a matrix."""
+        left, right = (
+            part.function if isinstance(part, Call) and not isinstance(part.function, str) else part
+            for part in (left, right)
+        )
+        if not (isinstance(left, Name) and isinstance(right, Name)) or r"\hat" in left.letter:
+            return False
+        return (self.kind(left), self.kind(right)) == ("vector", "matrix")
 
     def in_brackets(self, item: Item) -> bool:
         return item.kind == "group" or item.square
