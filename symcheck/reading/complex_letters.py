@@ -142,8 +142,8 @@ _LAYOUT = SPACES | {"{", "}"}
 
 def _members(formula: str) -> list[str]:
     """What stands between the equality signs outside of all brackets."""
-    depth, start, found = 0, 0, []
-    for tok in tex.tokenize(formula):
+    depth, start, found = 0, 0, list[str]()
+    for tok in tex.tokenize(formula) if "=" in formula else ():
         depth += (tok.text in OPEN) - (tok.text in CLOSE)
         if tok.text == "=" and depth == 0:
             found.append(formula[start : tok.at])
