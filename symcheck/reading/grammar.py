@@ -84,12 +84,11 @@ def parse(source: str, lexemes: list[Lexeme]) -> ParseNode:
                 values.append(Leaf(kind, lexeme) if lexeme else None)
                 break
             name, size, single = rules[~where]
-            parts = values[-size:]
-            del path[-size:], values[-size:]
-            if size > 1 or parts[0].__class__ is list:
-                parts = [each for part in parts for each in (part if part.__class__ is list else (part,))]
-            alone = single and len(parts) == 1
-            values.append(parts[0] if alone else parts if name[0] == "_" else Branch(name, parts))
+            if size > 1 or not single:
+                parts = [part for each in values[-size:] for part in (each if each.__class__ is list else (each,))]
+                alone = single and len(parts) == 1
+                values[-size:] = [parts[0] if alone else parts if name[0] == "_" else Branch(name, parts)]
+            del path[-size:]
             path.append(states[path[-1]][name])
             if path[-1] == end:
                 return values[-1]
