@@ -26,7 +26,7 @@ DISPLAYS = (
     r"A = \begin{bmatrix} a & b + c \\ d & e \end{bmatrix} \times u \times v",
     r"f(x) = \begin{cases} x & x > 0 \\ -x! & \text{otherwise} \end{cases}",
     r"a = b \land c = d \implies e = f \lor g = h, \quad \forall h",
-    r"\left[ a + b \right]_{x=0}^{1} = A^T + \sqrt[3]{y'} + \lfloor z \rfloor",
+    r"\left[ x + b \right]_{x=0}^{1} = A^T + \sqrt[3]{y'} + \lfloor z \rfloor",
 )
 
 

@@ -88,7 +88,8 @@ def complexes(
             if {place.word for place in occurrences(_without_real(other))} & {*units, *certain}:
                 certain[x] = "it is equal to something complex"
                 found = True
-    return Complexes(certain, {x for x in conjugates.values() if x in free and x not in certain}, conjugates)
+    possible = [*dict.fromkeys(x for x in conjugates.values() if x in free and x not in certain)]
+    return Complexes(certain, possible, conjugates)
 
 
 def _without_real(formula: str) -> str:
