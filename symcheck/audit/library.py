@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from symcheck.audit.run import Progress
     from symcheck.ledger import Record
 
-PRELOAD = ("sympy", "flint", "lark", "symcheck.audit.decide")  # what takes a worker long to import
+PRELOAD = ("sympy", "flint", "symcheck.audit.decide")  # what takes a worker long to import
 
 
 def check(

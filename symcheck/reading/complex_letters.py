@@ -88,7 +88,8 @@ def complexes(
             if {place.word for place in occurrences(_without_real(other))} & {*units, *certain}:
                 certain[x] = "it is equal to something complex"
                 found = True
-    return Complexes(certain, {x for x in conjugates.values() if x in free and x not in certain}, conjugates)
+    possible = [*dict.fromkeys(x for x in conjugates.values() if x in free and x not in certain)]
+    return Complexes(certain, possible, conjugates)
 
 
 def _without_real(formula: str) -> str:
@@ -141,17 +142,18 @@ def _plain(latex: str) -> list[str]:
 _LAYOUT = SPACES | {"{", "}"}
 
 
-# what parts relations, and what aligns them
-_PARTING = re.compile(r"\\\\|[,;]|\\q?quad(?![A-Za-z])|\\text(?![A-Za-z])")
+PARTING = frozenset({r"\\", ",", ";", r"\quad", r"\qquad", r"\text"})  # relations
+# what aligns them
 _ALIGNED = re.compile(r"\\(?:begin|end)\s*\{\s*(?:a\s*l\s*i\s*g\s*n|s\s*p\s*l\s*i\s*t|g\s*a\s*t\s*h\s*e\s*r)[^}]*\}")
 
 
 def _relations(formula: str) -> Iterator[list[str]]:
     """For each relation what stands between its equality signs, outside of all brackets and matrices."""
     depth, start, found = 0, 0, list[str]()
-    for tok in tex.tokenize(formula := _ALIGNED.sub(" ", formula)):
+    formula = _ALIGNED.sub(" ", formula) if r"\begin" in formula else formula
+    for tok in tex.tokenize(formula) if "=" in formula else ():
         depth += (tok.text in OPEN or tok.text == r"\begin") - (tok.text in CLOSE or tok.text == r"\end")
-        parts = _PARTING.fullmatch(tok.text)
+        parts = tok.text in PARTING
         if depth == 0 and (parts or tok.text == "="):
             found.append(formula[start : tok.at])
             start = formula.find("}", tok.at) + 1 if tok.text == r"\text" else tok.at + len(tok.text)

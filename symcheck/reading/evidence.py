@@ -405,7 +405,8 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
         other = {match[1] for match in places if not match[2] or not _begins_factor(match[2]) or match[2] == match[1]}
         found |= {match[1] for match in places} - other
     told = dict.fromkeys(map(canonical, found), "does the prime transpose? write a T for that, or name another letter")
-    if any(map(_POWER_OF_T.search, formulas)) and "T" in {x for f in formulas for x in tex.texts(_ABOVE_T.sub("", f))}:
+    of_t = [formula for formula in formulas if "^ T" in formula or "^ { T }" in formula]
+    if any(map(_POWER_OF_T.search, of_t)) and "T" in {x for f in formulas for x in tex.texts(_ABOVE_T.sub("", f))}:
         bases = {m[1] for formula in formulas for m in _POWER_OF_T.finditer(formula)}
         told |= dict.fromkeys(map(canonical, bases), "transposed, or raised to the power of T? say what T is")
     raised = sum(len(_ADJOINT.findall(formula)) for formula in formulas)

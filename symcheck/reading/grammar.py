@@ -7,11 +7,11 @@ ends, whether brackets behind a letter are a factor or an argument - depends on 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from symcheck.reading import tex
 from symcheck.reading.lexer import Lexeme
+from symcheck.reading.tables import ANY, store, tables
 from symcheck.reading.tree import Name
 
 ParseNode = Any  # a Branch, or a Leaf, whose `value` is a Lexeme
@@ -66,48 +66,30 @@ class Leaf:
     value: Lexeme
 
 
-@cache
-def _tables() -> tuple[dict[int, dict[str, tuple[bool, Any]]], int, int]:
-    """What lark makes of the grammar: whether to shift, and the next state or the rule, by state and token."""
-    from lark import Lark
-    from lark.parsers.lalr_analysis import Shift
-
-    parser: Any = Lark(GRAMMAR, parser="lalr", lexer="basic", tree_class=Branch).parser
-    table, made = parser.parser._parse_table, parser.parser.parser.callbacks
-    states = {
-        state: {  # by plain strings: those of lark are compared in Python
-            str(name): (True, where)
-            if action is Shift
-            else (False, (str(where.origin.name), len(where.expansion), made[where]))
-            for name, (action, where) in actions.items()
-        }
-        for state, actions in table.states.items()
-    }
-    return states, table.start_states["start"], table.end_states["start"]
-
-
 def parse(source: str, lexemes: list[Lexeme]) -> ParseNode:
     """The tree of a token list; SymcheckError at the first token that does not fit."""
-    states, start, end = _tables()
-    path, values = [start], list[ParseNode]()
+    states, rules, start, end = tables(GRAMMAR)
+    path, values = [start], list[Any]()
     for lexeme in (*lexemes, None):
         kind = "$END" if lexeme is None else lexeme.type
         while True:
-            try:
-                shift, what = states[path[-1]][kind]
-            except KeyError:
+            row = states[path[-1]]
+            where = row.get(kind, row.get(ANY))
+            if where is None:
                 if lexeme is None:
-                    raise tex.fault(source, len(source), "the formula breaks off") from None
-                raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here") from None
-            if shift:
-                path.append(what)
+                    raise tex.fault(source, len(source), "the formula breaks off")
+                raise tex.fault(source, lexeme.at, f"{_shown(lexeme)} does not fit here")
+            if where >= 0:
+                path.append(where)
                 values.append(Leaf(kind, lexeme) if lexeme else None)
                 break
-            name, size, made = what
-            below = values[-size:]
-            del path[-size:], values[-size:]
-            values.append(made(below))
-            path.append(states[path[-1]][name][1])
+            name, size, single = rules[~where]
+            if size > 1 or not single:
+                parts = [part for each in values[-size:] for part in (each if each.__class__ is list else (each,))]
+                alone = single and len(parts) == 1
+                values[-size:] = [parts[0] if alone else parts if name[0] == "_" else Branch(name, parts)]
+            del path[-size:]
+            path.append(states[path[-1]][name])
             if path[-1] == end:
                 return values[-1]
     raise AssertionError("the end is no token")
@@ -115,3 +97,7 @@ def parse(source: str, lexemes: list[Lexeme]) -> ParseNode:
 
 def _shown(lexeme: Lexeme) -> str:
     return lexeme.value.letter if isinstance(lexeme.value, Name) else str(lexeme.value)
+
+
+if __name__ == "__main__":
+    store(GRAMMAR)

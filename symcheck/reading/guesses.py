@@ -79,20 +79,8 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     if _PRODUCT.fullmatch(of.spelling) and not of.said and any(p.after in OVER or p.arguments for p in of.places):
         doubt = r"a letter, or the sign of a product? say what it is, or write \prod"
         return [in_doubt(guess, doubt) for guess in found]
-    if (
-        not of.said
-        and any(place.arguments is not None and _is_undecided(place) for place in of.places)
-        and not any(place.arguments is None and place.superscript is None for place in of.places)
-    ):
-        found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
-    if not of.said and of.spelling not in _FUNCTIONS and any(map(_holds_gradient, of.places)):
-        found = [in_doubt(guess, FACTOR) for guess in found]
-    if not of.said and any(place.primes for place in of.places) and any(map(is_shift_of_time, of.arguments)):
-        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
-    if not of.said and of.spelling[:1].isupper() and any(map(_holds_negative, of.places)):
-        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
-    if not of.said and any(map(_holds_power, of.places)):
-        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    if of.arguments and not of.said:
+        found = _before_brackets(of, found)
     if not of.said and _is_normed(of) and sum(map(_is_normed, every.values())) > 1:
         found = [in_doubt(guess, NORMED) if _is_constant(guess) else guess for guess in found]
     operator = (_OPERATOR.fullmatch(of.spelling) or _OF_SPACE.match(of.spelling)) and not of.said
@@ -100,19 +88,36 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     mapped = _DIFFERENTIAL.match(of.spelling) and not of.said and any(p.after in _MAPS for p in of.places)
     if operated or mapped:
         return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
+    if of.said or not of.arguments:
+        return found
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
     number = all(each.number for each in letters) and (
         letters[0].number != "i" or all(place.exponent for place in unclear)
     )
-    if of.said or applied or not unclear or number:
+    if applied or not unclear or number:
         return found
     sums = all(map(is_sum, (place.arguments or () for place in unclear)))
     named = letters[0].latex[:1] in ("m", "M") or not is_letter(letters[0].latex)  # masses are no functions
     if sums and (letters[0].kind == "matrix" or (letters[0].kind == "scalar" and named)):
         return found
     return [replace(guess, letter=replace(guess.letter, open=True)) for guess in found]
+
+
+def _before_brackets(of: Evidence, found: list[Guess]) -> list[Guess]:
+    """The same, in doubt if what stands in brackets behind the letter may be a factor as well as its argument."""
+    if any(place.arguments is not None and _is_undecided(place) for place in of.places) and not any(
+        place.arguments is None and place.superscript is None for place in of.places
+    ):
+        found = [in_doubt(guess, FACTOR) if guess.letter.kind == "scalar" else guess for guess in found]
+    if of.spelling not in _FUNCTIONS and any(map(_holds_gradient, of.places)):
+        found = [in_doubt(guess, FACTOR) for guess in found]
+    shifted = any(place.primes for place in of.places) and any(map(is_shift_of_time, of.arguments))
+    negative = of.spelling[:1].isupper() and any(map(_holds_negative, of.places))
+    if shifted or negative or any(map(_holds_power, of.places)):
+        found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    return found
 
 
 # a letter of a vector or a matrix
@@ -507,7 +512,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     beside = {x for place in of.places for x in place.beside}
     accented = HAT.match(of.spelling) is not None or _is_dotted(of)
     dotted = map(_is_dotted, every.values()) if accented else [_is_dotted(of)]
-    if any(map(HAT.match, every)) and any(dotted):
+    if any(dotted) and any(map(HAT.match, every)):
         return True
     return (any(map(is_vector, beside)) and not of.factor and of.spelling != "t") or (
         accented and any(p.before in ("|", r"\|") and p.after in ("|", r"\|") for p in of.places)

@@ -110,7 +110,7 @@ def inferred(
     loose = [each for plain in _inferred(formulas, evidence, defined) for each in _complexed(plain, formulas)]
     loose = [crossed for each in loose for crossed in _crossed(each, evidence, formulas)]
     if not related:
-        return [each for size in sizes for each in _sized(loose, size, first=size == sizes[0])]
+        return _sized(loose, sizes)
     found = [
         *(
             replace(reading, choices=(*reading.choices, *by.told(related.others)))
@@ -120,7 +120,7 @@ def inferred(
         ),
         *(replace(each, remote=True) for each in loose),
     ]
-    return [each for size in sizes for each in _sized(found, size, first=size == sizes[0])]
+    return _sized(found, sizes)
 
 
 def _is_plain(of: Evidence) -> bool:
@@ -261,19 +261,23 @@ def _with_parts(
     return replace(inference, guesses=tuple(changed), choices=(*inference.choices, told))
 
 
-def _sized(inferences: Sequence[Inference], size: int, *, first: bool) -> Iterator[Inference]:
-    """The same with vectors and matrices of so many components, where nothing says how many they have."""
-    made = dict[int, Guess]()  # readings share their guesses
-    for inference in inferences:
-        if any(map(_unsized, inference.guesses)):
-            told = told_size(size)
-            for guess in inference.guesses:
-                if id(guess) not in made:
-                    made[id(guess)] = _of_size(guess, size)
-            guesses = tuple([made[id(guess)] for guess in inference.guesses])
-            yield replace(inference, guesses=guesses, choices=(*inference.choices, told))
-        elif first:
-            yield inference
+def _sized(inferences: list[Inference], sizes: Sequence[int]) -> list[Inference]:
+    """The same with vectors and matrices of each of the sizes, where nothing says how many components they have."""
+    guesses = {id(guess): guess for inference in inferences for guess in inference.guesses}  # readings share them
+    unsized = {key for key, guess in guesses.items() if _unsized(guess)}
+    if not unsized:
+        return inferences
+    found = list[Inference]()
+    for size in sizes:
+        made = {key: _of_size(guess, size) if key in unsized else guess for key, guess in guesses.items()}
+        for inference in inferences:
+            own = [id(guess) for guess in inference.guesses]
+            if not unsized.isdisjoint(own):
+                choices = (*inference.choices, told_size(size))
+                found.append(replace(inference, guesses=tuple([made[key] for key in own]), choices=choices))
+            elif size == sizes[0]:
+                found.append(inference)
+    return found
 
 
 def told_size(size: int) -> str:
@@ -289,8 +293,6 @@ def _unsized(guess: Guess) -> bool:
 
 
 def _of_size(guess: Guess, size: int) -> Guess:
-    if not _unsized(guess):
-        return guess
     sizes = (size,) if guess.letter.kind == "vector" or len(guess.letter.size) == 1 else (size, size)
     return replace(guess, letter=replace(guess.letter, size=sizes), taken=f"{guess.taken} of {size}")
 

@@ -794,19 +794,15 @@ class Lexer(tex.Reader):
     def primes(self) -> int:
         r"""The number of primes here: `'`, `''`, `^{\prime}`."""
         count = 0
-        while True:
-            if self.peek() == "'":
-                count, self.i = count + 1, self.i + 1
-            elif self.peek() == "^":
-                start = self.i
-                self.i += 1
-                inside = self.group() if self.peek() else ()
-                if not inside or any(text not in ("'", r"\prime") for text in inside):
-                    self.i = start
-                    return count
-                count += len(inside)
-            else:
+        while (mark := self.peek()) in ("'", "^"):
+            start = self.i
+            self.i += 1
+            inside = (mark,) if mark == "'" else self.group() if self.peek() else ()
+            if not inside or any(text not in ("'", r"\prime") for text in inside):
+                self.i = start
                 return count
+            count += len(inside)
+        return count
 
     def letter(self) -> None:
         """A letter with its subscripts, the name of a function, or a differential."""

@@ -131,6 +131,9 @@ class Differential(Tree):
     bracketed: bool = False
 
 
+_NO_TERMS = (*STATEMENTS, Differential)
+
+
 @dataclass(slots=True)
 class Listing:
     """What stands in brackets, or the whole statement: entries with labels and the separators between them."""
@@ -592,7 +595,7 @@ class Builder:
     def term_of(self, node: ParseNode) -> Tree:
         """An expression: neither a relation nor half a derivative."""
         tree: Tree = self.build(node)
-        return self.checked(tree, _place(node), statements=False)
+        return self.checked(tree, _place(node), statements=False) if isinstance(tree, _NO_TERMS) else tree
 
     def checked(self, tree: Tree, at: int, *, statements: bool = True) -> Tree:
         if isinstance(tree, STATEMENTS) and not statements:
@@ -1496,7 +1499,9 @@ class Builder:
 
     def on_item(self, nodes: list[ParseNode]) -> Item:
         item: Item = self.build(nodes[0])
-        if len(nodes) > 1 and nodes[1].type == "BANG":
+        if len(nodes) == 1:
+            return item
+        if nodes[1].type == "BANG":
             if item.kind not in ("atom", "group", "fraction"):
                 raise self.fail(nodes[1].value.at, "a factorial of what?")
             item, nodes = Item("fraction", item.at, Factorial(self.atom(item))), [nodes[0], *nodes[2:]]
@@ -1541,9 +1546,7 @@ class Builder:
         head = nodes[0]
         if hasattr(head, "data"):
             return Item("atom", _place(head), MatrixOf(self.rows(nodes, _place(head))))
-        at = head.value.at
-        make = getattr(self, f"from_{head.type.lower()}")
-        item: Item = make(nodes, at)
+        item: Item = _HEADS[head.type](self, nodes, head.value.at)
         return item
 
     def from_number(self, nodes: list[ParseNode], at: int) -> Item:
@@ -1709,6 +1712,7 @@ class Builder:
 
 
 _RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
+_HEADS = {name[len("from_") :].upper(): rule for name, rule in vars(Builder).items() if name.startswith("from_")}
 
 
 def _is_letter(tree: Tree | None) -> bool:

@@ -125,7 +125,9 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if found := _CALCULATED.search(source):
         raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
-    source = _ITALIC.sub(r"\\mathrm{\1}", _SYMBOLS.sub(r"\\boldsymbol{\1}", _OPTIONS.sub("", source)))
+    source = _OPTIONS.sub("", source)
+    source = _SYMBOLS.sub(r"\\boldsymbol{\1}", source) if r"\boldmath" in source else source
+    source = _ITALIC.sub(r"\\mathrm{\1}", source)
     source = _WORDS.sub(_with_formulas, source)
     source = _HSPACE.sub(lambda found: r"\quad " if found[1] else " ", source)
     source = _UNITS.sub(r"\\mathrm{\1}\\,\\mathrm{\2}", source)

@@ -269,18 +269,19 @@ def typed(source: str) -> list[str]:
     """The tokens of TeX, but digits that follow one another are one; a command takes only the first of them."""
     found: list[str] = []
     end = -1
-    for tok in _with_words(source):
-        digit = tok.text.isdigit() or (tok.text == "." and bool(found) and found[-1].isdigit())
-        before = found[-2] if len(found) > 1 else ""
-        if (
-            digit
-            and tok.at == end
-            and found[-1][-1:].isdigit()
-            and before not in ("_", "^")
-            and before not in ARGUMENTS
-        ) or (tok.text.isdigit() and tok.at == end and found[-1][-1:] == "." and found[-1][:1].isdigit()):
-            found[-1] += tok.text
+    for text, at in _with_words(source):
+        if at == end and (text == "." or text.isdigit()) and _goes_on(text, found):
+            found[-1] += text
         else:
-            found.append(tok.text)
-        end = tok.at + len(tok.text)
+            found.append(text)
+        end = at + len(text)
     return found
+
+
+def _goes_on(text: str, found: Sequence[str]) -> bool:
+    """Does a digit or a point belong to the number that ends before it?"""
+    last, before = found[-1], found[-2] if len(found) > 1 else ""
+    if last[-1:] == ".":
+        return last[:1].isdigit() and text.isdigit()
+    digits = last.isdigit() if text == "." else last[-1:].isdigit()
+    return digits and before not in ("_", "^") and before not in ARGUMENTS
