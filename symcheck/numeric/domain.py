@@ -386,12 +386,16 @@ def times_power(value: Array, unit: Array, power: Array) -> Array:
 
 def require(holds: Truth, name: str, value: object, condition: str, source: str = "") -> None:
     """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
+    if holds is True:
+        return
+    if type(holds) is np.ndarray and np.count_nonzero(holds) == holds.size:  # all() takes twice as long
+        return
     if is_foreign(type(holds)):
         known, value = values_of(holds), values_of(value)
         if known is None:
             return
         holds = cast("Truth", known)
-    if np.count_nonzero(holds) == holds.size if isinstance(holds, np.ndarray) else holds:  # all() takes twice as long
+    if np.all(holds):
         return
     shape, array = np.shape(holds), np.asarray(value)
     place = tuple(int(k) for k in np.argwhere(~np.asarray(holds))[0])

@@ -27,6 +27,7 @@ from symcheck.numeric.domain import (
     unit_axes,
 )
 
+SOURCE = "(2.1)"
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
     4: ignatov2005.vertices_of_four_wheels,
@@ -91,15 +92,22 @@ def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -
     >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
     array([2., 2.])
     """
-    axes = unit_axes(axes, "(2.1)")
+    return wheels_along(unit_axes(axes, SOURCE), limits, bias)
+
+
+def wheels_along(axes: Array, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Wheels:
+    """As `wheels_of`, of axes (..., n, 3) whose lengths the caller looks at."""
     count = axes.shape[-2]
     require(count > 0, "axes", axes.shape, "have one wheel at least")
     limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
     if not axes.shape[:-1] == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer
         shape = common_shape(axes=axes[..., 0], limits=limits, bias=bias)
-        axes = np.broadcast_to(axes, (*shape, 3))
-        limits, bias = np.broadcast_to(limits, shape), np.broadcast_to(bias, shape)
+        axes, limits, bias = (_spread(axes, (*shape, 3)), _spread(limits, shape), _spread(bias, shape))
     return Wheels(axes, limits, bias)
+
+
+def _spread(array: Array, shape: tuple[int, ...]) -> Array:
+    return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
 def _of_wheels(checked: Callable[[ArrayLike, int], Array], value: ArrayLike, count: int) -> Array:
