@@ -218,15 +218,28 @@ def principal_moments(moments: ArrayLike) -> Array:
 
 
 def slack_of(moments: Array) -> Array:
-    """By how much the triangle inequalities hold: I_1 + I_2 + I_3 - 2 I_i."""
-    return np.asarray(np.roll(moments, -1, axis=-1) + np.roll(moments, -2, axis=-1) - moments)
+    """By how much the triangle inequalities hold: I_1 + I_2 + I_3 - 2 I_i, without cancellation."""
+    unit = power_of_two(np.abs(moments).max(axis=-1, keepdims=True))
+    first = moments / unit
+    slack = unit * total(np.roll(first, -1, axis=-1), np.roll(first, -2, axis=-1), -first)
+    return finite("the slack", np.asarray(slack))
+
+
+def total(*terms: Array) -> Array:
+    """Their sum, with what each addition rounds off added at the end: right to rounding where the terms cancel."""
+    found, lost = terms[0], 0 * terms[0]
+    for term in terms[1:]:
+        found, before = found + term, found
+        part = found - before
+        lost = lost + ((before - (found - part)) + (term - part))
+    return cast("Array", found + lost)
 
 
 def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:
     """Moments of inertia that some distribution of mass has, a rod or a plate included, and their `slack_of`."""
     array = real("moments", moments, (3,))
     slack = slack_of(array)
-    allowed = -ROUNDING * np.abs(array).sum(axis=-1, keepdims=True)
+    allowed = -(ROUNDING * np.abs(array)).sum(axis=-1, keepdims=True)
     holds = (slack >= allowed).all(axis=-1)
     require(holds, "moments", array, "satisfy the triangle inequalities I_1 + I_2 + I_3 >= 2 I_i", "mirer2009:2.3")
     return array, slack

@@ -22,12 +22,12 @@ from symcheck.numeric.domain import (
     momentum,
     not_negative,
     one_of,
-    power_of_two,
     require,
     unit_axes,
 )
 
 SOURCE = "(2.1)"
+LEAST = -10_000  # a power of two below those of all products of three doubles
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
     4: ignatov2005.vertices_of_four_wheels,
@@ -270,14 +270,18 @@ def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
     64.0
     """
     wheels = wheels_of(axes, limits)
-    scale = power_of_two(wheels.limits.max(axis=-1, initial=0))
-    edges = np.moveaxis(wheels.axes * (wheels.limits / scale[..., None])[..., None], -2, 0)
-    total = np.zeros(wheels.limits.shape[:-1])
-    for second in range(1, len(edges) - 1):
+    axes, limits = np.moveaxis(wheels.axes, -2, 0), np.moveaxis(wheels.limits, -1, 0)
+    sizes, powers = np.frexp(limits)  # products of three leave the doubles, whatever the unit of them all is
+    total, unit = np.zeros(limits.shape[1:]), np.full(limits.shape[1:], LEAST)
+    for second in range(1, len(axes) - 1):
         for first in range(second):
-            normal = np.cross(edges[first], edges[second])
-            total += np.abs(np.einsum("...k,i...k->i...", normal, edges[second + 1 :])).sum(axis=0)
-    result = evaluated("volume", lambda unit: 8 * total * unit**3, scale)
+            normal = np.cross(axes[first], axes[second]) * (sizes[first] * sizes[second])[..., None]
+            parts = np.abs(np.einsum("...k,i...k->i...", normal, axes[second + 1 :])) * sizes[second + 1 :]
+            whole = powers[first] + powers[second] + powers[second + 1 :]
+            greatest = np.maximum(unit, np.where(parts > 0, whole, LEAST).max(axis=0))
+            total = np.ldexp(total, unit - greatest) + np.ldexp(parts, whole - greatest).sum(axis=0)
+            unit = greatest
+    result = evaluated("volume", lambda x: np.ldexp(8 * x, unit), total)
     require((result > 0) | (total == 0), "volume", result, "be a positive double; take limits in another unit")
     return result
 
