@@ -221,8 +221,8 @@ def slack_of(moments: Array) -> Array:
     """By how much the triangle inequalities hold: I_1 + I_2 + I_3 - 2 I_i, without cancellation."""
     unit = power_of_two(np.abs(moments).max(axis=-1, keepdims=True))
     first = moments / unit
-    slack = unit * total(np.roll(first, -1, axis=-1), np.roll(first, -2, axis=-1), -first)
-    return finite("the slack", np.asarray(slack))
+    slack = total(np.roll(first, -1, axis=-1), np.roll(first, -2, axis=-1), -first)
+    return evaluated("the slack", lambda x: np.asarray(x * unit), slack)
 
 
 def total(*terms: Array) -> Array:

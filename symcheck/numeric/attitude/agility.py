@@ -28,7 +28,6 @@ from symcheck.numeric.relations import kernels_of_relations
 from symcheck.numeric.wheels.faces import HalfSpaces, failures
 from symcheck.numeric.wheels.margins import largest_momentum
 
-
 SLOW = 2.0**-900  # a rate, rad/s
 
 

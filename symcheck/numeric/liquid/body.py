@@ -52,7 +52,14 @@ def checked_body(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike
     natural = real("lambda_n", lambda_n, carried.shape[-1:])
     shape = common_shape(A=whole, C=axial, E_n=carried[..., 0], lambda_n=natural[..., 0], omega_0=spin)
     rest = total(*np.broadcast_arrays(whole, *np.moveaxis(-carried, -1, 0)))
-    require(rest > 0, "sum of E_n", carried.sum(-1), "be less than A, as the liquid is a part of the body", "N.13")
+    together = carried.sum(-1)
+    require(
+        (rest > 0) & (together < whole),
+        "sum of E_n",
+        together,
+        "be less than A, as the liquid is a part of the body",
+        "N.13",
+    )
     whole, axial, spin = (np.broadcast_to(value, shape) for value in (whole, axial, spin))
     carried, natural = (np.broadcast_to(value, shape + value.shape[-1:]) for value in (carried, natural))
     moment, rate = power_of_two(whole), power_of_two(spin)

@@ -249,8 +249,8 @@ def _table(slenderness: float, size: int) -> tuple[Array, Array]:
     half = 1 / slenderness
     arguments = {"m": 1.0, "tau": tau, "c": half, "k": k, "a": 1.0}
     # E has the factor (2 + tau)/(2 - tau), and in a flat tank |tau| rounds away what it lacks to 2
-    lacking = 2 * slope**2 / (length * (1 + length))
-    exactly = np.where(sense > 0, (2 - tau) / lacking, lacking / (2 + tau))
+    lacks, rounded = 2 * slope**2 / (length * (1 + length)), 2 - np.abs(tau)
+    exactly = np.divide(lacks, rounded, out=np.ones(shape), where=rounded > 0) ** -sense
     found = np.array(np.broadcast_to(kernel(**arguments) * exactly, shape))
     found[:, 1, 0] = 0.0
     return found, np.broadcast_to(tau, shape)
