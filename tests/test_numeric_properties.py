@@ -415,7 +415,66 @@ IN_UNITS: dict[str, Callable[[float], Any]] = {  # what does not depend on the u
     "mean_square_of_frequency": lambda s: np.sqrt(random_rotation.mean_square_of_frequency(0.6, 0.5, s, 1.5)) / s,
     "density_of_amplitude": lambda s: random_rotation.density_of_amplitude(0.7 * s * s, 0.1 / s, s, 0.3 / s) * s * s,
     "density_of_frequency": lambda s: random_rotation.density_of_frequency(0.3 * s * s, 0.6 * s, 0.5, s, 1.5) * s * s,
+    "distribution_of_amplitude": lambda s: random_rotation.distribution_of_amplitude(0.7 * s * s, 0.1 / s, s, 0.3 / s),
+    "distribution_of_frequency": lambda s: random_rotation.distribution_of_frequency(-0.3 * s, 0.6, 0.5, s, 1.5),
+    "quantile_of_amplitude": lambda s: random_rotation.quantile_of_amplitude(0.3, 0.1, s, 0.3) / s,
+    "quantile_of_frequency": lambda s: random_rotation.quantile_of_frequency(0.3, 0.6, 0.5, s, 1.5) / s,
+    "moment_of_amplitude": lambda s: np.cbrt(random_rotation.moment_of_amplitude(3, 0.1, s, 0.3)) / s,
+    "moment_of_frequency": lambda s: np.cbrt(random_rotation.moment_of_frequency(3, 0.6, 0.5, s, 1.5)) / s,
+    "mode_of_amplitude": lambda s: random_rotation.mode_of_amplitude(0.1, s, 0.3) / s,
+    "amplitude_phase_frequency": lambda s: np.divide(
+        random_rotation.amplitude_phase_frequency(RATE * s, 0.5), [s, 1.0, s]
+    ),
+    "angular_velocity": lambda s: random_rotation.angular_velocity(0.7 * s, 0.3, 0.2 * s, 0.5) / s,
+    "angular_acceleration of masses": lambda s: inertia.angular_acceleration(MOMENTS * s, DAMPING * s, RATE),
+    "axial_moments": lambda s: inertia.axial_moments(MOMENTS * s, AXES) / s,
+    "second_order_moments": lambda s: np.sqrt(inertia.second_order_moments(MOMENTS * s, AXES)) / s,
+    "sum_of_products": lambda s: np.cbrt(inertia.sum_of_products(MOMENTS * s, AXES)) / s,
+    "inertia_tensor": lambda s: inertia.inertia_tensor(MOMENTS * s, AXES) / s,
+    "triangle_slack": lambda s: inertia.triangle_slack(MOMENTS * s) / s,
+    "second_moments_of_mass": lambda s: inertia.second_moments_of_mass(MOMENTS * s) / s,
+    "characteristic_coefficients": lambda s: (
+        np.cbrt(inertia.characteristic_coefficients(MOMENTS * s, RATE * s, AXES)) / s
+    ),
+    "damping_matrix": lambda s: inertia.damping_matrix(RATE * s, AXES) / s,
+    "orthogonal_devices": lambda s: inertia.orthogonal_devices(DAMPING * s).gains / s,
+    "optimal_devices": lambda s: inertia.optimal_devices(MOMENTS * s, 0.3).gains / s,
+    "gains_in_proportion": lambda s: inertia.gains_in_proportion(0.3, MOMENTS * s, AXES) / s,
+    "stability_degree": lambda s: inertia.stability_degree(MOMENTS, DAMPING * s) / s,
+    "harmonic_mean_of_rates": lambda s: np.divide(inertia.harmonic_mean_of_rates(RATE * s), s),
+    "decay_rate of energies": lambda s: inertia.decay_rate([0, 1, 2], MOMENTS * s),
+    "decay_rate of times": lambda s: inertia.decay_rate(TIMES[:3] * s, MOMENTS) * s,
+    "kinetic_energy of masses": lambda s: inertia.kinetic_energy(MOMENTS * s, [RATE]) / s,
+    "frequencies": lambda s: liquid.frequencies(s, 0.5 * s, [0.2 * s, 0.01 * s], [0.5, -0.3], 1.0),
+    "growth_rate": lambda s: liquid.growth_rate(s, 0.5 * s, [0.2 * s, 0.01 * s], [0.5 * s, -0.3 * s], s) / s,
+    "mode_inertia": lambda s: liquid.mode_inertia(3.0 * s, 0.7 * s, 1.1 * s),
+    "stability_map": lambda s: (
+        liquid.stability_map(4 * s, [s], np.array([-2.0, -1, 1]) * s, [0.5, 1], s).growth_rate / s
+    ),
+    "with_body": lambda s: liquid.with_body(2 * s, s, liquid.liquid_in_an_ellipsoid(s, 0.7, 1.2, 1.0)).A / s,
+    "clear_momenta": lambda s: wheels.clear_momenta(SKEW, np.array([1.0, -2, 3, 1]) * s, 4.0 * s).momenta / s,
+    "design": lambda s: wheels.design(MOMENTS * s, RATE, s).six.guaranteed_rate,
+    "pareto_front": lambda s: wheels.pareto_front(np.array([[1.0, 5], [2, 2], [3, 3]]) * s),
+    "wheels_of": lambda s: wheels.wheels_of(SKEW, s).limits / s,
 }
+WITHOUT_UNITS = {  # of angles and directions alone, of logarithms of quantities, zeros, text, pictures and searches
+    *("axes_of_mrp", "axes_of_quaternion", "axes_of_rotation", "mrp", "quaternion", "rotation"),
+    *("attitude_angles", "direction_cosines", "cone", "four_wheels", "six_wheels", "listed_vertices"),
+    *("logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mode_of_frequency"),
+    *("fly", "to_42", "to_basilisk", "interactive_axes", "interactive_envelope", "best_parameters"),
+    *("simulate", "stationary_sample"),
+}
+
+
+def test_every_public_function_is_asked_in_other_units_or_has_none() -> None:
+    asked = {name.partition(" ")[0] for name in IN_UNITS}
+    public = {
+        name
+        for part in ELSEWHERE
+        for name in getattr(symcheck.numeric, part).__all__
+        if name[0].islower() and not name.startswith("plot_")
+    }
+    assert public - asked == WITHOUT_UNITS
 
 
 @pytest.mark.parametrize("name", IN_UNITS)
@@ -695,3 +754,11 @@ def test_decay_rates_are_right_of_energies_nearly_equal_and_far_apart() -> None:
 
 def test_energies_of_slow_rotations_are_no_silent_zeros() -> None:
     assert float(inertia.kinetic_energy([1e100, 1e100, 1e100], [[1e-170, 0, 0]])[0]) == pytest.approx(5e-241)
+
+
+def test_torques_of_null_motion_keep_to_their_limits_whatever_the_gain() -> None:
+    axes = wheels.four_wheels(1.0, 0.7)
+    for momenta, gain in ((1e302, 1e10), (1e302, 1e-320), (1.0, 1e308), (1e-310, 1e300)):
+        found = wheels.null_torque(axes, np.array([1, -1, -1, 1]) * momenta, np.zeros(4), 0.01, gain)
+        expected = min(Fraction(momenta) * Fraction(gain), Fraction(0.01))
+        np.testing.assert_allclose(found, np.array([-1, 1, 1, -1]) * float(expected), rtol=1e-9)
