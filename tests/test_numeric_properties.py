@@ -695,7 +695,7 @@ def test_waves_of_flat_tanks_carry_what_exact_numbers_say() -> None:
             )
             tau = 2 / mpmath.hypot(1, x / wave)
             carried = 4 * tau**2 * (2 + tau) / (half**2 * wave**4 * (2 - tau) * (2 * wave**2 + 2 - tau))
-            assert float(found.E_n[0]) == pytest.approx(float(carried), rel=1e-13)
+            assert float(found.E_n[0]) == pytest.approx(float(carried), rel=1e-12, abs=0)
 
 
 def test_volumes_of_limits_far_apart_are_right() -> None:
@@ -709,11 +709,11 @@ def test_volumes_of_limits_far_apart_are_right() -> None:
         (flat[:3], [1e200, 1e200, 1e200], 0.0),
     ]
     for axes, limits, expected in cases:
-        assert float(wheels.volume(axes, limits)) == pytest.approx(expected, rel=1e-14)
+        assert float(wheels.volume(axes, limits)) == pytest.approx(expected, rel=1e-14, abs=0)
     several = wheels.volume(
         np.eye(3), [limits for axes, limits, _ in cases if len(axes) == 3 and limits[0] < 1e302][:2]
     )
-    assert several == pytest.approx([8e-100, 8e-150], rel=1e-14)
+    assert several == pytest.approx([8e-100, 8e-150], rel=1e-14, abs=0)
 
 
 def test_what_modes_leave_of_a_body_is_exact_where_they_nearly_take_all_of_it() -> None:
@@ -749,11 +749,11 @@ def test_decay_rates_are_right_of_energies_nearly_equal_and_far_apart() -> None:
     for first, last in ((1 + 1e-10, 1.0), (1.0, 1 + 1e-13), (1.0, 1.0), (1e-200, 1e120), (1e300, 5e-324), (2.0, 1.0)):
         with mpmath.workdps(50):
             exact = mpmath.log(mpmath.mpf(first) / mpmath.mpf(last)) / 2
-        assert float(inertia.decay_rate([0, 1], [first, last])) == pytest.approx(float(exact), rel=1e-15)
+        assert float(inertia.decay_rate([0, 1], [first, last])) == pytest.approx(float(exact), rel=1e-15, abs=0)
 
 
 def test_energies_of_slow_rotations_are_no_silent_zeros() -> None:
-    assert float(inertia.kinetic_energy([1e100, 1e100, 1e100], [[1e-170, 0, 0]])[0]) == pytest.approx(5e-241)
+    assert float(inertia.kinetic_energy([1e100, 1e100, 1e100], [[1e-170, 0, 0]])[0]) == pytest.approx(5e-241, abs=0)
 
 
 def test_torques_of_null_motion_keep_to_their_limits_whatever_the_gain() -> None:
