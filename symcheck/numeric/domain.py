@@ -232,7 +232,7 @@ def total(*terms: Array) -> Array:
         found, before = found + term, found
         part = found - before
         lost = lost + ((before - (found - part)) + (term - part))
-    return cast("Array", found + lost)
+    return found + lost
 
 
 def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:

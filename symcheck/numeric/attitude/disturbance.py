@@ -119,7 +119,7 @@ def momentum_in_time(
 
     Notes
     -----
-    Exact to rounding of the greatest term, whatever the times are. Source: relations:6, relations:10.
+    Exact to rounding of the greatest of its terms, also after many turns. Source: relations:6, relations:10.
 
     Examples
     --------
