@@ -101,7 +101,8 @@ def wheels_along(axes: Array, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) ->
     require(count > 0, "axes", axes.shape, "have one wheel at least")
     limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
     if not axes.shape[:-1] == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer
-        shape = common_shape(axes=axes[..., 0], limits=limits, bias=bias)
+        shared = limits.ndim < 2 and bias.ndim < 2
+        shape = axes.shape[:-1] if shared else common_shape(axes=axes[..., 0], limits=limits, bias=bias)
         axes, limits, bias = (_spread(axes, (*shape, 3)), _spread(limits, shape), _spread(bias, shape))
     return Wheels(axes, limits, bias)
 
