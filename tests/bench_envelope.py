@@ -1,4 +1,4 @@
-"""Momentum envelopes against Qhull on all sign combinations, and allocation against a linear program, as ratios.
+"""Momentum envelopes against Qhull on all sign combinations and a loop by hand, allocation against a linear program.
 
 Run by `python tests/bench_envelope.py`. Times are those of one processor, the least of interleaved runs; Qhull on a
 million sets is measured on a sample and scaled. `BENCH_SETS` makes the million smaller.
@@ -13,12 +13,13 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import numba
 import numpy as np
 from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
 from symcheck.numeric import wheels
-from symcheck.numeric.domain import Array
+from symcheck.numeric.domain import TOLERANCE, Array
 from symcheck.numeric.wheels import faces, numba_engine
 from symcheck.numeric.wheels.faces import PARALLEL
 
@@ -70,6 +71,50 @@ def ratio(ours: float, theirs: float) -> str:
     return f"{theirs / ours:,.0f} times as fast"
 
 
+@numba.njit(error_model="numpy", fastmath={"contract"})  # type: ignore[untyped-decorator]
+def loop(axes: Array, normals: Array, distances: Array) -> None:
+    """By hand: equal limits of 1, no two axes parallel, nothing checked."""
+    for s in range(len(axes)):
+        pair = 0
+        for i in range(axes.shape[1]):
+            for j in range(i + 1, axes.shape[1]):
+                u, v = axes[s, i], axes[s, j]
+                x, y, z = u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+                scale, total = 1 / math.sqrt(x * x + y * y + z * z), 0.0
+                for k in range(axes.shape[1]):
+                    total += abs(x * axes[s, k, 0] + y * axes[s, k, 1] + z * axes[s, k, 2])
+                distances[s, pair] = total * scale
+                if len(normals):
+                    normals[s, pair, 0], normals[s, pair, 1], normals[s, pair, 2] = x * scale, y * scale, z * scale
+                pair += 1
+
+
+def by_hand(axes: Array, keep: bool) -> None:
+    """The half-spaces of a loop, or the distances alone."""
+    sets, pairs = len(axes), math.comb(axes.shape[1], 2)
+    loop(axes, np.empty((sets if keep else 0, pairs, 3)), np.empty((sets, pairs)))
+
+
+def beside_a_loop() -> None:
+    """The engine of Numba as it is called, against a loop by hand; six wheels."""
+    for sets in (1, 1000, SETS):
+        axes = random_axes(sets, 6)
+        given = axes[0] if sets == 1 else axes
+        distances, half_spaces, numpy, bare_distances, bare = least(
+            lambda: wheels.face_distances(given, engine="numba"),  # noqa: B023
+            lambda: wheels.half_spaces(given, engine="numba"),  # noqa: B023
+            lambda: wheels.half_spaces(given),  # noqa: B023
+            lambda: by_hand(axes, False),  # noqa: B023
+            lambda: by_hand(axes, True),  # noqa: B023
+        )
+        for what, ours, theirs in (
+            ("face distances, Numba", distances, bare_distances),
+            ("half-spaces, Numba", half_spaces, bare),
+            ("half-spaces, NumPy", numpy, bare),
+        ):
+            row(f"{sets:,} sets of six: {what}", ours, f"{ours / theirs:.2f} times a loop of Numba by hand")
+
+
 def twenty_wheels() -> None:
     """One set of 20 wheels, 2^20 points for Qhull."""
     axes, many = random_axes(20), random_axes(1000, 20)
@@ -81,7 +126,7 @@ def twenty_wheels() -> None:
         lambda: wheels.half_spaces(axes),
         lambda: wheels.half_spaces(axes, engine="numba"),
         lambda: faces.of_pairs(*alone),
-        lambda: numba_engine.of_pairs(*alone),
+        lambda: numba_engine.of_pairs(*alone, TOLERANCE),
         lambda: wheels.envelope(axes).counts,
         lambda: wheels.half_spaces(many),
     )
@@ -148,6 +193,7 @@ def main() -> None:
     """Measure and print."""
     twenty_wheels()
     million_sets()
+    beside_a_loop()
     growth()
     allocation()
 

@@ -415,7 +415,66 @@ IN_UNITS: dict[str, Callable[[float], Any]] = {  # what does not depend on the u
     "mean_square_of_frequency": lambda s: np.sqrt(random_rotation.mean_square_of_frequency(0.6, 0.5, s, 1.5)) / s,
     "density_of_amplitude": lambda s: random_rotation.density_of_amplitude(0.7 * s * s, 0.1 / s, s, 0.3 / s) * s * s,
     "density_of_frequency": lambda s: random_rotation.density_of_frequency(0.3 * s * s, 0.6 * s, 0.5, s, 1.5) * s * s,
+    "distribution_of_amplitude": lambda s: random_rotation.distribution_of_amplitude(0.7 * s * s, 0.1 / s, s, 0.3 / s),
+    "distribution_of_frequency": lambda s: random_rotation.distribution_of_frequency(-0.3 * s, 0.6, 0.5, s, 1.5),
+    "quantile_of_amplitude": lambda s: random_rotation.quantile_of_amplitude(0.3, 0.1, s, 0.3) / s,
+    "quantile_of_frequency": lambda s: random_rotation.quantile_of_frequency(0.3, 0.6, 0.5, s, 1.5) / s,
+    "moment_of_amplitude": lambda s: np.cbrt(random_rotation.moment_of_amplitude(3, 0.1, s, 0.3)) / s,
+    "moment_of_frequency": lambda s: np.cbrt(random_rotation.moment_of_frequency(3, 0.6, 0.5, s, 1.5)) / s,
+    "mode_of_amplitude": lambda s: random_rotation.mode_of_amplitude(0.1, s, 0.3) / s,
+    "amplitude_phase_frequency": lambda s: np.divide(
+        random_rotation.amplitude_phase_frequency(RATE * s, 0.5), [s, 1.0, s]
+    ),
+    "angular_velocity": lambda s: random_rotation.angular_velocity(0.7 * s, 0.3, 0.2 * s, 0.5) / s,
+    "angular_acceleration of masses": lambda s: inertia.angular_acceleration(MOMENTS * s, DAMPING * s, RATE),
+    "axial_moments": lambda s: inertia.axial_moments(MOMENTS * s, AXES) / s,
+    "second_order_moments": lambda s: np.sqrt(inertia.second_order_moments(MOMENTS * s, AXES)) / s,
+    "sum_of_products": lambda s: np.cbrt(inertia.sum_of_products(MOMENTS * s, AXES)) / s,
+    "inertia_tensor": lambda s: inertia.inertia_tensor(MOMENTS * s, AXES) / s,
+    "triangle_slack": lambda s: inertia.triangle_slack(MOMENTS * s) / s,
+    "second_moments_of_mass": lambda s: inertia.second_moments_of_mass(MOMENTS * s) / s,
+    "characteristic_coefficients": lambda s: (
+        np.cbrt(inertia.characteristic_coefficients(MOMENTS * s, RATE * s, AXES)) / s
+    ),
+    "damping_matrix": lambda s: inertia.damping_matrix(RATE * s, AXES) / s,
+    "orthogonal_devices": lambda s: inertia.orthogonal_devices(DAMPING * s).gains / s,
+    "optimal_devices": lambda s: inertia.optimal_devices(MOMENTS * s, 0.3).gains / s,
+    "gains_in_proportion": lambda s: inertia.gains_in_proportion(0.3, MOMENTS * s, AXES) / s,
+    "stability_degree": lambda s: inertia.stability_degree(MOMENTS, DAMPING * s) / s,
+    "harmonic_mean_of_rates": lambda s: np.divide(inertia.harmonic_mean_of_rates(RATE * s), s),
+    "decay_rate of energies": lambda s: inertia.decay_rate([0, 1, 2], MOMENTS * s),
+    "decay_rate of times": lambda s: inertia.decay_rate(TIMES[:3] * s, MOMENTS) * s,
+    "kinetic_energy of masses": lambda s: inertia.kinetic_energy(MOMENTS * s, [RATE]) / s,
+    "frequencies": lambda s: liquid.frequencies(s, 0.5 * s, [0.2 * s, 0.01 * s], [0.5, -0.3], 1.0),
+    "growth_rate": lambda s: liquid.growth_rate(s, 0.5 * s, [0.2 * s, 0.01 * s], [0.5 * s, -0.3 * s], s) / s,
+    "mode_inertia": lambda s: liquid.mode_inertia(3.0 * s, 0.7 * s, 1.1 * s),
+    "stability_map": lambda s: (
+        liquid.stability_map(4 * s, [s], np.array([-2.0, -1, 1]) * s, [0.5, 1], s).growth_rate / s
+    ),
+    "with_body": lambda s: liquid.with_body(2 * s, s, liquid.liquid_in_an_ellipsoid(s, 0.7, 1.2, 1.0)).A / s,
+    "clear_momenta": lambda s: wheels.clear_momenta(SKEW, np.array([1.0, -2, 3, 1]) * s, 4.0 * s).momenta / s,
+    "design": lambda s: wheels.design(MOMENTS * s, RATE, s).six.guaranteed_rate,
+    "pareto_front": lambda s: wheels.pareto_front(np.array([[1.0, 5], [2, 2], [3, 3]]) * s),
+    "wheels_of": lambda s: wheels.wheels_of(SKEW, s).limits / s,
 }
+WITHOUT_UNITS = {  # of angles and directions alone, of logarithms of quantities, zeros, text, pictures and searches
+    *("axes_of_mrp", "axes_of_quaternion", "axes_of_rotation", "mrp", "quaternion", "rotation"),
+    *("attitude_angles", "direction_cosines", "cone", "four_wheels", "six_wheels", "listed_vertices"),
+    *("logarithm_of_constant_of_amplitude", "logarithm_of_constant_of_frequency", "mode_of_frequency"),
+    *("fly", "to_42", "to_basilisk", "interactive_axes", "interactive_envelope", "best_parameters"),
+    *("simulate", "stationary_sample"),
+}
+
+
+def test_every_public_function_is_asked_in_other_units_or_has_none() -> None:
+    asked = {name.partition(" ")[0] for name in IN_UNITS}
+    public = {
+        name
+        for part in ELSEWHERE
+        for name in getattr(symcheck.numeric, part).__all__
+        if name[0].islower() and not name.startswith("plot_")
+    }
+    assert public - asked == WITHOUT_UNITS
 
 
 @pytest.mark.parametrize("name", IN_UNITS)
@@ -556,3 +615,150 @@ def test_rates_far_apart_take_no_more_steps(monkeypatch: pytest.MonkeyPatch) -> 
         ends.append(inertia.free_decay(MOMENTS, (damping + damping.T) / 2, RATE, [0, 20])[-1])
     assert max(counts) < 2 * counts[0]
     np.testing.assert_allclose(ends[1], ends[2], rtol=1e-5)  # the slow modes do not feel how fast the fast one is
+
+
+# --- numbers far apart, and at the ends of the doubles
+
+
+def test_slacks_of_nearly_flat_bodies_are_right_to_rounding() -> None:
+    rng = np.random.default_rng(6)
+    for _ in range(200):
+        least, middle = 10 ** rng.uniform(-30, 0), rng.uniform(1, 2)
+        moments = [least, middle, middle + least * rng.choice([0.0, 0.5, 1.0])]
+        one, two, three = map(Fraction, moments)
+        exact = [two + three - one, three + one - two, one + two - three]
+        np.testing.assert_allclose(inertia.triangle_slack(moments), list(map(float, exact)), rtol=4e-16)
+        if min(exact) >= 0:
+            half = [float(x / 2) for x in exact]
+            np.testing.assert_allclose(inertia.second_moments_of_mass(moments), half, rtol=4e-16)
+    for scale in (1e-320, 1.5e308):
+        assert inertia.triangle_slack(scale * np.ones(3)).tolist() == [scale] * 3
+    with pytest.raises(ValueError, match="the slack"):
+        inertia.triangle_slack([-1.7e308, 1.7e308, 1.7e308])
+
+
+def test_torques_with_a_power_are_right_at_both_ends_of_the_doubles() -> None:
+    numbers = [5e-324, 1e-310, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e300]
+    for power in [0.0, *numbers]:
+        for rotor in numbers:
+            for stored in numbers:
+                found = float(wheels.torque_range([stored], 1e300, power=power, rotor_inertia=rotor).greatest[0])
+                exact = min(Fraction(power) * Fraction(rotor) / Fraction(stored), Fraction(1e300))
+                assert found == pytest.approx(float(exact), rel=1e-15, abs=5e-324)
+
+
+@pytest.mark.parametrize("zeros", [(0.0, 0.0), (-0.0, 0.0), (0.0, -0.0), (-0.0, -0.0)])
+def test_the_phase_of_no_amplitude_is_0_whatever_the_signs_of_zeros(zeros: tuple[float, float]) -> None:
+    found = random_rotation.amplitude_phase_frequency([*zeros, 1.0], 0.5).psi
+    assert found == 0
+    assert not np.signbit(found)
+
+
+def test_the_time_of_a_slow_turn_is_right_where_its_rate_is_a_denormal() -> None:
+    for angle, gain in ((1.5e-323, 5e-324), (1e-315, 1e-320), (1e-260, 5e-324), (3.0, 2.0)):
+        expected = 2 * mpmath.sqrt(mpmath.mpf(angle) / mpmath.mpf(gain))
+        assert attitude.turn_time(angle, 10.0, gain) == pytest.approx(float(expected), rel=1e-15)
+    assert attitude.turn_time(1e-320, 5e-324, 1e300) == pytest.approx(1e-320 / 5e-324, rel=1e-15)
+
+
+def test_momenta_are_exact_after_many_turns_and_of_rates_that_are_tiny() -> None:
+    rng = np.random.default_rng(9)
+    with mpmath.workdps(400):
+        for case in range(300):
+            w = 10 ** rng.uniform(-6, 1) if case % 3 else 10 ** rng.uniform(-140, -40)
+            t = 10 ** rng.uniform(-2, 30) / w
+            k = (0.0, 1 / t, 5e-324, w * 1e-30, 1e3 * w)[case % 5]
+            T, P, Q, G = (x * y for x, y in zip(rng.normal(size=4), (1 / t, w, w, 1.0), strict=True))
+            found = attitude.momentum_in_time([t], [T, 0, 0], [P, 0, 0], [Q, 0, 0], w, [G, 0, 0], k)[0, 0]
+            exact = [mpmath.mpf(float(x)) for x in (T, P, Q, w, t, k, G)]
+            T_, P_, Q_, w_, t_, k_, G_ = exact
+            sine, cosine = mpmath.sin(w_ * t_), mpmath.cos(w_ * t_)
+            left, both = mpmath.exp(-k_ * t_), w_**2 + k_**2
+            kept = (1 - left) / k_ if k_ else t_
+            even = (k_ * cosine + w_ * sine - k_ * left) / both
+            odd = (k_ * sine - w_ * cosine + w_ * left) / both
+            value = G_ * left + T_ * kept + P_ * even + Q_ * odd
+            size = max(abs(x) for x in (G_, T_ * t_, P_ / w_, Q_ / w_))
+            assert abs(float(found - value)) <= 1e-14 * float(size)
+
+
+def test_waves_of_flat_tanks_carry_what_exact_numbers_say() -> None:
+    with mpmath.workdps(40):
+        for slenderness in (1e-4, 1.0, 1e2, 1e4, 1e6):
+            found = liquid.liquid_in_a_cylinder(1.0, 1.0, 2 / slenderness, 1.0, modes=1)
+            half = mpmath.mpf(2 / slenderness) / 2
+            wave = mpmath.pi / (2 * half)
+            start = float(wave) * np.sqrt(max(4 / float(found.lambda_n[0]) ** 2 - 1, 0))
+            x = mpmath.findroot(
+                lambda x: x * mpmath.besselj(0, x) + (mpmath.hypot(1, x / wave) - 1) * mpmath.besselj(1, x),  # noqa: B023
+                2.4 if slenderness > 1e3 else start,
+            )
+            tau = 2 / mpmath.hypot(1, x / wave)
+            carried = 4 * tau**2 * (2 + tau) / (half**2 * wave**4 * (2 - tau) * (2 * wave**2 + 2 - tau))
+            assert float(found.E_n[0]) == pytest.approx(float(carried), rel=1e-12, abs=0)
+
+
+def test_volumes_of_limits_far_apart_are_right() -> None:
+    flat = [[1, 0, 0], [0, 1, 0], [0.6, 0.8, 0], [0, 0, 1]]
+    cases = [
+        (np.eye(3), [1e200, 1e-150, 1e-150], 8e-100),
+        (np.eye(3), [1e90, 1e-120, 1e-120], 8e-150),
+        (np.eye(3), [1e302, 1e-300, 1e300], 8e302),
+        (flat, [1e200, 1e200, 1e200, 1e-300], 8 * 2.4e100),
+        (flat, [1e-320, 1.0, 0.0, 1e300], 8 * 1e-320 * 1e300),
+        (flat[:3], [1e200, 1e200, 1e200], 0.0),
+    ]
+    for axes, limits, expected in cases:
+        assert float(wheels.volume(axes, limits)) == pytest.approx(expected, rel=1e-14, abs=0)
+    several = wheels.volume(
+        np.eye(3), [limits for axes, limits, _ in cases if len(axes) == 3 and limits[0] < 1e302][:2]
+    )
+    assert several == pytest.approx([8e-100, 8e-150], rel=1e-14, abs=0)
+
+
+def test_what_modes_leave_of_a_body_is_exact_where_they_nearly_take_all_of_it() -> None:
+    A, E_n = 1.0, np.array([0.1, 0.2, 0.3, 0.4 - 4e-16])
+    rest = Fraction(A) - sum(map(Fraction, E_n.tolist()))
+    assert rest > 0
+    assert float(rest) != A - E_n.sum()
+    found = liquid.frequencies(A, 2.0, E_n, [2.0, 3.0, 4.0, 5.0], 1.0).real[-1]
+    with mpmath.workdps(50):
+        modes = [(mpmath.mpf(float(e)), n) for e, n in zip(E_n, (2, 3, 4, 5), strict=True)]
+        expected = mpmath.findroot(
+            lambda eta: A * eta + 1 - eta * (eta - 1) * sum(e / (eta - n) for e, n in modes), float(found)
+        )
+    assert found == pytest.approx(float(expected), rel=1e-12)
+    with pytest.raises(ValueError, match="sum of E_n"):
+        liquid.frequencies(1.0, 2.0, [0.1] * 10, [2.0] * 10, 1.0)
+
+
+def test_gyroscopic_torques_are_right_to_rounding_where_moments_nearly_coincide() -> None:
+    rng = np.random.default_rng(12)
+    for gap in (0.0, 2.0**-50, 1e-10, 1e-3):
+        moments, rate = np.array([1.1, 1.1 + gap, 0.7]), rng.normal(size=3)
+        I_1, I_2, I_3 = map(Fraction, moments.tolist())
+        w_1, w_2, w_3 = map(Fraction, rate.tolist())
+        exact = [(I_2 - I_3) * w_2 * w_3 / I_1, (I_3 - I_1) * w_3 * w_1 / I_2, (I_1 - I_2) * w_1 * w_2 / I_3]
+        found = inertia.angular_acceleration(moments, np.zeros((3, 3)), rate)
+        np.testing.assert_allclose(found, list(map(float, exact)), rtol=1e-15)
+    spin = inertia.free_decay([2, 2, 3], np.zeros((3, 3)), [0.1, 0.2, 0.3], [0, 5, 50])[:, 2]
+    assert spin == pytest.approx(0.3, rel=1e-15)
+
+
+def test_decay_rates_are_right_of_energies_nearly_equal_and_far_apart() -> None:
+    for first, last in ((1 + 1e-10, 1.0), (1.0, 1 + 1e-13), (1.0, 1.0), (1e-200, 1e120), (1e300, 5e-324), (2.0, 1.0)):
+        with mpmath.workdps(50):
+            exact = mpmath.log(mpmath.mpf(first) / mpmath.mpf(last)) / 2
+        assert float(inertia.decay_rate([0, 1], [first, last])) == pytest.approx(float(exact), rel=1e-15, abs=0)
+
+
+def test_energies_of_slow_rotations_are_no_silent_zeros() -> None:
+    assert float(inertia.kinetic_energy([1e100, 1e100, 1e100], [[1e-170, 0, 0]])[0]) == pytest.approx(5e-241, abs=0)
+
+
+def test_torques_of_null_motion_keep_to_their_limits_whatever_the_gain() -> None:
+    axes = wheels.four_wheels(1.0, 0.7)
+    for momenta, gain in ((1e302, 1e10), (1e302, 1e-320), (1.0, 1e308), (1e-310, 1e300)):
+        found = wheels.null_torque(axes, np.array([1, -1, -1, 1]) * momenta, np.zeros(4), 0.01, gain)
+        expected = min(Fraction(momenta) * Fraction(gain), Fraction(0.01))
+        np.testing.assert_allclose(found, np.array([-1, 1, 1, -1]) * float(expected), rtol=1e-9)

@@ -287,6 +287,33 @@ def test_engines_agree(whole: Whole) -> None:
         wheels.half_spaces(unit(whole[:2]), engine="numba")
 
 
+@pytest.mark.parametrize("off", [0.6, np.nan, np.inf, 1e200, 1 + 1e-8])
+def test_what_is_compiled_looks_at_the_length_of_every_axis(off: float) -> None:
+    pytest.importorskip("numba")
+    fine = np.tile(np.vstack([np.eye(3), [[0.6, 0.8, 0]]]), (50, 1, 1))
+    for place in ((0, 0, 0), (49, 3, 1)):
+        axes = fine.copy()
+        axes[place] = off
+        for function in (wheels.half_spaces, wheels.face_distances):
+            said = []
+            for engine in ("numpy", "numba"):
+                with pytest.raises(ValueError, match="must be finite and have the length 1") as error:
+                    function(axes, engine=engine)
+                said.append(str(error.value))
+            assert said[0] == said[1]
+    with pytest.raises(ValueError, match="have the length 1"):
+        wheels.half_spaces([[2, 0, 0], [0, 1, 0]], engine="numba")
+
+
+def test_limits_that_sets_share_give_what_limits_of_each_set_give_in_compiled_engines() -> None:
+    pytest.importorskip("numba")
+    axes = np.tile(np.vstack([np.eye(3), [[0.6, 0.8, 0]]]), (5, 4, 1, 1))
+    shared, each = np.array([1.0, 2, 3, 4]), np.random.default_rng(3).uniform(1, 2, (4, 4))
+    for limits in (2.0, shared, shared[None, None], each, each[:, None].swapaxes(0, 1), np.tile(each, (5, 1, 1))):
+        found, expected = (wheels.face_distances(axes, limits, engine=engine) for engine in ("numba", "numpy"))
+        np.testing.assert_allclose(found, expected, rtol=1e-14)
+
+
 @quick
 @given(sets_of_wheels(), vectors)
 def test_completed_half_spaces_hold_the_corners_and_nothing_else(case: tuple[Array, Array], point: Array) -> None:

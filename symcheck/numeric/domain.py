@@ -218,15 +218,28 @@ def principal_moments(moments: ArrayLike) -> Array:
 
 
 def slack_of(moments: Array) -> Array:
-    """By how much the triangle inequalities hold: I_1 + I_2 + I_3 - 2 I_i."""
-    return np.asarray(np.roll(moments, -1, axis=-1) + np.roll(moments, -2, axis=-1) - moments)
+    """By how much the triangle inequalities hold: I_1 + I_2 + I_3 - 2 I_i, without cancellation."""
+    unit = power_of_two(np.abs(moments).max(axis=-1, keepdims=True))
+    first = moments / unit
+    slack = total(np.roll(first, -1, axis=-1), np.roll(first, -2, axis=-1), -first)
+    return evaluated("the slack", lambda x: np.asarray(x * unit), slack)
+
+
+def total(*terms: Array) -> Array:
+    """Their sum, with what each addition rounds off added at the end: right to rounding where the terms cancel."""
+    found, lost = terms[0], 0 * terms[0]
+    for term in terms[1:]:
+        found, before = found + term, found
+        part = found - before
+        lost = lost + ((before - (found - part)) + (term - part))
+    return found + lost
 
 
 def moments_of_a_mass(moments: ArrayLike) -> tuple[Array, Array]:
     """Moments of inertia that some distribution of mass has, a rod or a plate included, and their `slack_of`."""
     array = real("moments", moments, (3,))
     slack = slack_of(array)
-    allowed = -ROUNDING * np.abs(array).sum(axis=-1, keepdims=True)
+    allowed = -(ROUNDING * np.abs(array)).sum(axis=-1, keepdims=True)
     holds = (slack >= allowed).all(axis=-1)
     require(holds, "moments", array, "satisfy the triangle inequalities I_1 + I_2 + I_3 >= 2 I_i", "mirer2009:2.3")
     return array, slack
@@ -386,12 +399,16 @@ def times_power(value: Array, unit: Array, power: Array) -> Array:
 
 def require(holds: Truth, name: str, value: object, condition: str, source: str = "") -> None:
     """ValueError naming the first value for which `holds` is not true: "I = ... must ... (source)"."""
+    if holds is True:
+        return
+    if type(holds) is np.ndarray and np.count_nonzero(holds) == holds.size:  # all() takes twice as long
+        return
     if is_foreign(type(holds)):
         known, value = values_of(holds), values_of(value)
         if known is None:
             return
         holds = cast("Truth", known)
-    if np.count_nonzero(holds) == holds.size if isinstance(holds, np.ndarray) else holds:  # all() takes twice as long
+    if np.all(holds):
         return
     shape, array = np.shape(holds), np.asarray(value)
     place = tuple(int(k) for k in np.argwhere(~np.asarray(holds))[0])

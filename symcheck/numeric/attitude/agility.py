@@ -28,6 +28,8 @@ from symcheck.numeric.relations import kernels_of_relations
 from symcheck.numeric.wheels.faces import HalfSpaces, failures
 from symcheck.numeric.wheels.margins import largest_momentum
 
+SLOW = 2.0**-900  # a rate, rad/s
+
 
 class Agility(NamedTuple):
     """How a body turns about an axis; each of shape (...).
@@ -100,6 +102,9 @@ def turn_time(angle: ArrayLike, rate: ArrayLike, acceleration: ArrayLike) -> Arr
     turn, fastest, faster = (np.broadcast_to(value, shape) for value in values)
     moves = (turn > 0) & (fastest > 0) & (faster > 0)
     some, most, gain = (np.where(moves, value, 1.0) for value in (turn, fastest, faster))
+    unit = np.where(np.sqrt(some) * np.sqrt(gain) < SLOW, 1 / SLOW, 1.0)  # of angles: no rate then is a denormal
+    with np.errstate(over="ignore"):
+        some, most, gain = some * unit, most * unit, gain * unit
     way = np.minimum(most, np.sqrt(some) * np.sqrt(gain))
     time = evaluated("the time of a turn", kernels_of_relations.time_of_a_turn, some, way, gain)
     return np.where(moves, time, np.where(turn > 0, np.inf, 0.0))

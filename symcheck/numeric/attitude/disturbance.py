@@ -20,6 +20,8 @@ from symcheck.numeric.wheels.faces import HalfSpaces
 from symcheck.numeric.wheels.margins import checked_half_spaces
 
 ACROSS = 1e-12  # of a vector: what rounding leaves of it across its own plane
+SHORT = 2.0**-60  # of a turn or of dumping, in radians: what lies between two expressions then is rounding
+HALF = 26  # of the bits of a double: the product of two halves is exact
 HALVINGS = 64  # of an interval: no double is left inside
 
 
@@ -117,7 +119,7 @@ def momentum_in_time(
 
     Notes
     -----
-    Exact to rounding of the greatest term, whatever the times are. Source: relations:6, relations:10.
+    Exact to rounding of the greatest of its terms, also after many turns. Source: relations:6, relations:10.
 
     Examples
     --------
@@ -253,20 +255,40 @@ class _Disturbance(NamedTuple):
         """The momentum at some times, from parts of one shape with them."""
         arguments = np.broadcast_arrays(time, *(parts or self))
         time, constant, cosine, sine, initial, frequency, dumping = arguments
-        dumped = dumping > 0
-        named = {"G": initial, "T": constant, "P": cosine, "Q": sine, "omega": frequency, "t": time}
-
-        def of(kernel: str, where: NDArray[np.bool_], **further: Array) -> Array:
-            chosen = {name: value[where] for name, value in {**named, **further}.items()}
-            value: Array = getattr(kernels_of_relations, kernel)(**chosen)
-            return value
-
-        found = np.empty(time.shape)
         with np.errstate(all="ignore"):
-            found[~dumped] = of("momentum_of_a_disturbance", ~dumped)
+            short = np.maximum(frequency, dumping) * time < SHORT
+            found = initial + time * (constant + cosine + sine * (frequency * time / 2))
+            unit = power_of_two(np.maximum(frequency, dumping))
+            frequency, dumping, time = frequency / unit, dumping / unit, time * unit
+            named = {"T": constant / unit, "P": cosine / unit, "Q": sine / unit, "omega": frequency}
+            turned = _within_a_turn(frequency, time)
+            dumped = ~short & (dumping * time >= SHORT)
+
+            def of(kernel: str, where: NDArray[np.bool_], **further: Array) -> Array:
+                chosen = {name: value[where] for name, value in {**named, **further, "t": turned}.items()}
+                value: Array = getattr(kernels_of_relations, kernel)(**chosen)
+                return value
+
+            free, before = ~short & ~dumped, initial + named["T"] * (time - turned)
+            found[free] = of("momentum_of_a_disturbance", free, G=before)
             gone = -np.expm1(-dumping * time)
-            found[dumped] = of("momentum_with_dumping", dumped, k=dumping, q=gone)
+            found[dumped] = of("momentum_with_dumping", dumped, G=initial, k=dumping, q=gone)
         return found if parts == () else finite("a momentum", found)
+
+
+def _within_a_turn(frequency: Array, time: Array) -> Array:
+    """A time at which the phase is that of the given time, which is greater by whole turns.
+
+    The phase is the exact product: its rounding is as great as the phase after 1e16 radians.
+    """
+    (rate, power), (span, further) = np.frexp(frequency), np.frexp(time)
+    phase, high, above = rate * span, *(np.ldexp(np.rint(np.ldexp(x, HALF)), -HALF) for x in (rate, span))
+    low, below = rate - high, span - above
+    lost = ((high * above - phase) + high * below + low * above) + low * below
+    phase, lost = np.ldexp(phase, power + further), np.ldexp(lost, power + further)
+    sine, cosine, beside, along = np.sin(phase), np.cos(phase), np.sin(lost), np.cos(lost)
+    angle = np.arctan2(sine * along + cosine * beside, cosine * along - sine * beside)
+    return np.asarray(np.where(phase < 1, time, angle / frequency))
 
 
 def _first(one: _Disturbance, limit: Array) -> Array:
@@ -278,7 +300,7 @@ def _first(one: _Disturbance, limit: Array) -> Array:
     gain = one.constant - k * (one.initial - even)  # of the course about which the momentum swings
     room = limit - one.initial + even - swing
     reached = np.where(gain > 0, room / gain, np.where(room <= 0, 0.0, np.inf))
-    begin = np.where(k > 0, -np.log1p(-k * reached) / k, reached)
+    begin = np.where(k * reached >= SHORT, -np.log1p(-k * reached) / k, reached)
     begin = np.where(gain > 0, np.where(k * reached >= 1, np.inf, np.maximum(begin, 0)), 0.0)
     some = np.isfinite(begin)
     start = np.where(some, begin, 0.0)

@@ -136,7 +136,7 @@ def free_decay(
     def change(_: float, state: Array) -> Array:
         amplitude = state.reshape(start.shape)
         turned = _product(back.swapaxes(-1, -2), amplitude)
-        return (-decays * amplitude - turn * span * _product(back, np.cross(turned, inertia * turned))).ravel()
+        return (-decays * amplitude - turn * span * _product(back, _gyroscopic(inertia, turned))).ravel()
 
     # SciPy bounds the error of all bodies together, by its mean square: each has to keep within it.
     tolerance = max(tolerance / sqrt(max(start.size // 3, 1)), FINEST)
@@ -184,7 +184,7 @@ def kinetic_energy(moments: ArrayLike, rates: ArrayLike) -> Array:
     [1.0, 8.0]
     """
     inertia, rate = principal_moments(moments)[..., None, :], real("rates", rates, (None, 3))
-    return evaluated("an energy", lambda *x: (x[0] * x[1] ** 2).sum(axis=-1) / 2, inertia, rate)
+    return evaluated("an energy", lambda *x: (x[0] * x[1] * x[1]).sum(axis=-1) / 2, inertia, rate)
 
 
 @gufunc("(time),(time)->()")
@@ -221,13 +221,27 @@ def decay_rate(times: ArrayLike, energy: ArrayLike) -> Array:
     times = increasing("times", times)
     energy = positive("energy", energy, "else there is nothing to measure", (times.size,))
     first, last = energy[..., 0], energy[..., -1]
-    return evaluated("a decay rate", lambda *x: np.log(x[0] / x[1]) / (2 * np.ptp(x[2])), first, last, times)
+    return evaluated("a decay rate", lambda *x: _logarithm_of_ratio(*x[:2]) / (2 * np.ptp(x[2])), first, last, times)
+
+
+def _logarithm_of_ratio(above: Array, below: Array) -> Array:
+    """log(above/below), also where the ratio is nearly 1 and where it is no double."""
+    change = (above - below) / below
+    (high, more), (low, less) = np.frexp(above), np.frexp(below)
+    apart = np.log(high / low) + (more - less) * np.log(2)
+    return np.asarray(np.where(np.abs(change) < 0.5, np.log1p(np.maximum(change, -0.5)), apart))
 
 
 def _acceleration(moments: Array, damping: Array, rate: Array) -> Array:
-    torque = _product(damping, rate) + np.cross(rate, moments * rate)
+    torque = _product(damping, rate) + _gyroscopic(moments, rate)
     acceleration: Array = -torque / moments
     return acceleration
+
+
+def _gyroscopic(moments: Array, rate: Array) -> Array:
+    """w x I w, of differences of moments: those that are equal, or nearly, leave nothing of rounding."""
+    after, before = [1, 2, 0], [2, 0, 1]
+    return np.asarray((moments[..., before] - moments[..., after]) * rate[..., after] * rate[..., before])
 
 
 def _product(matrix: Array, vector: Array) -> Array:

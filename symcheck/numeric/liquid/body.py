@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.generated import esenkov2006
-from symcheck.numeric.domain import Array, common_shape, evaluated, positive, power_of_two, real, require
+from symcheck.numeric.domain import Array, common_shape, evaluated, positive, power_of_two, real, require, total
 
 
 class Body(NamedTuple):
@@ -26,6 +26,11 @@ class Body(NamedTuple):
     R_n: Array
     moment: Array
     rate: Array
+
+    @property
+    def rest(self) -> Array:
+        """A less the inertias of all modes, which may nearly cancel it."""
+        return total(self.A, *np.moveaxis(-self.E_n, -1, 0))
 
     @property
     def off_the_band(self) -> NDArray[np.bool_]:
@@ -46,8 +51,15 @@ def checked_body(A: ArrayLike, C: ArrayLike, E_n: ArrayLike, lambda_n: ArrayLike
     require(carried.shape[-1] > 0, "E_n", carried, "have at least one mode", "1.31")
     natural = real("lambda_n", lambda_n, carried.shape[-1:])
     shape = common_shape(A=whole, C=axial, E_n=carried[..., 0], lambda_n=natural[..., 0], omega_0=spin)
-    total = carried.sum(-1)
-    require(total < whole, "sum of E_n", total, "be less than A, as the liquid is a part of the body", "N.13")
+    rest = total(*np.broadcast_arrays(whole, *np.moveaxis(-carried, -1, 0)))
+    together = carried.sum(-1)
+    require(
+        (rest > 0) & (together < whole),
+        "sum of E_n",
+        together,
+        "be less than A, as the liquid is a part of the body",
+        "N.13",
+    )
     whole, axial, spin = (np.broadcast_to(value, shape) for value in (whole, axial, spin))
     carried, natural = (np.broadcast_to(value, shape + value.shape[-1:]) for value in (carried, natural))
     moment, rate = power_of_two(whole), power_of_two(spin)

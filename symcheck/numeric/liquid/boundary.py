@@ -251,7 +251,7 @@ def stability_map(
 
 def _critical_moments(body: Body) -> Array:
     """The C - A at which (1.31) has a double root, and others: it is solved for C - A, with N.4, at those roots."""
-    poles, rest = body.R_n != 0, body.A - body.E_n.sum()
+    poles, rest = body.R_n != 0, body.rest
     residues, natural = body.R_n[poles], body.lambda_n[poles]
     double = _zeros_of_the_slope(residues / rest, natural)
     with np.errstate(divide="ignore"):  # a zero that rounding puts on a pole is not one; it goes far away

@@ -288,7 +288,7 @@ def _eigenvalues(body: Body) -> NDArray[np.complex128]:
 
 
 def _arrowhead(body: Body) -> Array:
-    rest, size = body.A - body.E_n.sum(-1), body.E_n.shape[-1] + 1
+    rest, size = body.rest, body.E_n.shape[-1] + 1
     border = np.sqrt(np.abs(body.R_n) / rest[..., None])
     moment = (body.E_n * (body.lambda_n - body.omega_0[..., None])).sum(-1)
     matrix = np.zeros((*body.A.shape, size, size))

@@ -242,10 +242,15 @@ def _table(slenderness: float, size: int) -> tuple[Array, Array]:
         value = middle * jv(0, middle) - jv(1, middle) + sense * np.hypot(1, middle / k) * jv(1, middle)
         before = value * outer > 0  # x J_1'/J_1 falls from plus to minus infinity, crossing each bound once
         low, high = np.where(before, middle, low), np.where(before, high, middle)
-    tau = sense * 2 / np.hypot(1, high / k)
+    slope = high / k
+    length = np.hypot(1, slope)
+    tau = sense * 2 / length
     kernel = kernels_of_relations.mode_inertia_of_a_cylinder
     half = 1 / slenderness
     arguments = {"m": 1.0, "tau": tau, "c": half, "k": k, "a": 1.0}
-    found = np.array(np.broadcast_to(kernel(**arguments), shape))
+    # E has the factor (2 + tau)/(2 - tau), and in a flat tank |tau| rounds away what it lacks to 2
+    lacks, rounded = 2 * slope**2 / (length * (1 + length)), 2 - np.abs(tau)
+    exactly = np.divide(lacks, rounded, out=np.ones(shape), where=rounded > 0) ** -sense
+    found = np.array(np.broadcast_to(kernel(**arguments) * exactly, shape))
     found[:, 1, 0] = 0.0
     return found, np.broadcast_to(tau, shape)

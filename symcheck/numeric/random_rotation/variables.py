@@ -71,7 +71,7 @@ def amplitude_phase_frequency(x: ArrayLike, k: ArrayLike) -> Rotation:
     velocity, ratio = real("x", x, (3,)), positive("k", k, "(1.1)")
     x_1, x_2, x_3 = np.moveaxis(velocity, -1, 0)
     with np.errstate(over="ignore"):
-        parts = np.hypot(x_1, x_2), np.arctan2(0.0 - x_2, x_1), ratio * x_3
+        parts = np.hypot(x_1, x_2), np.arctan2(0.0 - x_2, x_1 + 0.0), ratio * x_3
     return Rotation(*(finite("an amplitude or a frequency", part) for part in results(*parts)))
 
 

@@ -17,8 +17,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symcheck.numeric.chunked import gufunc
-from symcheck.numeric.domain import Array, engine_module, one_of, require, whole
-from symcheck.numeric.wheels.sets import Wheels, wheels_of
+from symcheck.numeric.domain import (
+    TOLERANCE,
+    Array,
+    doubles,
+    engine_module,
+    one_of,
+    require,
+    rows_of,
+    unit_axes,
+    whole,
+)
+from symcheck.numeric.wheels.sets import SOURCE, Wheels, wheels_along, wheels_of
 
 PARALLEL = 1e-12  # sine of an angle below which two axes are one
 ENGINES = ("numpy", "numba")
@@ -115,7 +125,7 @@ def half_spaces(
     >>> half_spaces(np.eye(3), [1, 2, 3]).distances
     array([3., 2., 1.])
     """
-    wheels = wheels_of(axes, limits, bias)
+    wheels = _wheels(engine, axes, limits, bias)
     wheels = _completed(wheels) if complete else wheels
     normals, distances = _half_planes(wheels, True, engine)
     shape = (*wheels.limits.shape[:-1], distances.shape[1])
@@ -152,9 +162,16 @@ def face_distances(axes: ArrayLike, limits: ArrayLike = 1.0, *, engine: str = "n
     >>> face_distances(six_wheels(np.arctan(3))).min().round(6)
     np.float64(1.77073)
     """
-    wheels = wheels_of(axes, limits)
+    wheels = _wheels(engine, axes, limits)
     _, distances = _half_planes(wheels, False, engine)
     return distances.reshape(*wheels.limits.shape[:-1], distances.shape[1])
+
+
+def _wheels(engine: str, axes: ArrayLike, limits: ArrayLike, bias: ArrayLike = 0.0) -> Wheels:
+    """As `wheels_of`; what is compiled looks at the lengths of the axes as it reads them."""
+    if engine == "numba":
+        return wheels_along(doubles("axes", rows_of(axes), (None, 3)), limits, bias)
+    return wheels_of(axes, limits, bias)
 
 
 def _completed(wheels: Wheels) -> Wheels:
@@ -177,15 +194,23 @@ def _operands(count: int) -> NDArray[np.intp]:
 
 def _half_planes(wheels: Wheels, keep: bool, engine: str) -> tuple[Array, Array]:
     """Normals (m, 3, p), or less if they are not kept, and distances (m, p) of all m sets."""
-    one_of("engine", engine, ENGINES)
+    if engine not in ENGINES:
+        one_of("engine", engine, ENGINES)
     count = wheels.limits.shape[-1]
-    require(count > 2, "axes", wheels.axes, SPANS, "(2.1)")
+    if count < 3:
+        unit_axes(wheels.axes, SOURCE)
+        require(False, "axes", wheels.axes, SPANS, SOURCE)
     axes, limits = wheels.axes.reshape(-1, count, 3), wheels.limits.reshape(-1, count)
-    run = engine_module(engine, "symcheck.numeric.wheels.numba_engine").of_pairs if engine == "numba" else of_pairs
-    normals, distances, spans = run(axes, limits, keep, PARALLEL)
+    if engine == "numba":
+        run = engine_module(engine, "symcheck.numeric.wheels.numba_engine").of_pairs
+        normals, distances, spans, of_unit_length = run(axes, limits, keep, PARALLEL, TOLERANCE)
+        if not of_unit_length:
+            unit_axes(wheels.axes, SOURCE)
+    else:
+        normals, distances, spans = of_pairs(axes, limits, keep, PARALLEL)
     if np.count_nonzero(spans) < len(spans):
         spans[~spans] = _span(axes[~spans])
-        require(spans.reshape(wheels.limits.shape[:-1]), "axes", wheels.axes, SPANS, "(2.1)")
+        require(spans.reshape(wheels.limits.shape[:-1]), "axes", wheels.axes, SPANS, SOURCE)
     return normals, distances
 
 

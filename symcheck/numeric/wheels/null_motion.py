@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symcheck.numeric.domain import Array, momentum, not_negative, number, positive, require
+from symcheck.numeric.domain import Array, momentum, not_negative, number, positive, power_of_two, require
 from symcheck.numeric.wheels.sets import Wheels, wheels_of
 
 MOST = 10  # wheels: a thousand linear programs
@@ -126,10 +126,12 @@ def null_torque(
     count = motions.shape[1]
     stored, wanted = momentum("momenta", momenta, (count,)), momentum("target", target, (count,))
     rate = positive("gain", gain)[..., None]
-    torques = rate * ((wanted - stored) @ motions.T) @ motions
-    with np.errstate(divide="ignore", invalid="ignore"):
-        loads = np.where(torques == 0, 0.0, np.abs(torques) / largest)
-    return np.asarray(torques / np.maximum(loads.max(axis=-1, keepdims=True, initial=0), 1))
+    change = (wanted - stored) @ motions.T @ motions
+    unit = power_of_two(np.abs(change).max(axis=-1, keepdims=True, initial=0))
+    change = change / unit
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        allowed = np.where(change == 0, np.inf, largest / np.abs(change)).min(axis=-1, keepdims=True, initial=np.inf)
+        return np.asarray(change * np.minimum(rate * unit, allowed))
 
 
 def clear_momenta(axes: ArrayLike, momenta: ArrayLike, limits: ArrayLike = 1.0, best: float = 0.5) -> ClearMomenta:

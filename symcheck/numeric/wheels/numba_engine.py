@@ -13,30 +13,45 @@ from symcheck.numeric.domain import Array
 LANES = 8  # the pairs of a set are filled up to a multiple of these, so that loops are all vector instructions
 
 
-def of_pairs(axes: Array, limits: Array, keep: bool, parallel: float) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """What the function of this name in `faces` returns."""
+def of_pairs(
+    axes: Array, limits: Array, keep: bool, parallel: float, tolerance: float
+) -> tuple[Array, Array, NDArray[np.bool_], bool]:
+    """What the function of this name in `faces` returns, and whether all axes have the length 1, to a tolerance."""
     sets, count, _ = axes.shape
     pairs = comb(count, 2)
-    normals, distances = np.empty((sets if keep else 1, 3, pairs)), np.empty((sets, pairs))
+    normals, distances = np.empty((sets if keep else 0, 3, pairs)), np.empty((sets, pairs))
     spans = np.empty(sets, np.bool_)
-    _fill(np.ascontiguousarray(axes), np.ascontiguousarray(limits), parallel, normals, distances, spans)
-    return normals, distances, spans
+    if sets and not limits.strides[0]:  # limits that all sets share are not copied for each
+        limits = limits[:1]
+    axes, limits = np.ascontiguousarray(axes), np.ascontiguousarray(limits)
+    return normals, distances, spans, _fill(axes, limits, parallel, tolerance, normals, distances, spans)
 
 
 @compiled
 def _fill(
-    axes: Array, limits: Array, parallel: float, normals: Array, distances: Array, spans: NDArray[np.bool_]
-) -> None:
+    axes: Array,
+    limits: Array,
+    parallel: float,
+    tolerance: float,
+    normals: Array,
+    distances: Array,
+    spans: NDArray[np.bool_],
+) -> bool:
+    shared, keep, unit = len(limits) == 1, len(normals) == len(axes), True
     pairs = distances.shape[1]
     filled = -(-pairs // LANES) * LANES
     x, y, z, d = np.zeros(filled), np.zeros(filled), np.zeros(filled), np.zeros(filled)
     for s in range(len(axes)):
         _cross(axes, s, x, y, z)
         _normalise(x, y, z, d, parallel)
-        spans[s] = _add(axes, limits, s, x, y, z, d) > parallel
-        row = s % len(normals)
+        highest, of_unit_length = _add(axes, limits[0 if shared else s], s, x, y, z, d, tolerance)
+        spans[s], unit = highest > parallel, unit & of_unit_length
         for p in range(pairs):
-            normals[row, 0, p], normals[row, 1, p], normals[row, 2, p], distances[s, p] = x[p], y[p], z[p], d[p]
+            distances[s, p] = d[p]
+        if keep:
+            for p in range(pairs):
+                normals[s, 0, p], normals[s, 1, p], normals[s, 2, p] = x[p], y[p], z[p]
+    return unit
 
 
 @compiled
@@ -62,12 +77,18 @@ def _normalise(x: Array, y: Array, z: Array, d: Array, parallel: float) -> None:
 
 
 @compiled
-def _add(axes: Array, limits: Array, s: int, x: Array, y: Array, z: Array, d: Array) -> float:
-    """Add every wheel's part to the distances d; how high the highest axis stands over the plane of pair (1, 2)."""
-    highest = 0.0
+def _add(
+    axes: Array, limits: Array, s: int, x: Array, y: Array, z: Array, d: Array, tolerance: float
+) -> tuple[float, bool]:
+    """Add every wheel's part to the distances d.
+
+    How high the highest axis stands over the plane of pair (1, 2), and whether all axes have the length 1.
+    """
+    highest, unit = 0.0, True
     for k in range(axes.shape[1]):
-        u, v, w, limit = axes[s, k, 0], axes[s, k, 1], axes[s, k, 2], limits[s, k]
+        u, v, w, limit = axes[s, k, 0], axes[s, k, 1], axes[s, k, 2], limits[k]
         highest = max(highest, abs(x[0] * u + y[0] * v + z[0] * w))
+        unit &= abs(u * u + v * v + w * w - 1) <= tolerance
         for p in range(len(x)):
             d[p] += limit * abs(x[p] * u + y[p] * v + z[p] * w)
-    return highest
+    return highest, unit

@@ -22,11 +22,12 @@ from symcheck.numeric.domain import (
     momentum,
     not_negative,
     one_of,
-    power_of_two,
     require,
     unit_axes,
 )
 
+SOURCE = "(2.1)"
+LEAST = -10_000  # a power of two below those of all products of three doubles
 VERTICES: dict[int, Callable[..., tuple[float, ...]]] = {
     3: ignatov2005.vertices_of_three_wheels,
     4: ignatov2005.vertices_of_four_wheels,
@@ -91,15 +92,23 @@ def wheels_of(axes: ArrayLike, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -
     >>> wheels_of([[1, 0, 0], [0, 1, 0]], 2.0).limits
     array([2., 2.])
     """
-    axes = unit_axes(axes, "(2.1)")
+    return wheels_along(unit_axes(axes, SOURCE), limits, bias)
+
+
+def wheels_along(axes: Array, limits: ArrayLike = 1.0, bias: ArrayLike = 0.0) -> Wheels:
+    """As `wheels_of`, of axes (..., n, 3) whose lengths the caller looks at."""
     count = axes.shape[-2]
     require(count > 0, "axes", axes.shape, "have one wheel at least")
     limits, bias = _of_wheels(_limits, limits, count), _of_wheels(_bias, bias, count)
     if not axes.shape[:-1] == limits.shape == bias.shape:  # most calls need no broadcasting, which takes longer
-        shape = common_shape(axes=axes[..., 0], limits=limits, bias=bias)
-        axes = np.broadcast_to(axes, (*shape, 3))
-        limits, bias = np.broadcast_to(limits, shape), np.broadcast_to(bias, shape)
+        shared = limits.ndim < 2 and bias.ndim < 2
+        shape = axes.shape[:-1] if shared else common_shape(axes=axes[..., 0], limits=limits, bias=bias)
+        axes, limits, bias = (_spread(axes, (*shape, 3)), _spread(limits, shape), _spread(bias, shape))
     return Wheels(axes, limits, bias)
+
+
+def _spread(array: Array, shape: tuple[int, ...]) -> Array:
+    return array if array.shape == shape else np.broadcast_to(array, shape)
 
 
 def _of_wheels(checked: Callable[[ArrayLike, int], Array], value: ArrayLike, count: int) -> Array:
@@ -262,14 +271,18 @@ def volume(axes: ArrayLike, limits: ArrayLike = 1.0) -> Array:
     64.0
     """
     wheels = wheels_of(axes, limits)
-    scale = power_of_two(wheels.limits.max(axis=-1, initial=0))
-    edges = np.moveaxis(wheels.axes * (wheels.limits / scale[..., None])[..., None], -2, 0)
-    total = np.zeros(wheels.limits.shape[:-1])
-    for second in range(1, len(edges) - 1):
+    axes, limits = np.moveaxis(wheels.axes, -2, 0), np.moveaxis(wheels.limits, -1, 0)
+    sizes, powers = np.frexp(limits)  # products of three leave the doubles, whatever the unit of them all is
+    total, unit = np.zeros(limits.shape[1:]), np.full(limits.shape[1:], LEAST)
+    for second in range(1, len(axes) - 1):
         for first in range(second):
-            normal = np.cross(edges[first], edges[second])
-            total += np.abs(np.einsum("...k,i...k->i...", normal, edges[second + 1 :])).sum(axis=0)
-    result = evaluated("volume", lambda unit: 8 * total * unit**3, scale)
+            normal = np.cross(axes[first], axes[second]) * (sizes[first] * sizes[second])[..., None]
+            parts = np.abs(np.einsum("...k,i...k->i...", normal, axes[second + 1 :])) * sizes[second + 1 :]
+            whole = powers[first] + powers[second] + powers[second + 1 :]
+            greatest = np.maximum(unit, np.where(parts > 0, whole, LEAST).max(axis=0))
+            total = np.ldexp(total, unit - greatest) + np.ldexp(parts, whole - greatest).sum(axis=0)
+            unit = greatest
+    result = evaluated("volume", lambda x: np.ldexp(8 * x, unit), total)
     require((result > 0) | (total == 0), "volume", result, "be a positive double; take limits in another unit")
     return result
 

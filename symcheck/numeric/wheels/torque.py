@@ -88,7 +88,8 @@ def torque_range(
     speeding = most
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         if power is not None and rotor_inertia is not None:
-            strongest = not_negative("power", power) * (positive("rotor_inertia", rotor_inertia) / np.abs(stored))
+            rotor = positive("rotor_inertia", rotor_inertia)
+            strongest = _product_over(not_negative("power", power), rotor, np.abs(stored))
             speeding = np.where(stored == 0, most, np.minimum(most, strongest))
     if limits is not None:
         speeding = np.where(np.abs(stored) >= not_negative("limits", limits), 0.0, speeding)
@@ -98,6 +99,12 @@ def torque_range(
         none = not_negative("limits", limits) == 0
         least, greatest = np.where(none, 0.0, least), np.where(none, 0.0, greatest)
     return TorqueRange(*results(-least, greatest))
+
+
+def _product_over(x: Array, y: Array, z: Array) -> Array:
+    """x y/z, which is a double where x y or y/z is none."""
+    (x, p), (y, q), (z, r) = map(np.frexp, (x, y, z))
+    return np.asarray(np.ldexp(x * y / z, p + q - r))
 
 
 @gufunc("(n,axis),(n),(n),(n),(n),(n)->(pair,axis),(pair),(axis)", pair=pairs_when_complete)
