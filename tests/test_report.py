@@ -117,8 +117,8 @@ def test_every_role_reading_and_method_is_explained() -> None:
         ),
         (
             wrong("1", "", "x = -y", origin=Origin.UNCERTAIN, erratum=None),
-            "Wrong as the words say it: it fails at the exact point below. "
-            "Whose fault it is cannot be told from the text at hand.",
+            "Wrong as the words state it: it fails at the exact point below. "
+            "The text at hand does not tell whether the paper or its digitisation is at fault.",
         ),
         (record("1", verdict=Verdict.UNDECIDED), f"Not decided: {MEANINGS[Verdict.UNDECIDED]}."),
         (record("1", verdict=None, role=Role.PREMISE), f"Not decided: {MEANINGS[Role.PREMISE]}."),

@@ -395,13 +395,14 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
 
 def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(seen: Callable[..., Page]) -> None:
     from symcheck.audit.decide import decide
-    from symcheck.coq.confirmed import summary
+    from symcheck.coq.confirmed import sentence, summary
 
     for id in ("mirer2009:2.12", "mirer2009:2.13.1c"):
-        said = next(summary(record) for record in decide(id.rstrip("abc")) if record.id == id)
+        record = next(record for record in decide(id.rstrip("abc")) if record.id == id)
+        said = summary(record)
         assert said
         page = seen(f"#{id}")
-        assert page.locator("#view-claim .facts").inner_text().endswith(f"confirmed by Coq: {said}")
+        assert page.locator("#view-claim .facts").inner_text().endswith(sentence(record))
         page = seen("#ledger")
         everything = len(shown(page))
         page.get_by_label("Confirmed by Coq").select_option(said)
@@ -553,7 +554,7 @@ def test_a_claim_explains_the_words_beside_its_verdict(seen: Callable[..., Page]
         "as printed",
         "identity",
         "claim",
-        "confirmed by Coq",
+        "Coq",
     ]
     assert "the paper asserts it" in page.locator(".meanings").inner_text()
 

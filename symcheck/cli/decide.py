@@ -12,6 +12,7 @@ import click
 
 from symcheck.cli.errors import BAD_INPUT, say, writing
 from symcheck.cli.options import POSITIVE, cores
+from symcheck.core.counts import number_of
 from symcheck.core.verdicts import SymcheckError
 
 EXIT = {"proved": 0, "refuted": 1, "unreadable": BAD_INPUT}
@@ -146,7 +147,7 @@ def _batch(file: Path, as_json: bool, output: Path | None, resume: bool, jobs: i
     faults = sum(bool(record.fault) for record in todo)
     counts = ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items()))
     say(
-        f"{len(todo)} records: {counts or 'nothing to do'}"
+        f"{number_of(len(todo), 'record')}: {counts or 'nothing to do'}"
         + (f"; {faults} could not be read as records" if faults else "")
     )
     raise click.exceptions.Exit(BAD_INPUT if faults else 0)

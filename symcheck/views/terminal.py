@@ -20,6 +20,7 @@ from rich.text import Text
 from symcheck.audit.dimensions import Unit
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
+from symcheck.core.counts import number_of
 from symcheck.core.verdicts import Group, Verdict
 from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
@@ -27,7 +28,7 @@ from symcheck.ledger import Record, digest_of
 from symcheck.ledger.changes import Change
 from symcheck.views import model
 from symcheck.views.diagnostics import near
-from symcheck.views.dimensions import conflict, fits, unlike
+from symcheck.views.dimensions import conflict, fits, in_general, unlike
 from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
 
@@ -197,7 +198,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     yield "role", f"{record.role}, section {record.section}, line {record.line} of the source"
     yield "printed", record.printed
     yield "words", record.words
-    yield "stands on", record.place
+    yield "in the text", record.place
     yield "read as", record.read
     if not as_erratum:
         yield "reason", record.reason.replace("$", "")
@@ -209,7 +210,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
         yield "used by", ", ".join(record.used_by)
     yield "fails at", relation.fails_at
     if record.dimension and (not as_erratum or record.dimension.verdict == INCONSISTENT):
-        yield "dimension", "\n".join(fits(record.dimension))
+        yield "dimension", "\n".join((*fits(record.dimension), *in_general(record.dimension)))
     yield "corrected", record.corrected
     yield "kind", record.kind
     yield "origin", f"{relation.whose}: {record.reason}".replace("$", "") if record.origin else ""
@@ -266,7 +267,7 @@ def errata(out: Console, records: Iterable[Record]) -> None:
 def counted_errata(out: Console, records: Sequence[Record]) -> None:
     """How many errata there are, what they are, and whose."""
     damaged = sum(record.group is Group.DAMAGED for record in records)
-    _wrapped(out, f"{model.erring(records)}; {damaged} places of damaged text")
+    _wrapped(out, f"{model.erring(records)}; {number_of(damaged, 'place')} of damaged text")
     if blamed := model.blame(records):
         _wrapped(out, f"Refuted: {blamed}")
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from symcheck.core.counts import number_of
 from symcheck.core.lazy import lazy
 from symcheck.reading import Notation
 
@@ -54,7 +55,7 @@ def lines(value: Expr, notation: Notation) -> list[str]:
     """The same in lines, cut if there are very many."""
     broken = split(expression(value, notation))
     return (
-        [*broken[:MOST], rf"\ldots \quad\text{{and {len(broken) - MOST} more lines}}"]
+        [*broken[:MOST], rf"\ldots \quad\text{{and {number_of(len(broken) - MOST, 'more line')}}}"]
         if len(broken) > MOST + 1
         else broken
     )

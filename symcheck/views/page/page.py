@@ -15,19 +15,20 @@ from markupsafe import Markup
 
 from symcheck import __version__
 from symcheck.coq.confirmed import CONFIRMED, confirmed
+from symcheck.core.counts import number_of
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.ledger.changes import Change
 from symcheck.ledger.selftested import evidence, rows
-from symcheck.views.dimensions import fits
+from symcheck.views.dimensions import fits, restored
 from symcheck.views.model import Relation, blame, errata, erring, origins
 from symcheck.views.page import entry as entries
 from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
-from symcheck.views.page.meanings import MEANINGS, answer
+from symcheck.views.page.meanings import COQ, MEANINGS, answer
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
 from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
@@ -119,7 +120,8 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         lstrip_blocks=True,
     )
     environment.filters["place"] = lambda id: Id.parse(id).place
-    environment.globals |= {"answer": answer, "difference": entries.difference, "fits": fits, "entries": shown}
+    environment.globals |= {"answer": answer, "difference": entries.difference, "entries": shown, "COQ": COQ}
+    environment.globals |= {"fits": fits, "restored": restored, "number_of": number_of}
     claim = environment.get_template("claim.html")
     of_paper: dict[str, list[Entry]] = {paper.key: [] for paper in papers}
     for each in shown.values():

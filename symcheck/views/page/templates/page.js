@@ -7,6 +7,8 @@ const made = (tag, properties = {}, ...children) => {
   return element;
 };
 
+const numberOf = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
+
 // The parts of the id of a relation, "mirer2009:2.13.1b": its paper, its place there, and the id without the link.
 function partsOf(id) {
   const [paper, place] = id.split(":");
@@ -60,8 +62,8 @@ const wholePapers = () => Promise.all(index.papers.map((each) => paperOf(each.ke
 // Letters in plain words as they are written: omega_3, I_1 != I_2.
 const GREEK = Object.fromEntries([..."alpha α beta β gamma γ delta δ epsilon ε zeta ζ eta η theta θ kappa κ lambda λ mu μ nu ν xi ξ pi π rho ρ sigma σ tau τ phi φ chi χ psi ψ omega ω Delta Δ Omega Ω Gamma Γ Phi Φ Psi Ψ".matchAll(/(\w+) (\S)/g)].map((pair) => [pair[1], pair[2]]));
 const REFERENCE = /\b[a-z]+\d{4}:[A-Z]?[\w.]*\w|\((\d+(?:\.\d+)+[a-z]?)\)/g;
-const LETTER = new RegExp(`\\b([A-Za-z]{1,8})_(\\w{1,5})\\b|\\b(${Object.keys(GREEK).join("|")})\\b(?! function)|!=|<=|>=|\\bsqrt\\((\\w+)\\)|(?<=[\\w)])\\*(?=[\\w(])|\\^(\\d+)`, "g");
-const SIGNS = {"!=": "≠", "<=": "≤", ">=": "≥", "*": "·"};
+const LETTER = new RegExp(`\\b([A-Za-z]{1,8})_(\\w{1,5})\\b|\\b(${Object.keys(GREEK).join("|")})\\b(?! function)|!=|<=|>=|(?<=[=,(] ?)-(?=[\\w(])|\\bsqrt\\((\\w+)\\)|(?<=[\\w)])\\*(?=[\\w(])|\\^(\\d+)`, "g");
+const SIGNS = {"!=": "≠", "<=": "≤", ">=": "≥", "*": "·", "-": "−"};
 function setProse(from, paper = "") {
   for (const place of all(".prose:not(.set)", from)) {
     place.classList.add("set");
@@ -207,7 +209,7 @@ async function filter() {
   kept = new Set(shown);
   entries.forEach((entry) => { if (entry.row) entry.row.hidden = !kept.has(entry); });
   all("#rows section").forEach((section) => { section.hidden = !one("li:not([hidden])", section); });
-  one("#count").textContent = `${shown.length.toLocaleString("en")} of ${entries.length.toLocaleString("en")} items`;
+  one("#count").textContent = `${shown.length.toLocaleString("en")} of ${numberOf(entries.length, "item")}`;
   await makeLedger();
   if (turn === asked) one("#rows").ariaBusy = null;
 }
@@ -235,7 +237,6 @@ async function showClaim(id) {
   const parts = entries.filter((each) => each.whole === entry.whole);
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((each) =>
     made("a", {href: `#${each.id}`, textContent: partsOf(each.id).place, ariaCurrent: each === entry ? "page" : null}))]);
-  if (entry.coq) one(".facts", body).append(" ", coqSays(entry.coq));
   all("[data-f]", body).forEach((place) => { place.append(formula(JSON.parse(place.dataset.f))); });
   one("#claim-title", body).prepend(id, " ");
   all("[data-h]", body).forEach((place) => { place.innerHTML = part.strings[place.dataset.h]; });
@@ -249,11 +250,6 @@ async function showClaim(id) {
   one("button.download", body)?.addEventListener("click", () => download(id));
   document.title = `${id} · symcheck`;
   return true;
-}
-function coqSays(says) {
-  const place = made("span", {textContent: `confirmed by Coq: ${says}`});
-  place.dataset.word = "confirmed by Coq";
-  return place;
 }
 // What the words beside a verdict mean.
 function setMeanings(body) {
