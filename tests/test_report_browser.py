@@ -298,6 +298,8 @@ def test_the_search_puts_first_what_is_asked_for(seen: Callable[..., Page]) -> N
     ):
         page.get_by_label("Search").fill(text)
         assert shown(page)[: len(first)] == first, text
+        told = page.locator("#best li > a").first.evaluate("(link) => getComputedStyle(link, '::after').content")
+        assert told == '"mirer2009"', text
     page.get_by_label("Search").fill("refuted")
     refuted = page.locator("#rows li:visible .badge.refuted").count()
     assert page.locator("#best li:visible .badge").all_inner_texts() in ([], ["refuted"] * refuted)
@@ -314,6 +316,8 @@ def test_an_unknown_place_is_said_with_the_nearest(seen: Callable[..., Page]) ->
     for place, nearest in (
         ("#mirer2009:2.71", "mirer2009:2.7"),
         ("#mirer209:2.12", "mirer2009:2.12"),
+        ("#2.12", "mirer2009:2.12"),
+        ("#(2.12)", "mirer2009:2.12"),
         ("#%", "errata"),
     ):
         page = seen(place)
@@ -347,7 +351,7 @@ def test_single_keys_search_walk_and_can_be_switched_off(opened: Callable[..., P
     page.keyboard.press("k")
     title(page, str(before).removeprefix("#"))
     page.keyboard.press("?")
-    page.get_by_role("dialog").get_by_label("single keys do this").uncheck()
+    page.get_by_role("dialog").get_by_label("use single keys").uncheck()
     page.get_by_role("button", name="Close").click()
     before = page.locator("#claim-title").inner_text()
     page.keyboard.press("j")

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from symcheck.ledger.changes import Change
 
 
-@click.command()
+@click.command(short_help="Decide relations, and compare the verdicts with those recorded.")
 @SELECTION
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all items instead of the table.")
 @click.option(

@@ -19,7 +19,7 @@ EXIT = {"proved": 0, "refuted": 1, "unreadable": BAD_INPUT}
 UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
 
 
-@click.command()
+@click.command(short_help="Decide one formula in LaTeX, without a paper.")
 @click.argument("relation", required=False)
 @click.option(
     "--where", multiple=True, metavar="LATEX", help="A definition or an earlier equation; any number of them."

@@ -15,7 +15,7 @@ from symcheck.core.files import put
 from symcheck.views.exports import format_names, format_of
 
 
-@click.command()
+@click.command(short_help="Write the ledger and the errata for other tools.")
 @SELECTION
 @click.option("--format", "name", type=click.Choice(format_names()), required=True, help="What to write.")
 @click.option(

@@ -17,7 +17,7 @@ from symcheck.kernels.codegen import target_names
 CHECKED_IN = "numpy"  # the target whose files stand in generated/
 
 
-@click.command()
+@click.command(short_help="Write kernels, certificates and recorded verdicts.")
 @click.option("--check", "only_check", is_flag=True, help="Write nothing; exit 1, name what differs, diff the kernels.")
 @click.option(
     "--target",

@@ -12,7 +12,7 @@ from symcheck.cli.records import progress
 from symcheck.core.counts import number_of
 
 
-@click.command()
+@click.command(short_help="Execute the notebooks and compare them with what is committed.")
 @click.option(
     "--only",
     multiple=True,

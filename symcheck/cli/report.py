@@ -16,7 +16,7 @@ from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 
 
-@click.command()
+@click.command(short_help="Write the audit as one page for a browser.")
 @SELECTION
 @click.option(
     "--output",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -35,7 +35,7 @@ _ORIGINS = (
     "added by us",
 )
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
-_NEEDED = {True: "needed", False: "not needed", None: "need not known"}
+_NEEDED = {True: "needed", False: "not needed", None: "not known whether needed"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
 _BLAMED = (Origin.PAPER, Origin.UNCERTAIN, Origin.OCR)
@@ -437,6 +437,11 @@ def counted(records: Iterable[Record]) -> str:
     found = Counter(record.verdict for record in records if record.verdict)
     verdicts = ", ".join(f"{found[verdict]:,} {verdict}" for verdict in Verdict)
     return f"{number_of(found.total(), 'relation')}: {verdicts}"
+
+
+def roles(counts: Mapping[str, int]) -> str:
+    """How many declarations have which role: "2 premises, 1 definition, 3 ours"."""
+    return ", ".join(number_of(n, str(role), str(role) if role == Role.OURS else "") for role, n in counts.items())
 
 
 def headline(records: Sequence[Record]) -> Iterator[str]:

@@ -168,7 +168,7 @@ def next_steps(out: Console, records: Sequence[Record], folders: Mapping[str, Pa
 def summary(out: Console, records: Sequence[Record]) -> None:
     """How many of each verdict, and how many declarations that claim nothing."""
     others = Counter(record.role for record in records if not record.verdict)
-    rest = "".join(f"; {count} of role {role}" for role, count in sorted(others.items()))
+    rest = f"; {model.roles(dict(sorted(others.items())))}" if others else ""
     first, *more = model.headline(records)
     for line in (f"{first}{rest}", *more):
         _wrapped(out, line)
@@ -267,7 +267,8 @@ def errata(out: Console, records: Iterable[Record]) -> None:
 def counted_errata(out: Console, records: Sequence[Record]) -> None:
     """How many errata there are, what they are, and whose."""
     damaged = sum(record.group is Group.DAMAGED for record in records)
-    _wrapped(out, f"{model.erring(records)}; {number_of(damaged, 'place')} of damaged text")
+    places = f"; {number_of(damaged, 'place')} of damaged text" if damaged else ""
+    _wrapped(out, model.erring(records) + places)
     if blamed := model.blame(records):
         _wrapped(out, f"Refuted: {blamed}")
 
@@ -293,7 +294,7 @@ def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> No
     """One row per paper: key, title, source, how many declarations of each role."""
     table = Table("key", "title", "source", "declarations", box=box.SIMPLE_HEAD, pad_edge=False)
     for key, (paper, roles) in counts.items():
-        table.add_row(key, Text(paper.title), Text(paper.source), ", ".join(f"{n} {role}" for role, n in roles.items()))
+        table.add_row(key, Text(paper.title), Text(paper.source), model.roles(roles))
     out.print(table)
 
 
@@ -328,10 +329,19 @@ def _wrapped(out: Console, value: str | Text, before: Text | None = None) -> Non
     before = before or Text()
     text = value if isinstance(value, Text) else Text(value)
     on_screen = out.is_terminal or "COLUMNS" in os.environ
-    lines = text.wrap(out, max(out.width - before.cell_len, 1)) if on_screen else text.split("\n")
+    lines = [*_on_screen(out, text, out.width - before.cell_len)] if on_screen else text.split("\n")
     for n, line in enumerate(lines):
         line.rstrip()
         out.print(Text.assemble(before if n == 0 else " " * before.cell_len, line), soft_wrap=True)
+
+
+def _on_screen(out: Console, text: Text, width: int) -> Iterator[Text]:
+    """Lines of at most so many columns; what goes on in another one is as far from the margin as where it began."""
+    for line in text.split("\n", allow_blank=True):
+        margin = len(line.plain) - len(line.plain.lstrip())
+        margin = margin if 2 * margin < width else 0
+        for part in line[margin:].wrap(out, max(width - margin, 1)) or [Text()]:
+            yield Text.assemble(" " * margin, part)
 
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:

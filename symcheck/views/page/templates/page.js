@@ -152,6 +152,7 @@ function makeRow(entry, home) {
   entry.row = made("li", {hidden: !kept.has(entry)}, made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place}), made("div", {className: "said"}),
     made("div", {className: "end"}, badge, entry.kind ? made("div", {textContent: entry.kind}) : ""));
   entry.row.dataset.n = entry.number;
+  one("a", entry.row).dataset.paper = entry.paper;
   entry.home = home;
   if (!entry.row.hidden) home.parentElement.hidden = false;
   filling.observe(entry.row);
@@ -320,7 +321,10 @@ function decoded(text) {
 const VIEWS = ["errata", "ledger", "pictures", "checks", "review"];
 const NEAREST = 3;
 function tellNearest(name) {
-  const known = [...VIEWS, ...entries.map((entry) => entry.id)].map((each) => [distance(name.toLowerCase(), each.toLowerCase()), each]);
+  // Who gives a number alone, "2.12", means it in any of the papers.
+  const bare = NUMBER.exec(name)?.[1] ?? name, away = (each) => distance(bare.toLowerCase(), each.toLowerCase());
+  const of = (id) => Math.min(away(id), bare.includes(":") || !NUMBER.test(name) ? Infinity : away(partsOf(id).place));
+  const known = [...VIEWS.map((each) => [away(each), each]), ...entries.map(({id}) => [of(id), id])];
   const near = known.sort((a, b) => a[0] - b[0]).slice(0, NEAREST).flatMap(([, id]) => [made("a", {href: `#${id}`, textContent: id}), " "]);
   one("#unknown").replaceChildren("There is no ", made("code", {textContent: name}), " in this audit; the nearest are ", ...near);
 }
