@@ -87,6 +87,25 @@ def test_what_was_said_of_other_certificates_is_not_believed(
         assert (one, other) == ("not tried", "correction: not tried"), name
 
 
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ({}, ""),
+        ({"toy:1": "yes"}, "Coq confirms the proof"),
+        ({"toy:1, corrected": "yes"}, "Coq confirms the correction"),
+        ({"toy:1": "yes", "toy:1, corrected": "yes"}, "Coq confirms the proof and the correction"),
+        (
+            {"toy:1": "yes", "toy:1, corrected": "no: no integral"},
+            "Coq confirms the proof; Coq does not confirm the correction: no integral",
+        ),
+        ({"toy:1": "not tried"}, "Coq was not asked about the proof"),
+    ],
+)
+def test_people_are_told_in_a_sentence(said: dict[str, str], told: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(confirmed, "confirmed", lambda _: said)
+    assert confirmed.sentence(replace(RIGHT, id="toy:1")) == told
+
+
 def test_a_changed_certificate_is_not_confirmed(folder: Path) -> None:
     confirmed.record_all(folder, {RIGHT.id: (D1, "")})
     assert confirmed.confirmed(RIGHT, folder) == {RIGHT.id: "yes"}

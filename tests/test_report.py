@@ -25,6 +25,7 @@ from symcheck.audit import expand
 from symcheck.audit.decide import decide
 from symcheck.core.problems import Method
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.dimensions import CONSISTENT, Dimensions
 from symcheck.ledger import Edit, Need, Record, Repair
 from symcheck.ledger.selftested import evidence
 from symcheck.proof.search import methods as search_methods
@@ -154,6 +155,41 @@ def test_what_lacks_a_hypothesis_alone_is_shown_once_with_the_hypothesis() -> No
     assert "<dt>right if</dt>" not in other
 
 
+@pytest.mark.parametrize(
+    ("printed", "read", "otherwise"),
+    [
+        (r"\left( a_{1} + b \right) c,", "(a_1 + b) c", False),
+        ("a = b.", "a = b", False),
+        ("a = -b", "a = b", True),
+        ("V_1  2.478", "V_1 = 2.478", True),
+    ],
+)
+def test_what_is_read_as_it_is_printed_is_shown_once(printed: str, read: str, otherwise: bool) -> None:
+    given = record("1", printed=printed, read=read)
+    (claim,) = folded(page([given], TOY), "claims-toy")["claims"]
+    assert ("<h2>As read</h2>" in claim) is otherwise
+    assert ("It is read as it is printed." in claim) is not otherwise
+
+
+def test_the_general_form_is_set_as_a_formula_and_nothing_of_it_is_cut() -> None:
+    form = ["=", "E", ["+", *(["*", ["^", "c", 2], f"m_{n}"] for n in range(100))]]
+    one = Dimensions(verdict=CONSISTENT, sides=("J", "kg"), scales=("c_{\\max} = 1",), general=(form,))
+    part = folded(page([record("1", dimension=one)], TOY), "claims-toy")
+    (claim,) = part["claims"]
+    assert "consistent if c_max = 1: J against kg" in part["strings"]
+    assert ">with c_max restored:</p>" in claim
+    shown = [json.loads(unescape(each)) for each in re.findall(r'data-f="([^"]*)"', claim)]
+    assert shown == [form]
+    (other,) = folded(page([record("1", dimension=Dimensions(verdict=CONSISTENT))], TOY), "claims-toy")["claims"]
+    assert "restored" not in other
+
+
+def test_what_is_counted_is_counted_in_the_right_number() -> None:
+    one = unescape(page([record("1", uses=("toy:1",))], TOY))
+    assert "1 relation of 1 paper was decided" in one
+    assert "2 relations of 1 paper were decided" in page([record("1"), record("2")], TOY)
+
+
 def test_where_no_claim_uses_another_one_that_is_said() -> None:
     said = "No claim here is said to use another one."
     assert said in page([record("1")], TOY)
@@ -193,7 +229,7 @@ def test_a_claim_says_where_its_paper_was_published_and_which_file_was_audited()
     shown = Publication("toy", "The toy paper", "toy.txt", {}, "Journal of Toys 3, pages 4-5", "0123")
     text = page([record("1", line=7)], [shown])
     (claim,) = folded(text, "claims-toy")["claims"]
-    assert "Journal of Toys 3, pages 4-5" in claim
+    assert "The toy paper (Journal of Toys 3, pages 4-5)" in claim
     assert "line 7 of toy.txt" in claim
     assert folded(text, "index")["papers"] == [{"key": "toy", "source": "toy.txt", "digest": "0123"}]
 

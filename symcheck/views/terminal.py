@@ -338,9 +338,9 @@ def _wrapped(out: Console, value: str | Text, before: Text | None = None) -> Non
 def _on_screen(out: Console, text: Text, width: int) -> Iterator[Text]:
     """Lines of at most so many columns; what goes on in another one is as far from the margin as where it began."""
     for line in text.split("\n", allow_blank=True):
-        margin = len(line.plain) - len(line.plain.lstrip())
-        margin = margin if 2 * margin < width else 0
-        for part in line[margin:].wrap(out, max(width - margin, 1)) or [Text()]:
+        indent = len(line.plain) - len(line.plain.lstrip())
+        margin = indent if 2 * indent < width else 0
+        for part in line[indent:].wrap(out, max(width - margin, 1)) or [Text()]:
             yield Text.assemble(" " * margin, part)
 
 

@@ -97,10 +97,11 @@ def _filled(pieces: list[str]) -> list[str]:
 
 def width(latex: str) -> int:
     """How many signs a formula has, about: what takes no room is not counted, and a relation takes more."""
-    wide = re.sub(r"\\(?:Leftrightarrow|Rightarrow|land|lor|quad|qquad|le|ge|approx)(?![A-Za-z])|=", "xxx", latex)
-    wide = re.sub(r"\\(?:sin|cos|tan|operatorname)(?![A-Za-z])", "xxx", wide)
-    bare = re.sub(r"\\(left|right|frac|mathbf|displaystyle|begin|end|[,;:! ])|[{}_^\s]", "", wide)
-    return len(re.sub(r"\\[A-Za-z]+", "x", bare))
+    wide = re.sub(r"\\(?:Leftrightarrow|Rightarrow|land|lor|quad|qquad|le|ge|approx)(?![A-Za-z])|=", " xxx", latex)
+    wide = re.sub(r"\\(?:sin|cos|tan|operatorname)(?![A-Za-z])", " xxx", wide)
+    bare = re.sub(r"\\(?:left|right|frac|mathbf|displaystyle|begin|end)(?![A-Za-z])|\\[,;:! ]", "", wide)
+    one_each = re.sub(r"\\[A-Za-z]+", "x", bare)  # before spaces go: "\psi xxx" is four signs, not one command
+    return len(re.sub(r"[{}_^\s]", "", one_each))
 
 
 def equations(values: Mapping[str, Expr], notation: Notation) -> list[str]:
