@@ -439,7 +439,7 @@ def counted(records: Iterable[Record]) -> str:
     return f"{number_of(found.total(), 'relation')}: {verdicts}"
 
 
-def roles(counts: Mapping[str, int]) -> str:
+def roles(counts: Mapping[Role, int] | Mapping[str, int]) -> str:
     """How many declarations have which role: "2 premises, 1 definition, 3 ours"."""
     return ", ".join(number_of(n, str(role), str(role) if role == Role.OURS else "") for role, n in counts.items())
 
