@@ -172,14 +172,17 @@ def test_what_is_read_as_it_is_printed_is_shown_once(printed: str, read: str, ot
 
 
 def test_the_general_form_is_set_as_a_formula_and_nothing_of_it_is_cut() -> None:
-    form = ["=", "E", ["+", *(["*", ["^", "c", 2], f"m_{n}"] for n in range(100))]]
+    form = ["=", "E", ["+", *(["*", ["^", "c", 2], f"m_{n}"] for n in range(10))]]
     one = Dimensions(verdict=CONSISTENT, sides=("J", "kg"), scales=("c_{\\max} = 1",), general=(form,))
     part = folded(page([record("1", dimension=one)], TOY), "claims-toy")
     (claim,) = part["claims"]
     assert "consistent if c_max = 1: J against kg" in part["strings"]
     assert ">with c_max restored:</p>" in claim
-    shown = [json.loads(unescape(each)) for each in re.findall(r'data-f="([^"]*)"', claim)]
-    assert shown == [form]
+    assert [json.loads(part["strings"][int(n)]) for n in re.findall(r'data-g="(\d+)"', claim)] == [form]
+    long = replace(one, general=(form,) * 9)
+    (claim,) = folded(page([record("1", dimension=long)], TOY), "claims-toy")["claims"]
+    assert "with c_max restored, it is a long formula: <code>symcheck show toy:1</code>" in claim
+    assert "data-g" not in claim
     (other,) = folded(page([record("1", dimension=Dimensions(verdict=CONSISTENT))], TOY), "claims-toy")["claims"]
     assert "restored" not in other
 
@@ -229,9 +232,9 @@ def test_a_claim_says_where_its_paper_was_published_and_which_file_was_audited()
     shown = Publication("toy", "The toy paper", "toy.txt", {}, "Journal of Toys 3, pages 4-5", "0123")
     text = page([record("1", line=7)], [shown])
     (claim,) = folded(text, "claims-toy")["claims"]
-    assert "The toy paper (Journal of Toys 3, pages 4-5)" in claim
     assert "line 7 of toy.txt" in claim
-    assert folded(text, "index")["papers"] == [{"key": "toy", "source": "toy.txt", "digest": "0123"}]
+    told = {"key": "toy", "title": "The toy paper", "published": "Journal of Toys 3, pages 4-5"}
+    assert folded(text, "index")["papers"] == [told | {"source": "toy.txt", "digest": "0123"}]
 
 
 def test_the_digests_of_the_papers_are_those_of_the_texts_at_hand(sources: Path) -> None:

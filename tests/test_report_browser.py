@@ -358,8 +358,26 @@ def test_single_keys_search_walk_and_can_be_switched_off(opened: Callable[..., P
     assert page.locator("#claim-title").inner_text() == before
 
 
+def test_a_claim_says_of_which_paper_it_is(seen: Callable[..., Page]) -> None:
+    place = seen("#mirer2009:2.12").locator(".crumbs").inner_text()
+    assert place.startswith("S. A. Mirer, On some extremal relations between inertia tensor elements")
+    assert "(Keldysh Institute of Applied Mathematics, preprint 55, Moscow 2009, 14 pages) · section 2 " in place
+
+
+def test_the_general_form_is_set_as_a_formula(seen: Callable[..., Page]) -> None:
+    page = seen("#ignatov2005:2.1V.1b")
+    assert page.locator(".general").inner_text() == "with hmax restored:"
+    assert page.locator(".general ~ p math").count() > 0
+    assert "h" in page.locator(".general ~ p math").first.inner_text()
+    page = seen("#ignatov2005:2.1V.2d")
+    assert page.locator(".general").inner_text().endswith("it is a long formula: symcheck show ignatov2005:2.1V.2d")
+    page = seen("#mirer2009:1.2.3a")
+    assert page.locator(".general").count() == 0
+
+
 def test_a_claim_says_what_its_letters_mean(seen: Callable[..., Page]) -> None:
-    said = seen("#mirer2009:2.12").locator(".letters li").all_inner_texts()
+    page = seen("#mirer2009:2.12")
+    said = page.locator(".letters li").all_inner_texts()
     assert len(said) == 3
     assert any("principal central moments of inertia, kg m" in each for each in said)
 

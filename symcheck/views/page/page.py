@@ -37,6 +37,7 @@ from symcheck.views.steps import RULES, parts_of
 ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
 STATES = (*Verdict, *ROLES)
 FONT = "stix-two-math.woff2"
+TOLD = ("key", "title", "published", "source", "digest")  # of a paper
 SCRIPTS = ("page.js", "terms.js", "own.js", "polytope.js")
 
 
@@ -121,7 +122,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
     )
     environment.filters["place"] = lambda id: Id.parse(id).place
     environment.globals |= {"answer": answer, "difference": entries.difference, "entries": shown, "COQ": COQ}
-    environment.globals |= {"fits": fits, "restored": restored, "number_of": number_of}
+    environment.globals |= {"fits": fits, "restored": restored, "general": entries.general, "number_of": number_of}
     claim = environment.get_template("claim.html")
     of_paper: dict[str, list[Entry]] = {paper.key: [] for paper in papers}
     for each in shown.values():
@@ -170,7 +171,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
             "rows": [_row(each, names) for each in shown.values()],
             "names": list(names.numbers),
             "roles": [str(role) for role in ROLES],
-            "papers": [{"key": each.key, "source": each.source, "digest": each.digest} for each in papers],
+            "papers": [{name: getattr(each, name) for name in TOLD} for each in papers],
             "meanings": MEANINGS,
         },
         "errata": first.texts,

@@ -238,6 +238,9 @@ async function showClaim(id) {
   const parts = entries.filter((each) => each.whole === entry.whole);
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((each) =>
     made("a", {href: `#${each.id}`, textContent: partsOf(each.id).place, ariaCurrent: each === entry ? "page" : null}))]);
+  const {title, published} = index.papers.find((each) => each.key === entry.paper);
+  one(".crumbs", body).prepend(title, published ? ` (${published})` : "", " · ");
+  all("[data-g]", body).forEach((place) => { place.append(formula(JSON.parse(part.strings[place.dataset.g]))); });
   all("[data-f]", body).forEach((place) => { place.append(formula(JSON.parse(place.dataset.f))); });
   one("#claim-title", body).prepend(id, " ");
   all("[data-h]", body).forEach((place) => { place.innerHTML = part.strings[place.dataset.h]; });
