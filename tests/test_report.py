@@ -117,6 +117,11 @@ def test_every_role_reading_and_method_is_explained() -> None:
             "The fault is the paper's own.",
         ),
         (
+            wrong("1", "x = y", "x = -y", origin=Origin.OCR, erratum=None),
+            "Wrong as it stands in the digitised text: it fails at the exact point below. "
+            "The fault lies in the digitised text, not in the paper.",
+        ),
+        (
             wrong("1", "", "x = -y", origin=Origin.UNCERTAIN, erratum=None),
             "Wrong as the words state it: it fails at the exact point below. "
             "The text at hand does not tell whether the paper or its digitisation is at fault.",

@@ -415,6 +415,12 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
     assert page.evaluate("document.fonts.check('16px \"STIX Two Math\"')")
 
 
+def test_a_prime_that_was_lost_is_marked_where_it_can_be_seen(seen: Callable[..., Page]) -> None:
+    box = seen("#ignatov2005:2.1E.9a").locator("#view-claim .tml-prime.ins").bounding_box()
+    assert box
+    assert min(box["width"], box["height"]) > 10
+
+
 def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(seen: Callable[..., Page]) -> None:
     from symcheck.audit.decide import decide
     from symcheck.coq.confirmed import sentence, summary

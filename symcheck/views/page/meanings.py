@@ -63,7 +63,9 @@ def answer(relation: Relation) -> str:
         return f"{right}{given}."
     if record.verdict is Verdict.REFUTED:
         how = record.reading if record.reading in (Reading.STATED, Reading.REWRITTEN) else ""
-        wrong = f"Wrong as {how or ('printed' if record.printed else 'the words state it')}"
+        # What the digitisation spoilt is not what the paper prints.
+        printed = "it stands in the digitised text" if record.origin is Origin.OCR else "printed"
+        wrong = f"Wrong as {how or (printed if record.printed else 'the words state it')}"
         mended = (
             "; what is right instead is proved" if record.erratum and record.erratum.verdict == Verdict.PROVED else ""
         )
