@@ -971,7 +971,7 @@ def test_a_failure_is_named_and_the_exit_code_is_one(tmp_path: Path, capsys: pyt
     assert main([str(written(tmp_path / "c", [RIGHT["identity"], bad]))]) == 1
     out = capsys.readouterr().out
     assert "2.12: left - right is not the combination" in out
-    assert "2 certificates, 1 do not hold" in out
+    assert "2 certificates, 1 does not hold" in out
 
 
 def test_an_outcome_that_cannot_be_written_is_told_in_one_line(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -10,9 +11,12 @@ import pytest
 import stand_in
 from click.testing import Result
 from rich.cells import cell_len
+from rich.console import Console
+from rich.text import Text
 
 from symcheck.cli import cli
 from symcheck.ledger import Record, digest_of
+from symcheck.views import terminal
 
 Run = Callable[..., Result]
 
@@ -41,7 +45,7 @@ def test_the_ledger_has_a_row_per_relation_and_a_summary(recorded: Run) -> None:
     assert list(rows) == list(ROWS)
     for number, words in ROWS.items():
         assert all(word in rows[number] for word in words)
-    assert "6 relations: 4 proved, 1 refuted, 1 undecided; 1 of role definition" in result.stdout
+    assert "6 relations: 4 proved, 1 refuted, 1 undecided; 1 definition\n" in result.stdout
     assert "All verdicts are those recorded." in result.stdout
 
 
@@ -171,7 +175,8 @@ def test_show_can_print_the_whole_certificate(recorded: Run) -> None:
 
 
 def test_show_of_a_chain_shows_each_link_or_the_one_asked_for(recorded: Run) -> None:
-    assert "toy:1.2a" in recorded("show", "toy:1.2").stdout
+    assert "\n\ntoy:1.2b" in recorded("show", "toy:1.2").stdout
+    assert recorded("show", "toy:1.2").stdout.startswith("toy:1.2a")
     assert "toy:1.2a" not in recorded("show", "toy:1.2b").stdout
 
 
@@ -190,13 +195,13 @@ def test_errata_are_bundles(recorded: Run) -> None:
     ):
         assert words in result.stdout, words
     assert "toy:1.1" not in result.stdout
-    assert "1 erratum, refuted; 0 places of damaged text" in result.stdout
+    assert "1 erratum, refuted\n" in result.stdout
     assert [item["id"] for item in json.loads(recorded("errata", "--json").stdout)["items"]] == ["toy:1.3"]
 
 
 def test_papers_are_listed_with_counts(symcheck: Run) -> None:
     text = symcheck("papers").stdout
-    for words in ("toy", "The toy paper", "toy.txt", "5 claim, 1 definition", "other"):
+    for words in ("toy", "The toy paper", "toy.txt", "5 claims, 1 definition", "other"):
         assert words in text
 
 
@@ -224,6 +229,7 @@ BAD_INPUT = {
     "an unknown link": (["check", "toy:1.2z"], "toy:1.2a, toy:1.2b"),
     "one unknown among known": (["check", "toy", "toy:7"], "toy has no relation '7'"),
     "show of a paper": (["show", "toy"], "neither of the form PAPER:NUMBER"),
+    "show of what is like nothing": (["show", "zzz"], "`symcheck check PAPER` lists the numbers of a paper"),
     "show of nothing": (["show"], "PAPER:NUMBER"),
     "errata of an unknown paper": (["errata", "toi"], "did you mean toy?"),
     "an unknown verdict": (["check", "--verdict", "true"], "'proved', 'refuted', 'undecided'"),
@@ -254,6 +260,29 @@ def test_every_command_has_help(arguments: list[str], symcheck: Run) -> None:
     result = symcheck(*[a for a in arguments if a])
     assert result.exit_code == 0
     assert "Usage: symcheck" in result.stdout
+
+
+def test_what_a_command_is_for_is_said_in_whole_words_on_80_columns(
+    symcheck: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    listed = symcheck("--help").stdout.partition("Commands:")[2].splitlines()
+    assert len([line for line in listed if line]) == len(cli.commands)
+    assert [line for line in listed if line.endswith("...")] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("step:\n    one two three", ["step:", "    one two", "    three"]),
+        ("one two three", ["one two", "three"]),
+        ("", [""]),
+        ("          too far", ["too far"]),
+    ],
+)
+def test_what_is_indented_stays_so_on_the_next_line(text: str, lines: list[str]) -> None:
+    out = Console(width=12, file=io.StringIO())
+    assert [each.plain.rstrip() for each in terminal._on_screen(out, Text(text), 12)] == lines
 
 
 def test_a_damaged_cache_is_said_in_one_line_and_rebuilt(recorded: Run, toy: Path) -> None:

@@ -60,7 +60,7 @@ def shown(symcheck: Run, toy: Path, monkeypatch: pytest.MonkeyPatch) -> Callable
         one, other = (row["confirmed by Coq"] for row in csv.DictReader(io.StringIO(exported("csv"))))
         yield "csv", one, other
         found = json.loads(exported("json"))["coq"]
-        yield "json", found["toy:1.1"], f"correction {found['toy:1.3, corrected']}"
+        yield "json", found["toy:1.1"], f"correction: {found['toy:1.3, corrected']}"
         rows = [line.split(" | ")[-1].removesuffix(" |") for line in exported("markdown").splitlines()]
         yield "markdown", rows[-2], rows[-1]
         assert symcheck("report", "--jobs", "0", "toy:1.1", "toy:1.3", "--output", "page.html").exit_code == 0
@@ -74,7 +74,7 @@ def shown(symcheck: Run, toy: Path, monkeypatch: pytest.MonkeyPatch) -> Callable
 def test_every_output_says_what_is_recorded(reason: str, said: str, folder: Path, shown: Any) -> None:
     confirmed.record_all(folder, {"toy:1.1": (D1, reason), "toy:1.3, corrected": (D3C, reason)})
     for name, one, other in shown():
-        assert (one, other) == (said, f"correction {said}"), name
+        assert (one, other) == (said, f"correction: {said}"), name
 
 
 @pytest.mark.parametrize("digests", [("another", "another"), None], ids=["other certificates", "nothing recorded"])
@@ -84,7 +84,26 @@ def test_what_was_said_of_other_certificates_is_not_believed(
     if digests:
         confirmed.record_all(folder, {"toy:1.1": (digests[0], ""), "toy:1.3, corrected": (digests[1], "")})
     for name, one, other in shown():
-        assert (one, other) == ("not tried", "correction not tried"), name
+        assert (one, other) == ("not tried", "correction: not tried"), name
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ({}, ""),
+        ({"toy:1": "yes"}, "Coq confirms the proof"),
+        ({"toy:1, corrected": "yes"}, "Coq confirms the correction"),
+        ({"toy:1": "yes", "toy:1, corrected": "yes"}, "Coq confirms the proof and the correction"),
+        (
+            {"toy:1": "yes", "toy:1, corrected": "no: no integral"},
+            "Coq confirms the proof; Coq does not confirm the correction: no integral",
+        ),
+        ({"toy:1": "not tried"}, "Coq was not asked about the proof"),
+    ],
+)
+def test_people_are_told_in_a_sentence(said: dict[str, str], told: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(confirmed, "confirmed", lambda _: said)
+    assert confirmed.sentence(replace(RIGHT, id="toy:1")) == told
 
 
 def test_a_changed_certificate_is_not_confirmed(folder: Path) -> None:

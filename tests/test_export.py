@@ -165,7 +165,7 @@ def test_standard_output_gets_what_the_file_gets(symcheck: Callable[..., Result]
     told = symcheck("export", "--jobs", "0", "--format", "markdown", "toy:1.3", "--output", str(toy / "a" / "b.md"))
     assert (shown.exit_code, told.exit_code) == (0, 0)
     assert (toy / "a" / "b.md").read_text(encoding="utf-8") == shown.stdout
-    assert "1 items" in told.stdout
+    assert "1 item," in told.stdout
 
 
 def test_an_unknown_format_names_those_there_are(symcheck: Callable[..., Result]) -> None:

@@ -516,6 +516,16 @@ def test_a_long_formula_is_broken_and_loses_nothing(key: str) -> None:
     assert broken
 
 
+def test_a_command_takes_no_more_room_than_what_stands_behind_it() -> None:
+    assert (
+        letters.width(r"\varepsilon \sin {\psi} \cos {\psi}") == letters.width(r"\varepsilon\sin{\psi}\cos{\psi}") == 9
+    )
+    assert letters.width(r"\Omega d_{13}") == 4
+    terms = " + ".join([r"a d_{11} \varepsilon \sin {\psi} \cos {\psi}"] * 9)
+    assert max(map(letters.width, letters.split(terms))) <= letters.WIDTH
+    assert len(letters.split(terms)) == 2
+
+
 def test_letters_are_those_of_the_paper() -> None:
     mirer, wheels = load()["mirer2009"].notation, load()["ignatov2005"].notation
     assert letters.letter("domega_3", mirer) == r"\dot{\omega}_{3}"

@@ -25,6 +25,7 @@ from symcheck.audit import expand
 from symcheck.audit.decide import decide
 from symcheck.core.problems import Method
 from symcheck.core.verdicts import Group, Origin, Reading, Role, SymcheckError, Verdict
+from symcheck.dimensions import CONSISTENT, Dimensions
 from symcheck.ledger import Edit, Need, Record, Repair
 from symcheck.ledger.selftested import evidence
 from symcheck.proof.search import methods as search_methods
@@ -116,9 +117,14 @@ def test_every_role_reading_and_method_is_explained() -> None:
             "The fault is the paper's own.",
         ),
         (
+            wrong("1", "x = y", "x = -y", origin=Origin.OCR, erratum=None),
+            "Wrong as it stands in the digitised text: it fails at the exact point below. "
+            "The fault lies in the digitised text, not in the paper.",
+        ),
+        (
             wrong("1", "", "x = -y", origin=Origin.UNCERTAIN, erratum=None),
-            "Wrong as the words say it: it fails at the exact point below. "
-            "Whose fault it is cannot be told from the text at hand.",
+            "Wrong as the words state it: it fails at the exact point below. "
+            "The text at hand does not tell whether the paper or its digitisation is at fault.",
         ),
         (record("1", verdict=Verdict.UNDECIDED), f"Not decided: {MEANINGS[Verdict.UNDECIDED]}."),
         (record("1", verdict=None, role=Role.PREMISE), f"Not decided: {MEANINGS[Role.PREMISE]}."),
@@ -152,6 +158,44 @@ def test_what_lacks_a_hypothesis_alone_is_shown_once_with_the_hypothesis() -> No
     (other,) = folded(page([wrong("1", "x = y", "x = -y")], TOY), "claims-toy")["claims"]
     assert "<dt>correct</dt>" in other
     assert "<dt>right if</dt>" not in other
+
+
+@pytest.mark.parametrize(
+    ("printed", "read", "otherwise"),
+    [
+        (r"\left( a_{1} + b \right) c,", "(a_1 + b) c", False),
+        ("a = b.", "a = b", False),
+        ("a = -b", "a = b", True),
+        ("V_1  2.478", "V_1 = 2.478", True),
+    ],
+)
+def test_what_is_read_as_it_is_printed_is_shown_once(printed: str, read: str, otherwise: bool) -> None:
+    given = record("1", printed=printed, read=read)
+    (claim,) = folded(page([given], TOY), "claims-toy")["claims"]
+    assert ("<h2>As read</h2>" in claim) is otherwise
+    assert ("It is read as it is printed." in claim) is not otherwise
+
+
+def test_the_general_form_is_set_as_a_formula_and_nothing_of_it_is_cut() -> None:
+    form = ["=", "E", ["+", *(["*", ["^", "c", 2], f"m_{n}"] for n in range(10))]]
+    one = Dimensions(verdict=CONSISTENT, sides=("J", "kg"), scales=("c_{\\max} = 1",), general=(form,))
+    part = folded(page([record("1", dimension=one)], TOY), "claims-toy")
+    (claim,) = part["claims"]
+    assert "consistent if c_max = 1: J against kg" in part["strings"]
+    assert ">with c_max restored:</p>" in claim
+    assert [json.loads(part["strings"][int(n)]) for n in re.findall(r'data-g="(\d+)"', claim)] == [form]
+    long = replace(one, general=(form,) * 9)
+    (claim,) = folded(page([record("1", dimension=long)], TOY), "claims-toy")["claims"]
+    assert "with c_max restored, it is a long formula: <code>symcheck show toy:1</code>" in claim
+    assert "data-g" not in claim
+    (other,) = folded(page([record("1", dimension=Dimensions(verdict=CONSISTENT))], TOY), "claims-toy")["claims"]
+    assert "restored" not in other
+
+
+def test_what_is_counted_is_counted_in_the_right_number() -> None:
+    one = unescape(page([record("1", uses=("toy:1",))], TOY))
+    assert "1 relation of 1 paper was decided" in one
+    assert "2 relations of 1 paper were decided" in page([record("1"), record("2")], TOY)
 
 
 def test_where_no_claim_uses_another_one_that_is_said() -> None:
@@ -193,9 +237,9 @@ def test_a_claim_says_where_its_paper_was_published_and_which_file_was_audited()
     shown = Publication("toy", "The toy paper", "toy.txt", {}, "Journal of Toys 3, pages 4-5", "0123")
     text = page([record("1", line=7)], [shown])
     (claim,) = folded(text, "claims-toy")["claims"]
-    assert "Journal of Toys 3, pages 4-5" in claim
     assert "line 7 of toy.txt" in claim
-    assert folded(text, "index")["papers"] == [{"key": "toy", "source": "toy.txt", "digest": "0123"}]
+    told = {"key": "toy", "title": "The toy paper", "published": "Journal of Toys 3, pages 4-5"}
+    assert folded(text, "index")["papers"] == [told | {"source": "toy.txt", "digest": "0123"}]
 
 
 def test_the_digests_of_the_papers_are_those_of_the_texts_at_hand(sources: Path) -> None:

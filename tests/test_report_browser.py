@@ -298,6 +298,8 @@ def test_the_search_puts_first_what_is_asked_for(seen: Callable[..., Page]) -> N
     ):
         page.get_by_label("Search").fill(text)
         assert shown(page)[: len(first)] == first, text
+        told = page.locator("#best li > a").first.evaluate("(link) => getComputedStyle(link, '::after').content")
+        assert told == '"mirer2009"', text
     page.get_by_label("Search").fill("refuted")
     refuted = page.locator("#rows li:visible .badge.refuted").count()
     assert page.locator("#best li:visible .badge").all_inner_texts() in ([], ["refuted"] * refuted)
@@ -314,6 +316,8 @@ def test_an_unknown_place_is_said_with_the_nearest(seen: Callable[..., Page]) ->
     for place, nearest in (
         ("#mirer2009:2.71", "mirer2009:2.7"),
         ("#mirer209:2.12", "mirer2009:2.12"),
+        ("#2.12", "mirer2009:2.12"),
+        ("#(2.12)", "mirer2009:2.12"),
         ("#%", "errata"),
     ):
         page = seen(place)
@@ -347,15 +351,33 @@ def test_single_keys_search_walk_and_can_be_switched_off(opened: Callable[..., P
     page.keyboard.press("k")
     title(page, str(before).removeprefix("#"))
     page.keyboard.press("?")
-    page.get_by_role("dialog").get_by_label("single keys do this").uncheck()
+    page.get_by_role("dialog").get_by_label("use single keys").uncheck()
     page.get_by_role("button", name="Close").click()
     before = page.locator("#claim-title").inner_text()
     page.keyboard.press("j")
     assert page.locator("#claim-title").inner_text() == before
 
 
+def test_a_claim_says_of_which_paper_it_is(seen: Callable[..., Page]) -> None:
+    place = seen("#mirer2009:2.12").locator(".crumbs").inner_text()
+    assert place.startswith("S. A. Mirer, On some extremal relations between inertia tensor elements")
+    assert "(Keldysh Institute of Applied Mathematics, preprint 55, Moscow 2009, 14 pages) · section 2 " in place
+
+
+def test_the_general_form_is_set_as_a_formula(seen: Callable[..., Page]) -> None:
+    page = seen("#ignatov2005:2.1V.1b")
+    assert page.locator(".general").inner_text() == "with hmax restored:"
+    assert page.locator(".general ~ p math").count() > 0
+    assert "h" in str(page.locator(".general ~ p math").first.text_content())
+    page = seen("#ignatov2005:2.1V.2d")
+    assert page.locator(".general").inner_text().endswith("it is a long formula: symcheck show ignatov2005:2.1V.2d")
+    page = seen("#mirer2009:1.2.3a")
+    assert page.locator(".general").count() == 0
+
+
 def test_a_claim_says_what_its_letters_mean(seen: Callable[..., Page]) -> None:
-    said = seen("#mirer2009:2.12").locator(".letters li").all_inner_texts()
+    page = seen("#mirer2009:2.12")
+    said = page.locator(".letters li").all_inner_texts()
     assert len(said) == 3
     assert any("principal central moments of inertia, kg m" in each for each in said)
 
@@ -393,15 +415,22 @@ def test_a_deep_link_shows_its_claim_typeset_with_its_difference_marked(opened: 
     assert page.evaluate("document.fonts.check('16px \"STIX Two Math\"')")
 
 
+def test_a_prime_that_was_lost_is_marked_where_it_can_be_seen(seen: Callable[..., Page]) -> None:
+    box = seen("#ignatov2005:2.1E.9a").locator("#view-claim .tml-prime.ins").bounding_box()
+    assert box
+    assert min(box["width"], box["height"]) > 10
+
+
 def test_a_claim_says_whether_coq_confirms_it_and_the_ledger_finds_those_alike(seen: Callable[..., Page]) -> None:
     from symcheck.audit.decide import decide
-    from symcheck.coq.confirmed import summary
+    from symcheck.coq.confirmed import sentence, summary
 
     for id in ("mirer2009:2.12", "mirer2009:2.13.1c"):
-        said = next(summary(record) for record in decide(id.rstrip("abc")) if record.id == id)
+        record = next(record for record in decide(id.rstrip("abc")) if record.id == id)
+        said = summary(record)
         assert said
         page = seen(f"#{id}")
-        assert page.locator("#view-claim .facts").inner_text().endswith(f"confirmed by Coq: {said}")
+        assert page.locator("#view-claim .facts").inner_text().endswith(sentence(record))
         page = seen("#ledger")
         everything = len(shown(page))
         page.get_by_label("Confirmed by Coq").select_option(said)
@@ -553,7 +582,7 @@ def test_a_claim_explains_the_words_beside_its_verdict(seen: Callable[..., Page]
         "as printed",
         "identity",
         "claim",
-        "confirmed by Coq",
+        "Coq",
     ]
     assert "the paper asserts it" in page.locator(".meanings").inner_text()
 

@@ -81,8 +81,8 @@ def main(arguments: list[str], end: Callable[[int], int] = int) -> int:
             return 2
         count, tied = count + number, tied and index is not None
         failures += [f"{path}: {reason}" for reason in wrong]
-    summary = f"{len(failures)} do not hold" if failures else "all hold"
-    told = "\n".join([*failures, f"{count} certificates, {summary}", TIED if tied else NOT_TIED])
+    summary = f"{len(failures)} {'does' if len(failures) == 1 else 'do'} not hold" if failures else "all hold"
+    told = "\n".join([*failures, f"{count} certificate{'s' * (count != 1)}, {summary}", TIED if tied else NOT_TIED])
     try:  # a name in a file may be no text that can be written
         print(told.encode("utf-8", "backslashreplace").decode(), flush=True)
     except OSError as error:

@@ -11,6 +11,7 @@ import click
 from symcheck.cli.errors import BAD_INPUT, DIFFERS, MAX_LINES, say
 from symcheck.cli.options import AGAINST, SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited, print_json
+from symcheck.core.counts import number_of
 from symcheck.core.verdicts import Verdict
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from symcheck.ledger.changes import Change
 
 
-@click.command()
+@click.command(short_help="Decide relations, and compare the verdicts with those recorded.")
 @SELECTION
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all items instead of the table.")
 @click.option(
@@ -112,7 +113,7 @@ def _compare(selection: Sequence[str], records: Sequence[Record], quiet: bool) -
     for line in differing[:MAX_LINES]:
         say(line)
     if len(differing) > MAX_LINES:
-        say(f"and {len(differing) - MAX_LINES} more differences; ask for a smaller selection to see them")
+        say(f"and {number_of(len(differing) - MAX_LINES, 'more difference')}; ask for a smaller selection to see them")
     if not selection and {*papers.load()} > {record.paper for record in records}:
         raise click.exceptions.Exit(BAD_INPUT)  # of the others it was said why they cannot be read
     if differing:

@@ -12,13 +12,14 @@ import click
 
 from symcheck.cli.errors import BAD_INPUT, say, writing
 from symcheck.cli.options import POSITIVE, cores
+from symcheck.core.counts import number_of
 from symcheck.core.verdicts import SymcheckError
 
 EXIT = {"proved": 0, "refuted": 1, "unreadable": BAD_INPUT}
 UNDECIDED = 3  # 0 to 2 mean proved, refuted, and unreadable or wrong input
 
 
-@click.command()
+@click.command(short_help="Decide one formula in LaTeX, without a paper.")
 @click.argument("relation", required=False)
 @click.option(
     "--where", multiple=True, metavar="LATEX", help="A definition or an earlier equation; any number of them."
@@ -146,7 +147,7 @@ def _batch(file: Path, as_json: bool, output: Path | None, resume: bool, jobs: i
     faults = sum(bool(record.fault) for record in todo)
     counts = ", ".join(f"{count} {verdict}" for verdict, count in sorted(verdicts.items()))
     say(
-        f"{len(todo)} records: {counts or 'nothing to do'}"
+        f"{number_of(len(todo), 'record')}: {counts or 'nothing to do'}"
         + (f"; {faults} could not be read as records" if faults else "")
     )
     raise click.exceptions.Exit(BAD_INPUT if faults else 0)

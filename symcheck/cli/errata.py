@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from symcheck.ledger import Record
 
 
-@click.command()
+@click.command(short_help="List what is wrong as printed, and what is right.")
 @SELECTION
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with these items instead of text.")
 @click.option(

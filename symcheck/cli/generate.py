@@ -10,13 +10,14 @@ import click
 from symcheck.cli.errors import DIFFERS, say
 from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited
+from symcheck.core.counts import number_of
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen import target_names
 
 CHECKED_IN = "numpy"  # the target whose files stand in generated/
 
 
-@click.command()
+@click.command(short_help="Write kernels, certificates and recorded verdicts.")
 @click.option("--check", "only_check", is_flag=True, help="Write nothing; exit 1, name what differs, diff the kernels.")
 @click.option(
     "--target",
@@ -78,4 +79,5 @@ def generate(selection: Sequence[str], only_check: bool, name: str, output: Path
         say(f"run `symcheck generate{command}` to write what differs and to remove what is superfluous")
     if left or (outdated and only_check):
         raise click.exceptions.Exit(DIFFERS)
-    click.echo(f"{folder}: {len(contents)} files, {len(differing)} {'differ' if only_check else 'rewritten'}")
+    done = number_of(len(differing), "differs", "differ") if only_check else f"{len(differing):,} rewritten"
+    click.echo(f"{folder}: {number_of(len(contents), 'file')}, {done}")

@@ -11,7 +11,7 @@ from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited
 
 
-@click.command()
+@click.command(short_help="Tell what an audit leaves open.")
 @SELECTION
 @audit_options
 def lint(selection: Sequence[str], options: AuditOptions) -> None:

@@ -12,7 +12,7 @@ from symcheck.cli.options import cores
 from symcheck.cli.records import progress
 
 
-@click.command()
+@click.command(short_help="Take a first look at a document, without declarations.")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all of it.")
 @click.option("--jobs", type=click.IntRange(1), default=cores, show_default="cores", help="Worker processes.")

@@ -22,7 +22,7 @@ def _writing() -> Iterator[None]:
         raise SymcheckError(f"{error.filename} cannot be written ({error.strerror}); name another folder") from error
 
 
-@click.command()
+@click.command(short_help="Begin the audit of a document, or update one.")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option(
     "--out", type=click.Path(path_type=Path), default=Path("audit"), show_default=True, help="The folder to write to."

@@ -9,9 +9,10 @@ import click
 from symcheck.cli.completion import notebooks as names
 from symcheck.cli.errors import DIFFERS, MAX_LINES, needing, say, writing
 from symcheck.cli.records import progress
+from symcheck.core.counts import number_of
 
 
-@click.command()
+@click.command(short_help="Execute the notebooks and compare them with what is committed.")
 @click.option(
     "--only",
     multiple=True,
@@ -34,7 +35,8 @@ def notebooks(only: Sequence[str], kernel: bool, write: bool) -> None:
                 committed.write(name, found)
         differences = committed.differences(name, found)
         differing += differences
-        click.echo(f"{name}: {sum('execution_count' in cell for cell in found.cells)} cells, {len(differences)} differ")
+        cells = sum("execution_count" in cell for cell in found.cells)
+        click.echo(f"{name}: {number_of(cells, 'cell')}, {number_of(len(differences), 'differs', 'differ')}")
     for line in differing[:MAX_LINES]:
         say(line)
     if differing:

@@ -7,7 +7,7 @@ from collections import Counter
 import click
 
 
-@click.command()
+@click.command(short_help="List the papers.")
 def papers() -> None:
     """List the papers: key, title, source, number of declarations."""
     from symcheck.audit import decide

@@ -11,7 +11,7 @@ from symcheck.cli.errors import needing, writing
 from symcheck.core.verdicts import SymcheckError
 
 
-@click.command()
+@click.command(short_help="Draw a figure of the numeric layer to a file.")
 @click.argument("name", required=False, shell_complete=figures)
 @click.option(
     "--output",

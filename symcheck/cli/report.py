@@ -11,11 +11,12 @@ import click
 from symcheck.cli.errors import writing
 from symcheck.cli.options import AGAINST, SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited
+from symcheck.core.counts import number_of
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 
 
-@click.command()
+@click.command(short_help="Write the audit as one page for a browser.")
 @SELECTION
 @click.option(
     "--output",
@@ -58,6 +59,6 @@ def report(selection: Sequence[str], output: Path, show: bool, against: Path | N
     text = page(records, sources.publications(known), extras).encode()
     with writing(output):
         put(output, text)
-    click.echo(f"{output}: {len(records)} items, {len(text) / 1e6:.2f} MB")
+    click.echo(f"{output}: {number_of(len(records), 'item')}, {len(text) / 1e6:.2f} MB")
     if show and click.launch(str(output)) != 0:
         raise SymcheckError(f"no browser opens {output} here; the file is written")

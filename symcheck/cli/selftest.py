@@ -12,7 +12,7 @@ from symcheck.cli.options import SELECTION, AuditOptions, audit_options
 from symcheck.cli.records import audited, progress
 
 
-@click.command()
+@click.command(short_help="Plant faults and count those that go unnoticed.")
 @SELECTION
 @click.option("--json", "as_json", is_flag=True, help="One JSON object with all counts instead of the table.")
 @click.option("--seed", type=int, default=0, show_default=True, help="The same seed plants the same faults.")

@@ -9,7 +9,7 @@ from symcheck.cli.options import AuditOptions, audit_options, keyed
 from symcheck.cli.records import audited
 
 
-@click.command()
+@click.command(short_help="Show one relation or one kernel in full.")
 @click.argument("name", metavar="PAPER:NUMBER|KERNEL", callback=keyed, shell_complete=relations_and_kernels)
 @click.option("--certificate", is_flag=True, help="Print the whole certificate.")
 @audit_options

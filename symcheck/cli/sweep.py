@@ -30,7 +30,7 @@ def _address(context: click.Context, option: click.Parameter, given: str | None)
     return given
 
 
-@click.command()
+@click.command(short_help="Evaluate a function on the outer product of its parameters.")
 @click.argument("spec", type=click.Path(path_type=Path))
 @click.option(
     "--out", required=True, type=click.Path(path_type=Path), help="FILE.zarr or FILE.nc, written when all is done."

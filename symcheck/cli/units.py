@@ -12,7 +12,7 @@ from symcheck.cli.options import keyed
 from symcheck.core.verdicts import SymcheckError
 
 
-@click.command()
+@click.command(short_help="List the letters of a paper with what each measures.")
 @click.argument("key", metavar="PAPER", callback=keyed, shell_complete=relations)
 @click.option("--json", "as_json", is_flag=True, help="A JSON list of objects instead of the table.")
 def units(key: str, as_json: bool) -> None:

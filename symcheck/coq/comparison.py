@@ -20,6 +20,7 @@ from symcheck.coq.files import manifest
 from symcheck.coq.meaning import Meaning, Number, Smooth, Values
 from symcheck.coq.reader import claims
 from symcheck.core.claims import for_letter
+from symcheck.core.counts import number_of
 from symcheck.core.ids import Id
 from symcheck.core.terms import Connective, Formula, Node, Quantified, Relation, Term, node
 from symcheck.reading import read
@@ -141,7 +142,7 @@ def main(arguments: Sequence[str]) -> int:
         names = {id: row["claims"] for id, row in entry["claims"].items() if row["claims"]}
         count += sum(map(len, names.values()))
         faults += differences((folder / paper / "Claims.v").read_text(encoding="utf-8"), names)
-    print(*faults, f"{count} statements read back, {len(faults)} faults", sep="\n")
+    print(*faults, f"{number_of(count, 'statement')} read back, {number_of(len(faults), 'fault')}", sep="\n")
     return int(bool(faults))
 
 

@@ -19,7 +19,7 @@ from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.ledger import Record, digest, digest_of, line
 from symcheck.ledger.store import COQ, SCHEMA, document, require, stored
 
-CONFIRMED, NOT_TRIED = "yes", "not tried"
+CONFIRMED, NOT_TRIED, NO = "yes", "not tried", "no: "
 Outcome = tuple[str, str]  # the digest of the certificates, and why Coq does not confirm them, or ""
 
 
@@ -44,14 +44,27 @@ def confirmed(record: Record, folder: Path | None = None) -> dict[str, str]:
 
 
 def summary(record: Record) -> str:
-    """The same in a line: "yes", or "correction yes" of what a wrong relation should be; empty if Coq is not asked."""
-    return "; ".join(said if name == record.id else f"correction {said}" for name, said in confirmed(record).items())
+    """The same in a line: "yes", or "correction: yes" of what a wrong relation should be; empty if Coq is not asked."""
+    return "; ".join(said if name == record.id else f"correction: {said}" for name, said in confirmed(record).items())
+
+
+def sentence(record: Record) -> str:
+    """The same in words: "Coq confirms the proof and the correction"; empty if Coq is not asked."""
+    named = [("the proof" if name == record.id else "the correction", said) for name, said in confirmed(record).items()]
+    both = " and ".join(what for what, said in named if said == CONFIRMED)
+    parts = [f"Coq confirms {both}"] if both else []
+    for what, said in named:
+        if said == NOT_TRIED:
+            parts.append(f"Coq was not asked about {what}")
+        elif said != CONFIRMED:
+            parts.append(f"Coq does not confirm {what}: {said.removeprefix(NO)}")
+    return "; ".join(parts)
 
 
 def _summary(outcome: Outcome | None, current: str) -> str:
     if outcome is None or outcome[0] != current:
         return NOT_TRIED
-    return f"no: {outcome[1]}" if outcome[1] else CONFIRMED
+    return f"{NO}{outcome[1]}" if outcome[1] else CONFIRMED
 
 
 def _current(record: Record) -> Iterator[tuple[str, str]]:

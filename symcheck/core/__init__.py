@@ -7,6 +7,7 @@ __all__ = [
     "calculus",
     "certificates",
     "claims",
+    "counts",
     "extras",
     "fields",
     "files",

@@ -53,7 +53,7 @@ class Dimensions(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     scales
         Quantities that the relation supposes to be 1, such as "h_max = 1".
     general
-        The relation for any value of these.
+        The relation with the powers of these that were left out: its formulas.
     reason
         Why nothing is decided, or what is wrong, in one sentence.
     certificate
@@ -66,7 +66,7 @@ class Dimensions(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     undetermined: tuple[str, ...] = ()
     letters: dict[str, str] = {}
     scales: tuple[str, ...] = ()
-    general: str = ""
+    general: tuple[Any, ...] = ()
     reason: str = ""
     certificate: dict[str, Any] = {}
 
@@ -213,14 +213,14 @@ def _told(formulas: Sequence[Formula], found: Solved) -> Dimensions:
     )
 
 
-def _general(formulas: Sequence[Formula], found: Solved) -> str:
-    """The relation for any value of what is 1, in words, if it is consistent."""
+def _general(formulas: Sequence[Formula], found: Solved) -> tuple[Formula, ...]:
+    """The relation for any value of what is 1, if it is consistent."""
     if len(found.scales) != 1:
-        return ""
+        return ()
     (scale,) = found.scales
     formulas = general(formulas, found.rules, scale)
     holds = bool(formulas) and _solved(formulas, {**found.rules.used, plain(scale.letter): scale.form}).conflict is None
-    return "; ".join(_short(formula) for formula in formulas) if holds else ""
+    return formulas if holds else ()
 
 
 def _is_known(atom: Atom) -> bool:

@@ -12,6 +12,7 @@ from os import PathLike
 from pathlib import Path
 
 from symcheck.audit.library import executor
+from symcheck.core.counts import number_of
 from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided, fails
@@ -241,7 +242,8 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
 def _broken(reasons: Sequence[str]) -> Iterator[str]:
     """That something was not decided for a fault of this program, each once."""
     for reason, count in Counter(reasons).items():
-        yield f"{count} questions were left open for an internal error ({reason}); please report it"
+        were = number_of(count, "question was", "questions were")
+        yield f"{were} left open for an internal error ({reason}); please report it"
 
 
 def _rest(seen: Sequence[Seen], k: int) -> set[Place]:

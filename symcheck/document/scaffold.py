@@ -14,6 +14,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from symcheck.core.counts import number_of
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.checks import Checks
@@ -100,8 +101,9 @@ def new(file: Path, folder: Path, work: Work) -> list[str]:
             raise SymcheckError(f"{each} exists; {UPDATE.format(folder)} brings it up to date, --out names another")
     draft = drafted(file, work)
     _both(targets[1], written(accepted(draft.formulas)), targets[0], text(draft, folder).encode())
-    count = Counter("not read" if each.reason else each.role for each in draft.guesses)
-    told = ", ".join(f"{n} {what}" for what, n in count.most_common())
+    unread = "not read"
+    count = Counter(unread if each.reason else each.role for each in draft.guesses)
+    told = ", ".join(number_of(n, what, what if what == unread else "") for what, n in count.most_common())
     return [*draft.said, f"{targets[0]}: written: {told or 'no relations'}", f"{targets[1]}: written"]
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from rich.table import Table
 
+from symcheck.core.counts import number_of
 from symcheck.ledger.selftested import MISFITS, STATUSES, Row, rows
 
 COLUMNS = (*STATUSES, "rejected of those that are faults", MISFITS, "right", "rejected")
@@ -25,11 +26,12 @@ def show(out: Any, result: Mapping[str, Any]) -> None:
     engines = result["engines"]
     counts = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
     out.print(
-        f"{engines['points']:,} refutations, all re-evaluated by the checker; evaluated at their points by: {counts}."
+        f"{number_of(engines['points'], 'refutation')}, all re-evaluated by the checker; "
+        f"evaluated at their points by: {counts}."
     )
-    out.print(f"{len(engines['disagreements'])} disagreements; {engines['all_three']:,} by all three.")
+    out.print(f"{number_of(len(engines['disagreements']), 'disagreement')}; {engines['all_three']:,} by all three.")
     out.print(
-        f"{len(result['findings']):,} findings (hypotheses not needed, bounds without a set of equality, "
+        f"{number_of(len(result['findings']), 'finding')} (hypotheses not needed, bounds without a set of equality, "
         "statements that could say more): see --json."
     )
     wrong = [*result["errors"], *result["unfinished"], *engines["disagreements"]]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from symcheck.core.counts import number_of
 from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
 from symcheck.question.answer import Answer
-from symcheck.views.dimensions import fits
+from symcheck.views.dimensions import fits, in_general
 
 
 def text(answer: Answer, measured: bool = False) -> str:
@@ -31,13 +32,14 @@ def text(answer: Answer, measured: bool = False) -> str:
     ]
     if answer.certificate:
         lines.append(
-            f"  evidence        {len(answer.certificate)} certificate(s), accepted by the checker; --json prints them"
+            f"  evidence        {number_of(len(answer.certificate), 'certificate')}, accepted by the checker; "
+            f"--json prints {'it' if len(answer.certificate) == 1 else 'them'}"
         )
     of = answer.dimension
     if of is not None and (measured or of.verdict == INCONSISTENT):
-        lines += [f"  {'dimension' if n == 0 else '':15} {line}" for n, line in enumerate(fits(of))]
+        lines += [f"  {'dimension' if n == 0 else '':15} {line}" for n, line in enumerate((*fits(of), *in_general(of)))]
     if measured and (form := answer.general) is not None:
-        lines.append(f"  in general      proved too, with {len(form.certificate)} certificate(s)")
+        lines.append(f"  in general      proved too, with {number_of(len(form.certificate), 'certificate')}")
     lines.append(f"  {answer.seconds:.2f} s")
     return "\n".join(lines)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from symcheck.core.words import term
 from symcheck.dimensions import CONSISTENT, INCONSISTENT, Dimensions
 
 LONGEST = 60  # characters of a term
@@ -13,25 +14,33 @@ _MARKUP = re.compile(r"[\\{}]")  # of a letter in LaTeX: "h_{\\max}" is "h_max"
 
 
 def fits(of: Dimensions) -> Iterator[str]:
-    """The verdict with what both sides measure, then what does not fit, what would settle it, what is 1."""
+    """The verdict with what both sides measure, then what does not fit, what is 1, what would settle it."""
     both = list(of.sides)
     if of.verdict == CONSISTENT:  # what fits anything, as zero does, is no news beside what it fits
         both = [each for each in both if each != ANY] or both
         both = both if of.scales else list(dict.fromkeys(both))
     both = ["numbers without a unit" if each == "1" else each for each in both]
-    yield f"{of.verdict}: {' against '.join(both)}" if both else of.verdict
+    where = f" if {_plain(' and '.join(of.scales))}" if of.scales else ""
+    yield f"{of.verdict}{where}: {' against '.join(both)}" if both else f"{of.verdict}{where}"
     if of.verdict == INCONSISTENT:
         yield conflict(of)
-    if of.scales:
-        yield f"holds with {_MARKUP.sub('', ', '.join(of.scales))}" + (
-            f"; in general {of.general}" if of.general else ""
-        )
     if of.undetermined:
         yield f"to settle it, say what {', '.join(of.undetermined)} measure{'s' * (len(of.undetermined) == 1)}"
     if of.reason:
         yield of.reason
     if of.letters:
-        yield "so " + ", ".join(f"{letter} measures {unit}" for letter, unit in of.letters.items())
+        yield "hence " + ", ".join(f"{letter} measures {unit}" for letter, unit in of.letters.items())
+
+
+def restored(of: Dimensions) -> str:
+    """What the general form is: the relation with the quantity put in that was set to 1; "" if there is none."""
+    return f"with {_plain(of.scales[0].partition(' = ')[0])} restored" if of.general else ""
+
+
+def in_general(of: Dimensions) -> Iterator[str]:
+    """The general form in words."""
+    if of.general:
+        yield f"{restored(of)}: {'; '.join(map(term, of.general))}"
 
 
 def conflict(of: Dimensions | None) -> str:
@@ -47,6 +56,10 @@ def unlike(of: Dimensions | None) -> str:
     if of.verdict == INCONSISTENT:
         return f"do not fit: {conflict(of)}"
     return f"undetermined: {of.reason}" if of.reason else f"undetermined without {', '.join(of.undetermined)}"
+
+
+def _plain(latex: str) -> str:
+    return _MARKUP.sub("", latex)
 
 
 def _cut(text: str) -> str:

@@ -16,6 +16,7 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
+from symcheck.core.counts import number_of
 from symcheck.core.files import put
 from symcheck.core.verdicts import SymcheckError
 from symcheck.ledger import selftested
@@ -123,8 +124,9 @@ def _self_test(folder: Path) -> Iterator[str]:
     engines = result["engines"]
     evaluated = ", ".join(f"{name} {count:,}" for name, count in engines["evaluated"].items())
     yield ""
-    yield f"{engines['points']:,} refutations were evaluated again at their exact points: {evaluated}, all three"
-    yield f"{engines['all_three']:,}; {len(engines['disagreements'])} disagreements."
+    were = number_of(engines["points"], "refutation was", "refutations were")
+    yield f"{were} evaluated again at their exact points: {evaluated}, all three"
+    yield f"{engines['all_three']:,}; {number_of(len(engines['disagreements']), 'disagreement')}."
 
 
 def _share(row: selftested.Row) -> str:

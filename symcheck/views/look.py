@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 
+from symcheck.core.counts import number_of
 from symcheck.document.letters import shown
 from symcheck.document.look import Finding, Look
 
@@ -20,9 +21,10 @@ def text(look: Look) -> str:
 
 def _lines(look: Look) -> Iterator[str]:
     displays = sum(formula.display for formula in look.formulas)
+    inline = len(look.formulas) - displays
     read = sum(look.read)
     yield from _wrapped(
-        f"{look.file}: {_count(displays, 'display')}, {_count(len(look.formulas) - displays, 'inline relation')}; "
+        f"{look.file}: {number_of(displays, 'display')}, {number_of(inline, 'inline relation')}; "
         f"{read} read, {len(look.read) - read} not; {look.seconds:.1f} s"
     )
     for note in look.notes:
@@ -80,10 +82,6 @@ def _places(places: Sequence[str], most: int = 1000) -> str:
 
 def _short(formula: str) -> str:
     return formula if len(formula) <= LONGEST else formula[: LONGEST - 3] + "..."
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"
 
 
 def _wrapped(line: str, first: str = "", rest: str = "  ") -> Iterable[str]:

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from symcheck.coq.confirmed import summary
+from symcheck.coq.confirmed import sentence, summary
 from symcheck.core.certificates import Certificate
+from symcheck.core.counts import number_of
 from symcheck.core.ids import Id
 from symcheck.core.terms import JSON
 from symcheck.core.verdicts import Group, Loss, Origin, Reading, Role, Verdict
@@ -34,11 +35,12 @@ _ORIGINS = (
     "added by us",
 )
 _GIVEN = {"added": "not printed, added", "standing": "implied by the subject"}  # the other sources are in plain words
-_NEEDED = {True: "needed", False: "not needed", None: "need not known"}
+_NEEDED = {True: "needed", False: "not needed", None: "not known whether needed"}
 _WHOSE = {Origin.PAPER: "the paper's own", Origin.OCR: "from the digitisation"}
-_BLAMED = (Origin.PAPER, Origin.UNCERTAIN, Origin.OCR)
 _REPAIRS = {0: "no single edit repairs it", 1: "one single edit repairs it"}
+_BLAMED = (Origin.PAPER, Origin.UNCERTAIN, Origin.OCR)
 _MARKUP = re.compile(r"\\(?:(?:left|right|cdot|q?quad)(?![A-Za-z])|[\\,;:! ])|[\s{}&$]")  # what is a space at most
+_STOPS = ".,;"  # behind a formula
 _ADDED = re.compile(r" \(given: .*\)$", re.DOTALL)  # how a record writes the conditions of a corrected formula
 
 
@@ -176,6 +178,12 @@ class Relation:
         return bool(own and own.verdict == INCONSISTENT and right and right.verdict == CONSISTENT)
 
     @property
+    def reads_otherwise(self) -> bool:
+        """Whether what is read differs by more than spaces, and the stop behind it, from what is printed."""
+        record = self.record
+        return _signs(record.read).rstrip(_STOPS) != _signs(record.printed).rstrip(_STOPS)
+
+    @property
     def statement(self) -> str:
         """What it states: the link of a chain as read, else what is printed, or the words."""
         record = self.record
@@ -216,6 +224,11 @@ class Relation:
         return summary(self.record)
 
     @property
+    def coq_says(self) -> str:
+        """The same in a sentence."""
+        return sentence(self.record)
+
+    @property
     def whose(self) -> str:
         """Whose the fault is."""
         return _WHOSE.get(self.record.origin or Origin.UNCERTAIN, "whose it is cannot be told")
@@ -242,7 +255,7 @@ class Relation:
         if not self.record.erratum or self.record.erratum.repairs is None:
             return ""
         count = len(self.record.erratum.repairs)
-        return _REPAIRS.get(count, f"{count} single edits repair it")
+        return _REPAIRS.get(count, f"{count:,} single edits repair it")
 
     @property
     def outcome(self) -> str:
@@ -323,7 +336,7 @@ class Fault:
         """What is printed, where it fails, what is right."""
         record, compared = self.first.record, self.compared
         yield Fact("words", record.words if compared.label != "words" else "")
-        yield Fact("stands on", record.place)
+        yield Fact("in the text", record.place)
         yield Fact("printed", self.printed if compared.label != "printed" else "", is_formula=True)
         yield Fact(*compared[:2], is_formula=True)
         yield Fact("correct", compared.after, is_formula=True)
@@ -422,7 +435,13 @@ def listing(record: Record) -> str:
 def counted(records: Iterable[Record]) -> str:
     """How many relations have which verdict."""
     found = Counter(record.verdict for record in records if record.verdict)
-    return f"{found.total():,} relations: {', '.join(f'{found[verdict]:,} {verdict}' for verdict in Verdict)}"
+    verdicts = ", ".join(f"{found[verdict]:,} {verdict}" for verdict in Verdict)
+    return f"{number_of(found.total(), 'relation')}: {verdicts}"
+
+
+def roles(counts: Mapping[Role, int] | Mapping[str, int]) -> str:
+    """How many declarations have which role: "2 premises, 1 definition, 3 ours"."""
+    return ", ".join(number_of(n, str(role), str(role) if role == Role.OURS else "") for role, n in counts.items())
 
 
 def headline(records: Sequence[Record]) -> Iterator[str]:
@@ -457,7 +476,7 @@ def erring(records: Iterable[Record]) -> str:
     if not wrong:
         return "no errata"
     refuted = sum(record.verdict is Verdict.REFUTED for record in wrong)
-    said = f"{len(wrong):,} errat{'a' if len(wrong) > 1 else 'um'}"
+    said = number_of(len(wrong), "erratum", "errata")
     if refuted == len(wrong):
         return f"{said}, {'all ' if len(wrong) > 1 else ''}refuted"
     others = len(wrong) - refuted

@@ -44,13 +44,15 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
     keys = [before] if colon else list(load())
     named = {known: (key, kernel) for key in keys for known, kernel in _named(key)}
     if ":" in name and name not in named:
-        for record in records([name]):
+        for n, record in enumerate(records([name])):
+            out.print(end="\n" * (n > 0))
             terminal.show(out, record, certificate, _in_general(record))
         return
     if name not in named:
         near = get_close_matches(name, named, n=1)
-        example = f"{name}:NUMBER" if name in keys else near[0] if near else f"{keys[0]}:{name}"
-        raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; did you mean {example}?")
+        example = f"{name}:NUMBER" if name in keys else near[0] if near else ""
+        meant = f"did you mean {example}?" if example else "`symcheck check PAPER` lists the numbers of a paper"
+        raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; {meant}")
     key, kernel = named[name]
     claims = records([str(Id.of(key, place)) for place in kernel.claims])
     terminal.kernel(out, key, name.rpartition(":")[2], kernel, claims)

@@ -20,6 +20,7 @@ from rich.text import Text
 from symcheck.audit.dimensions import Unit
 from symcheck.core.certificates import Certificate
 from symcheck.core.claims import Paper
+from symcheck.core.counts import number_of
 from symcheck.core.verdicts import Group, Verdict
 from symcheck.dimensions import INCONSISTENT, UNDETERMINED
 from symcheck.kernels.codegen.kernel import Kernel
@@ -27,7 +28,7 @@ from symcheck.ledger import Record, digest_of
 from symcheck.ledger.changes import Change
 from symcheck.views import model
 from symcheck.views.diagnostics import near
-from symcheck.views.dimensions import conflict, fits, unlike
+from symcheck.views.dimensions import conflict, fits, in_general, unlike
 from symcheck.views.model import FaultList, Relation
 from symcheck.views.steps import claim, proof_lines
 
@@ -167,7 +168,7 @@ def next_steps(out: Console, records: Sequence[Record], folders: Mapping[str, Pa
 def summary(out: Console, records: Sequence[Record]) -> None:
     """How many of each verdict, and how many declarations that claim nothing."""
     others = Counter(record.role for record in records if not record.verdict)
-    rest = "".join(f"; {count} of role {role}" for role, count in sorted(others.items()))
+    rest = f"; {model.roles(dict(sorted(others.items())))}" if others else ""
     first, *more = model.headline(records)
     for line in (f"{first}{rest}", *more):
         _wrapped(out, line)
@@ -197,7 +198,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
     yield "role", f"{record.role}, section {record.section}, line {record.line} of the source"
     yield "printed", record.printed
     yield "words", record.words
-    yield "stands on", record.place
+    yield "in the text", record.place
     yield "read as", record.read
     if not as_erratum:
         yield "reason", record.reason.replace("$", "")
@@ -209,7 +210,7 @@ def _fields(relation: Relation, as_erratum: bool = False) -> Iterator[tuple[str,
         yield "used by", ", ".join(record.used_by)
     yield "fails at", relation.fails_at
     if record.dimension and (not as_erratum or record.dimension.verdict == INCONSISTENT):
-        yield "dimension", "\n".join(fits(record.dimension))
+        yield "dimension", "\n".join((*fits(record.dimension), *in_general(record.dimension)))
     yield "corrected", record.corrected
     yield "kind", record.kind
     yield "origin", f"{relation.whose}: {record.reason}".replace("$", "") if record.origin else ""
@@ -266,7 +267,8 @@ def errata(out: Console, records: Iterable[Record]) -> None:
 def counted_errata(out: Console, records: Sequence[Record]) -> None:
     """How many errata there are, what they are, and whose."""
     damaged = sum(record.group is Group.DAMAGED for record in records)
-    _wrapped(out, f"{model.erring(records)}; {damaged} places of damaged text")
+    places = f"; {number_of(damaged, 'place')} of damaged text" if damaged else ""
+    _wrapped(out, model.erring(records) + places)
     if blamed := model.blame(records):
         _wrapped(out, f"Refuted: {blamed}")
 
@@ -292,7 +294,7 @@ def papers(out: Console, counts: Mapping[str, tuple[Paper, Counter[str]]]) -> No
     """One row per paper: key, title, source, how many declarations of each role."""
     table = Table("key", "title", "source", "declarations", box=box.SIMPLE_HEAD, pad_edge=False)
     for key, (paper, roles) in counts.items():
-        table.add_row(key, Text(paper.title), Text(paper.source), ", ".join(f"{n} {role}" for role, n in roles.items()))
+        table.add_row(key, Text(paper.title), Text(paper.source), model.roles(roles))
     out.print(table)
 
 
@@ -327,10 +329,19 @@ def _wrapped(out: Console, value: str | Text, before: Text | None = None) -> Non
     before = before or Text()
     text = value if isinstance(value, Text) else Text(value)
     on_screen = out.is_terminal or "COLUMNS" in os.environ
-    lines = text.wrap(out, max(out.width - before.cell_len, 1)) if on_screen else text.split("\n")
+    lines = [*_on_screen(out, text, out.width - before.cell_len)] if on_screen else text.split("\n")
     for n, line in enumerate(lines):
         line.rstrip()
         out.print(Text.assemble(before if n == 0 else " " * before.cell_len, line), soft_wrap=True)
+
+
+def _on_screen(out: Console, text: Text, width: int) -> Iterator[Text]:
+    """Lines of at most so many columns; what goes on in another one is as far from the margin as where it began."""
+    for line in text.split("\n", allow_blank=True):
+        indent = len(line.plain) - len(line.plain.lstrip())
+        margin = indent if 2 * indent < width else 0
+        for part in line[indent:].wrap(out, max(width - margin, 1)) or [Text()]:
+            yield Text.assemble(" " * margin, part)
 
 
 def _certificate(out: Console, certificate: Certificate, whole: bool) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 
 from symcheck.audit import kernels
 from symcheck.core.claims import Assertion
+from symcheck.core.counts import number_of
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError
 from symcheck.kernels.codegen.kernel import Kernel
@@ -54,7 +55,7 @@ def source(derivation: Callable[..., object]) -> str:
     head, end = lines[function.lineno - 1 : says.lineno - 1], says.end_lineno or says.lineno
     shown = [*head, *lines[end:]] if ast.get_docstring(function) else lines[function.lineno - 1 :]
     more = len(shown) - LONGEST
-    return "\n".join(shown if more <= 0 else [*shown[:LONGEST], f"    # and {more} more lines"])
+    return "\n".join(shown if more <= 0 else [*shown[:LONGEST], f"    # and {number_of(more, 'more line')}"])
 
 
 def derived(id: str, only: Sequence[str] = ()) -> Output:

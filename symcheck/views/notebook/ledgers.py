@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from symcheck.core.verdicts import Role, Verdict
+from symcheck.views.model import roles as counted_roles
 from symcheck.views.notebook.output import Heading, Output, Part, Table
 from symcheck.views.notebook.records import declared, paper, recorded
 
@@ -23,7 +24,7 @@ def contents(key: str) -> Output:
     counts: dict[str, Counter[Role]] = {}
     for title, item in declared(key):
         counts.setdefault(title, Counter())[item.role] += 1
-    lines = ((title, ", ".join(f"{n} {role}" for role, n in roles.items())) for title, roles in counts.items())
+    lines = ((title, counted_roles(roles)) for title, roles in counts.items())
     return Output((Heading(f"**{paper(key).title}**"), Table(("section", "declarations"), tuple(lines))))
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from symcheck.core.counts import number_of
 from symcheck.core.lazy import lazy
 from symcheck.reading import Notation
 
@@ -54,7 +55,7 @@ def lines(value: Expr, notation: Notation) -> list[str]:
     """The same in lines, cut if there are very many."""
     broken = split(expression(value, notation))
     return (
-        [*broken[:MOST], rf"\ldots \quad\text{{and {len(broken) - MOST} more lines}}"]
+        [*broken[:MOST], rf"\ldots \quad\text{{and {number_of(len(broken) - MOST, 'more line')}}}"]
         if len(broken) > MOST + 1
         else broken
     )
@@ -96,10 +97,11 @@ def _filled(pieces: list[str]) -> list[str]:
 
 def width(latex: str) -> int:
     """How many signs a formula has, about: what takes no room is not counted, and a relation takes more."""
-    wide = re.sub(r"\\(?:Leftrightarrow|Rightarrow|land|lor|quad|qquad|le|ge|approx)(?![A-Za-z])|=", "xxx", latex)
-    wide = re.sub(r"\\(?:sin|cos|tan|operatorname)(?![A-Za-z])", "xxx", wide)
-    bare = re.sub(r"\\(left|right|frac|mathbf|displaystyle|begin|end|[,;:! ])|[{}_^\s]", "", wide)
-    return len(re.sub(r"\\[A-Za-z]+", "x", bare))
+    wide = re.sub(r"\\(?:Leftrightarrow|Rightarrow|land|lor|quad|qquad|le|ge|approx)(?![A-Za-z])|=", " xxx", latex)
+    wide = re.sub(r"\\(?:sin|cos|tan|operatorname)(?![A-Za-z])", " xxx", wide)
+    bare = re.sub(r"\\(?:left|right|frac|mathbf|displaystyle|begin|end)(?![A-Za-z])|\\[,;:! ]", "", wide)
+    one_each = re.sub(r"\\[A-Za-z]+", "x", bare)  # before spaces go: "\psi xxx" is four signs, not one command
+    return len(re.sub(r"[{}_^\s]", "", one_each))
 
 
 def equations(values: Mapping[str, Expr], notation: Notation) -> list[str]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from symcheck.audit import reasons
 from symcheck.core.certificates import Certificate
+from symcheck.core.counts import number_of
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Reading, Verdict
 from symcheck.ledger import Record, digest_of, lemmas_of
@@ -126,7 +127,7 @@ def _cut(lines: Sequence[str]) -> Iterator[str]:
     for line in lines[:_LINES]:
         yield line if len(line) <= _COLUMNS else f"{line[: _COLUMNS - 1]}…"
     if len(lines) > _LINES:
-        yield f"… {len(lines) - _LINES} more lines"
+        yield f"… {number_of(len(lines) - _LINES, 'more line')}"
 
 
 def certificate(id: str) -> Output:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -12,6 +13,8 @@ from symcheck.views.latex import formulas_of
 from symcheck.views.model import Fault, Relation
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.sources import Excerpt, Meaning, Publication
+
+LONGEST = 400  # signs of the terms of a general form: about two lines of a formula
 
 
 @dataclass(frozen=True)
@@ -27,6 +30,13 @@ class Entry(Relation):
     def section(self) -> str:
         """The section's number and title."""
         return " ".join((self.record.section, self.paper.sections.get(self.record.section, ""))).strip()
+
+
+def general(entry: Entry) -> list[str]:
+    """The formulas of the general form, which the page sets; none where they are too long to be read there."""
+    forms = entry.record.dimension.general if entry.record.dimension else ()
+    written = [json.dumps(each, ensure_ascii=False, separators=(",", ":")) for each in forms]
+    return written if sum(map(len, written)) <= LONGEST else []
 
 
 def texts(records: Iterable[Record]) -> Iterator[str]:

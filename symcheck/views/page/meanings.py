@@ -5,6 +5,7 @@ from __future__ import annotations
 from symcheck.core.verdicts import Origin, Reading, Role, Verdict
 from symcheck.views.model import Relation
 
+COQ = "Coq"
 METHODS = {
     "identity": "the difference of the two sides is a sum of multiples of what is given, so it vanishes",
     "nonnegative": "the larger side less the smaller is written as a sum of terms none of which can be negative",
@@ -22,7 +23,7 @@ MEANINGS = {
     Role.PREMISE: "the paper assumes, chooses or cites it; nothing is decided of it",
     Role.EXCLUSION: "it is printed, but asserts nothing that could be decided",
     Role.OURS: "the paper does not print it; we state it beside the paper's relations, and it is decided",
-    "confirmed by Coq": "whether Coq, a proof checker of somebody else, accepts the proof, or that of the correction",
+    COQ: "whether Coq, an independent proof assistant, accepts the proof, or that of the correction",
     Reading.AS_PRINTED: "what is decided was read from the printed formula, sign by sign",
     Reading.WORDS: "the paper says it in words; the formula that is decided was put together from them by us",
     Reading.ADDED: "nothing of it is printed",
@@ -39,15 +40,15 @@ MEANINGS = {
 RIGHT = {
     Reading.AS_PRINTED: "Right as printed",
     Reading.STANDING: "Right as printed, under a condition that the subject implies",
-    Reading.WORDS: "Right: the paper says it in words, and the formula that we made of them is proved",
-    Reading.ADDED: "Right, but not of the paper: we added it",
+    Reading.WORDS: "Right: the paper states it in words, and the formula that we made of them is proved",
+    Reading.ADDED: "Right, but not part of the paper: we added it",
     Reading.DAMAGED: "Right as it is read here: the text at hand is damaged",
     Reading.MISPRINT: "Right as it is meant, but misprinted",
 }
 FAULT = {
     Origin.PAPER: "The fault is the paper's own",
-    Origin.OCR: "The fault is of the digitised text, not of the paper",
-    Origin.UNCERTAIN: "Whose fault it is cannot be told from the text at hand",
+    Origin.OCR: "The fault lies in the digitised text, not in the paper",
+    Origin.UNCERTAIN: "The text at hand does not tell whether the paper or its digitisation is at fault",
 }
 
 
@@ -62,7 +63,9 @@ def answer(relation: Relation) -> str:
         return f"{right}{given}."
     if record.verdict is Verdict.REFUTED:
         how = record.reading if record.reading in (Reading.STATED, Reading.REWRITTEN) else ""
-        wrong = f"Wrong as {how or ('printed' if record.printed else 'the words say it')}"
+        # What the digitisation spoilt is not what the paper prints.
+        printed = "it stands in the digitised text" if record.origin is Origin.OCR else "printed"
+        wrong = f"Wrong as {how or (printed if record.printed else 'the words state it')}"
         mended = (
             "; what is right instead is proved" if record.erratum and record.erratum.verdict == Verdict.PROVED else ""
         )

@@ -15,19 +15,20 @@ from markupsafe import Markup
 
 from symcheck import __version__
 from symcheck.coq.confirmed import CONFIRMED, confirmed
+from symcheck.core.counts import number_of
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Role, Verdict
 from symcheck.ledger import Record
 from symcheck.ledger.changes import Change
 from symcheck.ledger.selftested import evidence, rows
-from symcheck.views.dimensions import fits
+from symcheck.views.dimensions import fits, restored
 from symcheck.views.model import Relation, blame, errata, erring, origins
 from symcheck.views.page import entry as entries
 from symcheck.views.page.entry import Entry
 from symcheck.views.page.formulas import Formulas
 from symcheck.views.page.graph import graph
 from symcheck.views.page.marks import marks
-from symcheck.views.page.meanings import MEANINGS, answer
+from symcheck.views.page.meanings import COQ, MEANINGS, answer
 from symcheck.views.page.packing import address, packed
 from symcheck.views.page.plots import coloured, curves
 from symcheck.views.page.sources import Excerpt, Meaning, Publication, of_record
@@ -36,6 +37,7 @@ from symcheck.views.steps import RULES, parts_of
 ROLES = (Role.DEFINITION, Role.PREMISE, Role.EXCLUSION)  # what claims nothing
 STATES = (*Verdict, *ROLES)
 FONT = "stix-two-math.woff2"
+TOLD = ("key", "title", "published", "source", "digest")  # of a paper
 SCRIPTS = ("page.js", "terms.js", "own.js", "polytope.js")
 
 
@@ -119,7 +121,8 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
         lstrip_blocks=True,
     )
     environment.filters["place"] = lambda id: Id.parse(id).place
-    environment.globals |= {"answer": answer, "difference": entries.difference, "fits": fits, "entries": shown}
+    environment.globals |= {"answer": answer, "difference": entries.difference, "entries": shown, "COQ": COQ}
+    environment.globals |= {"fits": fits, "restored": restored, "general": entries.general, "number_of": number_of}
     claim = environment.get_template("claim.html")
     of_paper: dict[str, list[Entry]] = {paper.key: [] for paper in papers}
     for each in shown.values():
@@ -168,7 +171,7 @@ def page(records: Sequence[Record], papers: Sequence[Publication], extras: Extra
             "rows": [_row(each, names) for each in shown.values()],
             "names": list(names.numbers),
             "roles": [str(role) for role in ROLES],
-            "papers": [{"key": each.key, "source": each.source, "digest": each.digest} for each in papers],
+            "papers": [{name: getattr(each, name) for name in TOLD} for each in papers],
             "meanings": MEANINGS,
         },
         "errata": first.texts,

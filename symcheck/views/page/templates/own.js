@@ -25,7 +25,7 @@ function showOwn(entry, body) {
   const text = made("textarea", {value: note, rows: 3, placeholder: " "});
   for (const field of [choice, text]) field.addEventListener("input", () => keep(entry.id, choice.value, text.value));
   const source = sources[entry.paper], {source: file} = index.papers.find((each) => each.key === entry.paper);
-  body.append(made("section", {className: "context"}, made("h2", {textContent: "In its context"}),
+  body.append(made("section", {className: "context"}, made("h2", {textContent: "Source text"}),
     ...source ? contextOf(source, Number(line)) : [made("p", {className: "quiet needs-script"}, "Drop the file ", made("code", {textContent: file}), " anywhere on this page, or choose it under ", made("a", {href: "#review", textContent: "Review"}), ": the lines around it are shown here. The file stays with you.")]),
   made("section", {className: "own"}, made("h2", {textContent: "Your verdict"}), made("p", {}, made("label", {}, "Verdict ", choice)),
     made("label", {}, "Notes ", text), made("p", {className: "kept quiet"})));
@@ -56,7 +56,7 @@ async function take(file) {
   if (!parsed?.review) return say(`${file.name} is neither a ledger (symcheck check --json) nor notes that were saved here.`);
   own = {...own, ...parsed.review};
   store();
-  return say(`${Object.keys(parsed.review).length} notes of ${file.name} are added to yours.`);
+  return say(`${numberOf(Object.keys(parsed.review).length, "note")} of ${file.name} added to yours.`);
 }
 async function takeText(name, data, text) {
   const digest = await digestOf(data), shownPaper = known(placeOf(location.hash)[0])?.paper;
@@ -98,7 +98,7 @@ async function compareWith(name, {items}) {
     for (const field of FIELDS_OF_TEXT) if (before[field] && !texts.has(before[field])) changes.push([entry.id, `${field} otherwise; before: ${before[field]}`]);
   }
   for (const id of old.keys()) changes.push([id, "gone"]);
-  one("#changes").replaceChildren(made("h2", {textContent: `Against ${name}`}), made("p", {textContent: `${changes.length || "No"} change${changes.length === 1 ? "" : "s"}.`}),
+  one("#changes").replaceChildren(made("h2", {textContent: `Against ${name}`}), made("p", {textContent: `${changes.length ? numberOf(changes.length, "change") : "No changes"}.`}),
     made("ul", {}, ...changes.map(([id, what]) => made("li", {}, byId.has(id) ? made("a", {href: `#${id}`, textContent: id}) : id, `: ${what}`))));
   location.hash = "#review";
   say(`${name} is compared with this audit; what changed stands under Review.`);

@@ -7,6 +7,8 @@ const made = (tag, properties = {}, ...children) => {
   return element;
 };
 
+const numberOf = (count, noun) => `${count.toLocaleString("en")} ${noun}${count === 1 ? "" : "s"}`;
+
 // The parts of the id of a relation, "mirer2009:2.13.1b": its paper, its place there, and the id without the link.
 function partsOf(id) {
   const [paper, place] = id.split(":");
@@ -60,8 +62,8 @@ const wholePapers = () => Promise.all(index.papers.map((each) => paperOf(each.ke
 // Letters in plain words as they are written: omega_3, I_1 != I_2.
 const GREEK = Object.fromEntries([..."alpha α beta β gamma γ delta δ epsilon ε zeta ζ eta η theta θ kappa κ lambda λ mu μ nu ν xi ξ pi π rho ρ sigma σ tau τ phi φ chi χ psi ψ omega ω Delta Δ Omega Ω Gamma Γ Phi Φ Psi Ψ".matchAll(/(\w+) (\S)/g)].map((pair) => [pair[1], pair[2]]));
 const REFERENCE = /\b[a-z]+\d{4}:[A-Z]?[\w.]*\w|\((\d+(?:\.\d+)+[a-z]?)\)/g;
-const LETTER = new RegExp(`\\b([A-Za-z]{1,8})_(\\w{1,5})\\b|\\b(${Object.keys(GREEK).join("|")})\\b(?! function)|!=|<=|>=|\\bsqrt\\((\\w+)\\)|(?<=[\\w)])\\*(?=[\\w(])|\\^(\\d+)`, "g");
-const SIGNS = {"!=": "≠", "<=": "≤", ">=": "≥", "*": "·"};
+const LETTER = new RegExp(`\\b([A-Za-z]{1,8})_(\\w{1,5})\\b|\\b(${Object.keys(GREEK).join("|")})\\b(?! function)|!=|<=|>=|(?<=[=,(] ?)-(?=[\\w(])|\\bsqrt\\((\\w+)\\)|(?<=[\\w)])\\*(?=[\\w(])|\\^(\\d+)`, "g");
+const SIGNS = {"!=": "≠", "<=": "≤", ">=": "≥", "*": "·", "-": "−"};
 function setProse(from, paper = "") {
   for (const place of all(".prose:not(.set)", from)) {
     place.classList.add("set");
@@ -150,6 +152,7 @@ function makeRow(entry, home) {
   entry.row = made("li", {hidden: !kept.has(entry)}, made("a", {href: `#${entry.id}`, textContent: partsOf(entry.id).place}), made("div", {className: "said"}),
     made("div", {className: "end"}, badge, entry.kind ? made("div", {textContent: entry.kind}) : ""));
   entry.row.dataset.n = entry.number;
+  one("a", entry.row).dataset.paper = entry.paper;
   entry.home = home;
   if (!entry.row.hidden) home.parentElement.hidden = false;
   filling.observe(entry.row);
@@ -207,7 +210,7 @@ async function filter() {
   kept = new Set(shown);
   entries.forEach((entry) => { if (entry.row) entry.row.hidden = !kept.has(entry); });
   all("#rows section").forEach((section) => { section.hidden = !one("li:not([hidden])", section); });
-  one("#count").textContent = `${shown.length.toLocaleString("en")} of ${entries.length.toLocaleString("en")} items`;
+  one("#count").textContent = `${shown.length.toLocaleString("en")} of ${numberOf(entries.length, "item")}`;
   await makeLedger();
   if (turn === asked) one("#rows").ariaBusy = null;
 }
@@ -235,7 +238,9 @@ async function showClaim(id) {
   const parts = entries.filter((each) => each.whole === entry.whole);
   one(".siblings", body).append(...parts.length < 2 ? [] : ["Parts: ", ...parts.map((each) =>
     made("a", {href: `#${each.id}`, textContent: partsOf(each.id).place, ariaCurrent: each === entry ? "page" : null}))]);
-  if (entry.coq) one(".facts", body).append(" ", coqSays(entry.coq));
+  const {title, published} = index.papers.find((each) => each.key === entry.paper);
+  one(".crumbs", body).prepend(title, published ? ` (${published})` : "", " · ");
+  all("[data-g]", body).forEach((place) => { place.append(formula(JSON.parse(part.strings[place.dataset.g]))); });
   all("[data-f]", body).forEach((place) => { place.append(formula(JSON.parse(place.dataset.f))); });
   one("#claim-title", body).prepend(id, " ");
   all("[data-h]", body).forEach((place) => { place.innerHTML = part.strings[place.dataset.h]; });
@@ -249,11 +254,6 @@ async function showClaim(id) {
   one("button.download", body)?.addEventListener("click", () => download(id));
   document.title = `${id} · symcheck`;
   return true;
-}
-function coqSays(says) {
-  const place = made("span", {textContent: `confirmed by Coq: ${says}`});
-  place.dataset.word = "confirmed by Coq";
-  return place;
 }
 // What the words beside a verdict mean.
 function setMeanings(body) {
@@ -324,7 +324,10 @@ function decoded(text) {
 const VIEWS = ["errata", "ledger", "pictures", "checks", "review"];
 const NEAREST = 3;
 function tellNearest(name) {
-  const known = [...VIEWS, ...entries.map((entry) => entry.id)].map((each) => [distance(name.toLowerCase(), each.toLowerCase()), each]);
+  // Who gives a number alone, "2.12", means it in any of the papers.
+  const bare = NUMBER.exec(name)?.[1] ?? name, away = (each) => distance(bare.toLowerCase(), each.toLowerCase());
+  const of = (id) => Math.min(away(id), bare.includes(":") || !NUMBER.test(name) ? Infinity : away(partsOf(id).place));
+  const known = [...VIEWS.map((each) => [away(each), each]), ...entries.map(({id}) => [of(id), id])];
   const near = known.sort((a, b) => a[0] - b[0]).slice(0, NEAREST).flatMap(([, id]) => [made("a", {href: `#${id}`, textContent: id}), " "]);
   one("#unknown").replaceChildren("There is no ", made("code", {textContent: name}), " in this audit; the nearest are ", ...near);
 }
