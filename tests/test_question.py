@@ -944,3 +944,9 @@ def test_a_limit_that_strikes_a_clean_up_is_told_again_and_nothing_is_dropped() 
 
     with pytest.raises(OutOfTime):
         struck()
+
+
+@pytest.mark.parametrize("behind", [r"f(x) g(x)", r"f(x)^2", r"a (x+1)"])
+def test_what_a_derivative_is_of_is_clear_for_one_value_alone(behind: str) -> None:
+    assert decide(rf"\frac{{d}}{{dx}} {behind} = 2").verdict == "unreadable"
+    assert decide(r"\frac{d}{dx} f(x) = 2 x", where="f(x) = x^2").verdict == "proved"
