@@ -308,7 +308,7 @@ def _of_power_series(asked: Asked) -> Answer | None:
             return None
         (problem,) = reading.problems
         latex, taken = _shown(reading.tree, reading.inference)
-        base = Answer(Status.UNDECIDED, latex, taken | {**found.told}, reason=UNSETTLED)
+        base = Answer(Status.UNDECIDED, latex, taken | {**found.told})
         if cases := power_series.by_coefficients(problem, found.of):
             answers = [decided_one(case) for case in cases]
             made = [made for verdict, made, _ in answers if made is not None and verdict is Verdict.PROVED]
@@ -325,8 +325,8 @@ def _of_power_series(asked: Asked) -> Answer | None:
                     return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
                 point = {x: str(n) for x, n in at.items()}
                 point |= {x: term(value) for x, value in one["point"]["values"].items()}
-                return replace(base, verdict=Status.REFUTED, reason="", counterexample=point, certificate=(one,))
-        return base
+                return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(one,))
+        return replace(base, reason=UNSETTLED)
     return None
 
 
