@@ -378,3 +378,12 @@ def test_what_fails_for_other_numbers_of_rows_than_of_columns_is_refuted(
     answer = decide(relation, given=given if "B" in relation else [given[0], *more])
     assert answer.verdict == verdict
     assert verdict != "refuted" or (answer.counterexample["m"], answer.counterexample["n"]) == ("2", "3")
+
+
+def test_a_projection_is_one_for_all_sizes_as_a_reading_with_a_row_for_a_matrix_is_none() -> None:
+    projection = r"P = A(A^T A)^{-1} A^T"
+    for relation in ("P^2 = P", "P^T = P", "P A = A"):
+        answer = decide(relation, where=projection)
+        assert answer.verdict == "proved"
+        assert all("matrices" in each for each in answer.certificate)
+    assert decide("P A = 2 A", where=projection).verdict == "refuted"

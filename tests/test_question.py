@@ -169,6 +169,26 @@ REFUTED |= {
     r"\sqrt[3]{x^3} = -x": "",
     r"\cos n\pi = 1 \quad \forall n \in \mathbb{Z}": "",
 }
+DENSITY = r"\frac{x^{a-1} (1-x)^{b-1} \Gamma(a+b)}{\Gamma(a) \Gamma(b)}"
+PROVED |= {  # what is undone, coefficients that no letter changes, a derivative of a value, factors before integrals
+    r"\tan(\arctan x) = x": "",
+    r"\tan\left(\arctan\frac{y}{x}\right) + 1 = \frac{x + y}{x}": "",
+    r"\int_0^1 \tan(\arctan x) dx = \frac{1}{2}": "",
+    r"\binom{n}{0} = 1": NATURAL,
+    r"\binom{n}{0} + \binom{n}{1} = n + 1": NATURAL,
+    r"\frac{d}{dx} \mathrm{Si}(x) = \frac{\sin x}{x}": "",
+    rf"\int_0^1 {DENSITY} dx = 1": "a > 0, b > 0",
+    rf"\int_0^1 x {DENSITY} dx = \frac{{a}}{{a + b}}": "a > 0, b > 0",
+}
+REFUTED |= {
+    r"\tan(\arctan x) = 2 x": "",
+    r"\tan\left(\arctan\frac{y}{x}\right) + 1 = \frac{x + y}{y}": "",
+    r"\binom{n}{0} = 2": NATURAL,
+    r"\binom{n}{0} + \binom{n}{1} = n": NATURAL,
+    r"\frac{d}{dx} \mathrm{Si}(x) = \frac{\cos x}{x}": "",
+    rf"\int_0^1 {DENSITY} dx = 2": "a > 0, b > 0",
+    rf"\int_0^1 x {DENSITY} dx = \frac{{b}}{{a + b}}": "a > 0, b > 0",
+}
 VECTORS = (r"u \in \mathbb{R}^3", r"v \in \mathbb{R}^3")
 PROVED |= {  # I beside what is transposed is the identity
     r"\det(I + u v^T) = 1 + v^T u": VECTORS,
@@ -924,3 +944,9 @@ def test_a_limit_that_strikes_a_clean_up_is_told_again_and_nothing_is_dropped() 
 
     with pytest.raises(OutOfTime):
         struck()
+
+
+@pytest.mark.parametrize("behind", [r"f(x) g(x)", r"f(x)^2", r"a (x+1)"])
+def test_what_a_derivative_is_of_is_clear_for_one_value_alone(behind: str) -> None:
+    assert decide(rf"\frac{{d}}{{dx}} {behind} = 2").verdict == "unreadable"
+    assert decide(r"\frac{d}{dx} f(x) = 2 x", where="f(x) = x^2").verdict == "proved"

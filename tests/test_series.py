@@ -20,6 +20,12 @@ ADDENDS = {  # each is a multiple of one in the table
     "alternating odd inverses": (-1) ** K / (2 * K + 1),
     "alternating inverse squares": (-1) ** K / K**2,
     "a logarithm": X**K / K,
+    "a logarithm with later places": (-1) ** K * X**K * (1 / (K + 2) - 5 / (K + 4)),
+    "an exponential from a later place on": X**K / sympy.gamma(K + 3),
+    "an inverse tangent": (-1) ** K * X ** (2 * K) / (2 * K + 1),
+    "an inverse tangent with a later place": (-1) ** K * X ** (2 * K) / (2 * K + 5),
+    "an inverse hyperbolic tangent": X ** (2 * K) / (2 * K + 1),
+    "a power of 1 - x": X**K * sympy.gamma(K + sympy.Rational(1, 3)) / sympy.gamma(K + 1),
     "a cosine": (-1) ** K * X ** (2 * K) / sympy.gamma(2 * K + 1),
     "a sine": (-1) ** K * X ** (2 * K + 1) / sympy.gamma(2 * K + 2),
     "a hyperbolic cosine": X ** (2 * K) / sympy.gamma(2 * K + 1),
@@ -29,12 +35,14 @@ ADDENDS = {  # each is a multiple of one in the table
 
 @pytest.mark.parametrize("name", ADDENDS)
 def test_a_series_in_the_table_has_its_value(name: str) -> None:
-    found = next(each for each in known(ADDENDS[name], K) if each.multiple != 0)
+    several = [each for each in known(ADDENDS[name], K) if each.multiple != 0]
+    assert several
     at = sympy.Rational(3, 7)
-    addend = sympy.lambdify(K, found.addend.subs(X, at), "mpmath")
-    total = mpmath.nsum(addend, [found.first, mpmath.inf])
-    value = to_sympy(found.value).subs(X, at).evalf(20)
-    assert abs(total - mpmath.mpf(str(value))) < 1e-10
+    for found in several:
+        addend = sympy.lambdify(K, found.addend.subs(X, at), "mpmath")
+        total = mpmath.nsum(addend, [found.first, mpmath.inf])
+        value = to_sympy(found.value).subs(X, at).evalf(20)
+        assert abs(total - mpmath.mpf(str(value))) < 1e-10
 
 
 DIVERGENT = {
@@ -48,6 +56,7 @@ DIVERGENT = {
     r"\sum_{k=0}^\infty (-1)^k = \frac{1}{2}": (),
     r"\sum_{k=1}^\infty \frac{1}{(k-3)(k-2)} = -\frac{1}{2}": (),  # two addends have no value
     r"\sum_{k=0}^\infty \frac{1}{k(k+1)} = 1": (),
+    r"\sum_{k=0}^\infty \frac{(-1)^k x^{2k+1}}{2k+1} = \arctan x": ("x > 1",),
 }
 
 
@@ -65,3 +74,18 @@ def test_a_geometric_series_converges_where_its_quotient_is_small(given: str) ->
 def test_a_certificate_is_about_values_and_addends() -> None:
     answer = decide(r"\sum_{k=0}^\infty k x^k = \frac{x}{(1-x)^2}", given="0 < x < 1")
     assert len(answer.certificate) == 3  # the value, the addend, and that x^2 < 1
+
+
+SLIPS = {
+    r"\sum_{k=0}^\infty \frac{(k+1) z^k}{k!} = (1+z) e^z": r"\frac{(k+2) z^k}{k!}",  # with no divisor that k makes zero
+    r"\sum_{k=0}^\infty \frac{(-1)^k z^{2k+1}}{2k+1} = \arctan z": r"\frac{(-1)^k z^{2k}}{2k+1}",
+    r"\sum_{k=0}^\infty \frac{z^k}{k+2} = -\frac{\ln(1-z)+z}{z^2}": r"\frac{z^k}{k+1}",
+    r"\sum_{k=1}^\infty \frac{z^k}{k(k+1)} = 1 + \frac{(1-z)\ln(1-z)}{z}": r"\frac{z^k}{k(k+2)}",
+}
+
+
+@pytest.mark.parametrize("relation", SLIPS)
+def test_a_series_is_known_wherever_it_begins_and_however_it_is_shifted(relation: str) -> None:
+    assert decide(relation, given="0 < z < 1").verdict == "proved"
+    addend = relation[len(r"\sum_{k=0}^\infty ") : relation.index(" = ")]
+    assert decide(relation.replace(addend, SLIPS[relation]), given="0 < z < 1").verdict == "refuted"

@@ -22,9 +22,10 @@ from symcheck.core.words import term
 from symcheck.proof import certificate, identity
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
+from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import indices, jets, series, special
+from symcheck.question import indices, jets, named, power_series, series, special
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant
@@ -40,12 +41,22 @@ from symcheck.question.doubts import (
     with_swapped_angles,
 )
 from symcheck.question.equations import EQUATION, relates
+from symcheck.question.factors import with_factors_outside
 from symcheck.question.fields import in_fields
 from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
+from symcheck.question.kronecker import SIGN, is_of_matrices, without_products
 from symcheck.question.limit import OutOfTime, limited
-from symcheck.question.matrices import OfAnySize, covers, false_gradients, oblong, of_any_size, open_matrices
+from symcheck.question.matrices import (
+    Contradiction,
+    OfAnySize,
+    covers,
+    false_gradients,
+    oblong,
+    of_any_size,
+    open_matrices,
+)
 from symcheck.question.measured import ONE, measured
 from symcheck.question.measured import checked as checked_units
 from symcheck.question.parts_of_turns import with_parts_of_turns
@@ -187,23 +198,27 @@ def answered(
     started = time.perf_counter()
     asked = None
     try:
-        declared = special.said((letters or {}).items())
-        plain_letters = tuple(
-            (x, phrase) for x, phrase in (letters or {}).items() if x.partition("_")[0] not in declared
-        )
+        by_others = named.said(letters or {})
+        others = [(x, phrase) for x, phrase in (letters or {}).items() if x not in by_others]
+        declared = special.said(others)
+        plain_letters = tuple((x, phrase) for x, phrase in others if x.partition("_")[0] not in declared)
         printed = Asked(relation, _several(where), tuple(apart(_several(given))), plain_letters)
         asked = plainly(printed)
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
         asked = with_scopes(asked)
+        if (of_named := _of_named(asked, by_others)) is not None:
+            return replace(of_named, seconds=time.perf_counter() - started)
+        if (of_powers := _of_power_series(asked)) is not None:
+            return replace(of_powers, seconds=time.perf_counter() - started)
         if (whole := with_whole_numbers(asked)) is not None:
             return replace(_of_whole_numbers(asked, whole), seconds=time.perf_counter() - started)
         with limited(TOTAL):
             of_fields = in_fields(asked, decided_one)
         if of_fields is not None:
             return replace(of_fields, seconds=time.perf_counter() - started)
-        if all_sizes and (general := _of_any_size(asked)):
+        if all_sizes and (general := _of_any_size(asked) or _of_kronecker(asked)):
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
@@ -285,6 +300,48 @@ def _of_whole_numbers(asked: Asked, found: Whole) -> Answer:
     return replace(answer, letters=answer.letters | told, counterexample=point, used=used)
 
 
+def _of_named(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
+    """The answer with what functions are in the places of their names; None where a letter may mean another one."""
+    if (found := named.written_out(asked, declared)) is None:
+        return None
+    one = found.asked
+    answer = answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
+    known = found.sure or answer.verdict is Status.PROVED
+    return replace(answer, letters=answer.letters | {**found.told}) if known else None
+
+
+def _of_power_series(asked: Asked) -> Answer | None:
+    """The answer about hypergeometric functions; None where there are none, or they have no such arguments."""
+    if (found := power_series.with_letters(asked)) is None:
+        return None
+    with suppress(SymcheckError, Understood, OutOfTime), limited(TOTAL):
+        (reading, *others) = readings(found.asked)
+        if others or len(reading.problems) != 1:
+            return None
+        (problem,) = reading.problems
+        latex, taken = _shown(reading.tree, reading.inference)
+        base = Answer(Status.UNDECIDED, latex, taken | {**found.told})
+        if cases := power_series.by_coefficients(problem, found.of):
+            answers = [decided_one(case) for case in cases]
+            made = [made for verdict, made, _ in answers if made is not None and verdict is Verdict.PROVED]
+            if len(made) == len(cases):
+                return _proved_in_cases(base, reading, cases, made)
+        if (sums := power_series.as_sums(problem, found.of)) is not None:
+            answer = _decided(replace(reading, problems=(sums,)), found.asked, wanted=False)
+            if answer.verdict is not Status.UNDECIDED:
+                return replace(answer, letters=answer.letters | {**found.told})
+        for at, there in power_series.terminated(problem, found.of):
+            verdict, one, _ = decided_one(there)
+            if one is not None and verdict is Verdict.REFUTED:
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                point = {x: str(n) for x, n in at.items()}
+                point |= {x: term(value) for x, value in one["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(one,))
+        return replace(base, reason=UNSETTLED)
+    return None
+
+
 def _refuted_with_floors(found: Whole) -> Answer | None:
     """The answer that it fails for some numbers, with the floors and ceilings that are there."""
     with suppress(SymcheckError, Understood, OutOfTime), limited(AT_NUMBERS):
@@ -360,6 +417,20 @@ def _of_any_size(asked: Asked) -> Answer | None:
     return None
 
 
+def _of_kronecker(asked: Asked) -> Answer | None:
+    """The answer that a relation of Kronecker products holds for matrices of all sizes, if there is a proof."""
+    if SIGN not in asked.relation:
+        return None
+    with suppress(SymcheckError, ValueError):
+        sensible = [reading for reading in unlowered(asked) if is_of_matrices(reading)]
+        (reading, *others) = _all_alike(sensible)
+        if others or (plain := without_products(reading)) is None or (found := _of_any_size(plain)) is None:
+            return None
+        latex, taken = _shown(reading.tree, reading.inference)
+        return replace(found, reading=latex, letters={x: what for x, what in found.letters.items() if x in taken})
+    return None
+
+
 def _false_gradient(asked: Asked) -> Answer | None:
     """The answer that a derivative by a matrix or vector is false for two rows and columns, in each layout."""
     with suppress(SymcheckError, OutOfTime), limited(LIMIT):
@@ -399,9 +470,10 @@ def _in_all_readings(asked: Asked) -> tuple[Reading, OfAnySize] | None:
     found = list[tuple[Reading, OfAnySize]]()
     for reading in unlowered(asked):
         if not any(covers(proved.inference, reading.inference) for proved, _ in found):
-            if (general := of_any_size(reading)) is None:
-                return None
-            found.append((reading, general))
+            with suppress(Contradiction):  # then it is no reading
+                if (general := of_any_size(reading)) is None:
+                    return None
+                found.append((reading, general))
     return found[0] if found else None
 
 
@@ -892,6 +964,7 @@ def _refuted_where_regular(reading: Reading, problem: Problem) -> tuple[Certific
 
 def decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:
     """The verdict with its certificate; if there is none, that with what differential equations say of functions."""
+    problem = with_factors_outside(problem)
     found = _decided_as_stated(problem)
     if found[1] is None and any(map(functions, (problem.claim, *(f for _, fs in problem.hypotheses for f in fs)))):
         with suppress(OutOfTime), limited(LIMIT):

@@ -88,7 +88,13 @@ class Stated:
 
 
 def of_any_size(reading: Reading) -> OfAnySize | None:
-    """The proof of a reading for matrices of all sizes, if there are matrices and a proof is found."""
+    """The proof of a reading for matrices of all sizes, if there are matrices and a proof is found.
+
+    Raises
+    ------
+    Contradiction
+        If no shapes fit the reading.
+    """
     told = any(letter.kind in MATRICES for letter in reading.inference.notation.letters)
     if not told and not any(isinstance(part, Call) and part.function in ("det", "tr") for part in nodes(reading.tree)):
         return None
@@ -97,6 +103,8 @@ def of_any_size(reading: Reading) -> OfAnySize | None:
             return _proved(reading, loose=loose)
         except Mismatch:
             continue
+        except Contradiction:
+            raise
         except (SymcheckError, Malformed, RecursionError):
             return None
     return None
@@ -119,6 +127,10 @@ def open_matrices(reading: Reading) -> list[str]:
 
 class Mismatch(NoForm):
     """Shapes that do not fit together."""
+
+
+class Contradiction(NoForm):
+    """A reading that no shapes fit: as what is said to be a matrix would have to be a row or a column."""
 
 
 def stated(reading: Reading) -> list[Stated]:
@@ -613,7 +625,7 @@ class Lowering:
         found = {x: self.shape(*shape) for x, shape in self.shapes.items()}
         for key, x in self.names.items():
             if isinstance(key, tuple) and 1 in found[x][: {"vector": 1, "matrix": 2}.get(self._kind(key), 0)]:
-                raise NoForm(f"{key[0]} would have one row or column")
+                raise Contradiction(f"{key[0]} would have one row or column")
         taken = {size for shape in (*found.values(), *self.declared.values()) for size in shape}
         free = iter([x for x in SIZE_NAMES if x not in taken])
         names: dict[Size, Size] = {}

@@ -171,7 +171,9 @@ def _gap(rest: Expr, k: Symbol) -> Expr:
     found = gosper_term(rest, k)
     if found is None:
         raise SymcheckError("it does not telescope")
-    gap = -sympy.factor(found) * rest
+    plain = [factor for factor in sympy.Mul.make_args(rest) if factor.is_rational_function(k)]
+    others = [factor for factor in sympy.Mul.make_args(rest) if factor not in plain]
+    gap = -sympy.factor(sympy.cancel(found * sympy.Mul(*plain))) * sympy.Mul(*others)
     if gap.is_rational_function(k):  # up to a constant, which makes no difference
         gap = sympy.factor(gap - sympy.limit(gap, k, sympy.oo))
     return gap
@@ -210,11 +212,52 @@ def known(addend: Expr, k: Symbol) -> Iterator[Known]:
             yield Known(_residue(bare, k, 1, sympy.Rational(-1, 2)) * 2, sign / (2 * k + 1), 0, node("/", PI, 4))
             yield Known(_residue(bare, k, 2), sign / k**2, 1, node("/", node("^", PI, 2), -12))
     elif not quotient.has(k):
-        bare = sympy.simplify(addend / quotient**k)
+        power = _geometric(quotient, k)
+        bare = sympy.simplify(addend / power)
         if bare.is_rational_function(k):
-            yield Known(
-                _residue(bare, k, 1), quotient**k / k, 1, node("-", node("log", from_sympy(1 - quotient))), quotient
-            )
+            multiple, logarithm = _residue(bare, k, 1, weight=quotient), node("log", from_sympy(1 - quotient))
+            for more in range(LARGEST):
+                own = power * quotient**more / (k + more)
+                yield Known(multiple, own, 1 - more, node("-", logarithm), quotient)
+            yield from _of_odd_powers(_residue(bare, k, 1, sympy.Rational(-1, 2), quotient) * 2, quotient, k)
+        else:
+            yield from _binomial(addend, step, quotient, k)
+
+
+def _of_odd_powers(multiple: Expr, quotient: Expr, k: Symbol) -> Iterator[Known]:
+    """Series of inverse tangents, if the quotient is a square or the contrary of one."""
+    import sympy
+
+    circular = quotient.could_extract_minus_sign()
+    root = sympy.sqrt(sympy.factor(-quotient if circular else quotient))
+    root = root.args[0] if isinstance(root, sympy.Abs) else root
+    if not root.is_number and any(each.exp.is_Rational and not each.exp.is_Integer for each in root.atoms(sympy.Pow)):
+        return  # it may have no value where the series has one
+    value = applied("arctan" if circular else "artanh", from_sympy(root))
+    assert value is not None
+    own = _geometric(quotient, k) / (2 * k + 1)
+    yield Known(multiple, own, 0, node("/", value, from_sympy(root)), quotient)
+
+
+def _geometric(quotient: Expr, k: Symbol) -> Expr:
+    """Its power, as print has it: (-1)^k x^(2 k)."""
+    if quotient.could_extract_minus_sign():
+        return (-1) ** k * _geometric(-quotient, k)
+    base, exponent = quotient.as_base_exp()
+    return base ** (exponent * k) if exponent.is_Integer and exponent > 0 else quotient**k
+
+
+def _binomial(addend: Expr, step: Expr, x: Expr, k: Symbol) -> Iterator[Known]:
+    """The series of (1 - x)^-a."""
+    import sympy
+
+    top, bottom = (sympy.Poly(each, k) for each in sympy.fraction(sympy.cancel(step / x)))
+    if top.degree() == bottom.degree() == 1 and sympy.expand(bottom.nth(0) / bottom.LC()) == 1:
+        a = sympy.cancel(top.nth(0) / top.LC())
+        own = sympy.gamma(a + k) / (sympy.gamma(a) * sympy.gamma(k + 1)) * x**k
+        multiple = sympy.gammasimp(sympy.simplify(addend / own))
+        if not multiple.has(k):
+            yield Known(multiple, own, 0, node("pow", from_sympy(1 - x), from_sympy(-a)), x)
 
 
 def _exponential(addend: Expr, step: Expr, k: Symbol) -> Iterator[Known]:
@@ -230,6 +273,11 @@ def _exponential(addend: Expr, step: Expr, k: Symbol) -> Iterator[Known]:
             for j in range(falling.degree() + 1):  # k (k - 1) ... (k - j + 1) x^k/k! makes x^j exp x
                 multiple += _falling(falling, k, j) * x**j
             yield Known(multiple, own, 0, node("exp", from_sympy(x)))
+        for more in range(1, LARGEST):  # the same from a later addend on
+            ahead = own.subs(k, k + more)
+            multiple = sympy.gammasimp(sympy.simplify(addend / ahead))
+            if not multiple.has(k):
+                yield Known(multiple, ahead, -more, node("exp", from_sympy(x)))
         return
     y = sympy.limit(step * k**2, k, sympy.oo) * 4
     if y == 0 or y.is_finite is False:
@@ -254,8 +302,11 @@ def _falling(poly: Expr, k: Symbol, j: int) -> Expr:
     return sympy.Add(*terms) / sympy.factorial(j)
 
 
-def _residue(expr: Expr, k: Symbol, power: int, at: Expr | int = 0) -> Expr:
-    """The sum of the coefficients of that power of 1/(k + j), for all whole j; `at` is where one of the poles is."""
+def _residue(expr: Expr, k: Symbol, power: int, at: Expr | int = 0, weight: Expr | int = 1) -> Expr:
+    """The sum of the coefficients of that power of 1/(k + j), for all whole j; `at` is where one of the poles is.
+
+    Each counts as often as the power of the weight by which it is away from there.
+    """
     import sympy
 
     total = sympy.Integer(0)
@@ -265,5 +316,5 @@ def _residue(expr: Expr, k: Symbol, power: int, at: Expr | int = 0) -> Expr:
         if len(roots) == 1:
             ((root, order),) = roots.items()
             if order == power and (root - at).is_integer and not top.has(k):
-                total += top / sympy.Poly(bottom, k).LC()
+                total += top / sympy.Poly(bottom, k).LC() * sympy.sympify(weight) ** (root - at)
     return total

@@ -939,8 +939,12 @@ class Lowering:
             return node("/", first, node("*", *others))
         if isinstance(top, int) and top >= 0:
             return comb(top, bottom)
+        if bottom == 0:  # whatever the letters above are
+            for name in letters(top):
+                self.met.pop(name, None)
+            return 1
         factors = [node("+", top, node("-", k)) if k else top for k in range(bottom)]
-        return node("/", node("*", *factors), factorial(bottom)) if factors else 1
+        return node("/", node("*", *factors), factorial(bottom))
 
     def of_factorial(self, tree: Factorial, env: Env) -> Value:
         value = self.scalar(tree.value, env)

@@ -85,7 +85,7 @@ from symcheck.reading.tree import (
 )
 from symcheck.reading.tree import nodes as walked  # where a rule of the grammar calls its own parts nodes
 
-OF_MATRICES = ("det", "tr", "log", "exp")  # functions of which one letter without brackets is the argument
+OF_MATRICES = ("det", "tr", "vec", "log", "exp")  # functions of which one letter without brackets is the argument
 _INDICES = re.compile(r"(?<![A-Za-z\\])[a-z](?![A-Za-z])")  # below the sign of a sum
 LOGARITHMS = frozenset({"log", "ln", "lg", "lb"})
 REACHING = ("integral", "antiderivative", "over", "sum", "under")  # to the end of a product
@@ -933,6 +933,12 @@ class Builder:
         if not _MATRIX_OF.search(self.source):
             raise self.fail(item.at, f"the derivative of {to_latex(behind)}, or times it? write \\cdot")
 
+    def is_value(self, items: list[Item], k: int) -> bool:
+        """Is what stands from here on a function letter with its arguments, and nothing else?"""
+        if len(items) != k + 2 or items[k].kind != "atom" or items[k + 1].kind != "group":
+            return False
+        return isinstance(self.applied(items, k)[0], Call)
+
     def has_function(self, tree: Tree) -> bool:
         """Does a function stand here without its arguments?"""
         calls = [node for node in nodes(tree) if isinstance(node, Call) and not node.arguments]
@@ -989,6 +995,7 @@ class Builder:
             if not alone and k + 1 < len(items) and items[k + 1].kind == "function":
                 alone = self.call(items, k + 1)[1] == len(items)
             alone = alone or (k + 1 < len(items) and items[k + 1].kind in REACHING)
+            alone = alone or self.is_value(items, k + 1)
             if not alone:
                 raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
             body, variables, partial = self.plain(items[k + 1 :]), item.variables, item.partial
