@@ -16,7 +16,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES, known
 from symcheck.reading.faces import face
-from symcheck.reading.lexer import SIZES, SPACES
+from symcheck.reading.lexer import CLOSE, OPEN, SIZES, SPACES
 from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
@@ -637,6 +637,7 @@ def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]"), (r"\{", r"\}")}
     bracketed = bracketed and not ("^" in inside or {"_", "+"} <= {*inside})  # that is a power
+    bracketed = bracketed and _encloses(inside)
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
         return True
     if [*inside] == ["i", "g"]:  # of an ideal gas
@@ -647,6 +648,12 @@ def _is_label(inside: Sequence[str]) -> bool:
         return True  # of one point or frame to another
     word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
     return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
+
+
+def _encloses(inside: Sequence[str]) -> bool:
+    """Does the bracket that opens first close last: `(n - 1)`, and no `(n - j) / (n + j)`?"""
+    depths = itertools.accumulate((text in OPEN) - (text in CLOSE) for text in inside[:-1])
+    return all(depth > 0 for depth in depths)
 
 
 def _is_word(inside: Sequence[str]) -> bool:

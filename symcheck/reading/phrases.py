@@ -229,7 +229,7 @@ def phrased(text: str) -> str:
     for inside, layout, change in _SPELLINGS:
         if inside in text:
             text = layout.sub(change, text)
-    text = _STOP.sub("", text)
+    text = _STOP.sub(lambda found: next((sign for sign in found[0] if sign in ",;"), ""), text)
     for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
     if _SPACE in text:

@@ -69,6 +69,7 @@ _OWN_PRODUCT = re.compile(
 )
 _FACTORS_FIRST = frozenset("gkmd")  # gravity, springs, masses, differentials
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
+_CAPITAL_FIRST = re.compile(r"[A-Z][a-z]")  # as in `Tc`
 # a number before a matrix
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
 
@@ -98,6 +99,8 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         found |= dict.fromkeys(run, _told(run))
     for run in several:
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
+        if not alone and _CAPITAL_FIRST.fullmatch(run) and _is_numbered(run[1], texts):
+            alone = {run[1]}
         sequence = alone == {run[-1]} and runs[run] > 1 and _stands_before(r"\[", run, texts)
         doubled = run in _DOUBLED and all(_stands_before("[_,]", each, texts) for each in (run, run[0]))
         if sequence or doubled:
@@ -123,6 +126,13 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         ):
             found |= dict.fromkeys(alone or run, _told(run))
     return found
+
+
+def _is_numbered(letter: str, texts: Sequence[str]) -> bool:
+    """Has a letter a number below wherever it stands alone, as a coefficient has, and no letter like it has none?"""
+    printed = rf"(?<![A-Za-z\\])(?<![A-Za-z] ){letter}(?! [A-Za-z])(,?)"
+    places = [found[1] for text in texts for found in re.finditer(printed, text)]
+    return bool(places) and all(places)
 
 
 def _told(run: str) -> str:

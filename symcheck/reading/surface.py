@@ -143,7 +143,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     return phrased(_printed(_made_plain(parts)))
 
 
-_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{[^{}]*\})|'|\([A-Za-z, ]*\))*"
+_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{(?:[^{}]|\{[^{}]*\})*\})|'|\([A-Za-z, ]*\))*"
 # a line of the source that begins with what is equal to something
 _DEFINES = re.compile(
     rf"&?\s*(?:\\(?!frac|sqrt|left)[A-Za-z]+(?:\{{[^{{}}]*\}})?|[A-Za-z]|\\frac\s*\{{\s*(?:d|\\partial)(?![A-Za-z])[^{{}}]*\}}"
