@@ -272,6 +272,12 @@ _EXPECTED = re.compile(
 )
 
 
+# two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
+_DOTTED_PAIR = re.compile(
+    r"\( (?:\\[,;:!] )*(\\?[A-Za-z]+) _ (?:[a-z]|\{ [a-z] \}) \\cdot \1 _ (?:[a-z]|\{ [a-z] \}) (?:\\right )?\)"
+)
+
+
 def _doubted(text: str) -> Iterator[tuple[str, str]]:
     """The letters of one formula of which its print leaves open what they are, each with what is open."""
     if text.startswith(r"\mathbf") and (bold := _BOLD_NAME.match(text)):
@@ -312,6 +318,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
                 base for base in over if base in _NO_VARIABLES or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
         yield from ((base, f"a power, or an index? say what {run} is above it") for base in over)
+    if r"\cdot" in text:
+        yield from ((letter, "numbers, or vectors? say what they are") for letter in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"
