@@ -18,6 +18,12 @@ _NEXT = re.compile(rf"{_SIDE}(?:\{{ )?({_BASE}{_BELOW})(?: \}})? \^ \{{ ([a-z]) 
 # what is given by an equation, or its logarithm
 _GIVEN = re.compile(rf"{_SIDE}(?:\\(?:ln|log) (?:\( )?)?(\\[a-z]+|[A-Za-z]) (?:\) )?{_REST}")
 
+# what is summed over a letter from 1 to another one
+_SUMMED = re.compile(
+    r"\\(?:sum|prod) _ \{ ([a-z]) = 1 \} \^ (?:[A-Za-z]|\{ [A-Za-z] \}) ((?:(?!\\\\|\\q?quad| = |\\sum|\\prod).)*)"
+)
+_SEVERAL = 2  # letters with the same one above, of which no powers are multiplied
+
 
 def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
     """The letters of a formula, whose tokens stand apart, that have such a letter above, each with that letter."""
@@ -26,6 +32,11 @@ def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
         before = re.search(rf"(?<![A-Za-z\\]){re.escape(base)}(?: \}})? {above.pattern}", rest)
         if before and not re.search(rf"(?<![A-Za-z\\]){step}(?![A-Za-z])", above.sub("", rest)):
             yield base, step
+    for run, rest in _SUMMED.findall(text):
+        above = re.compile(rf"({_BASE}) _ (?:\w|\\[a-z]+|\{{(?:[^{{}}]|\{{[^{{}}]*\}})*\}}) \^ (?:{run}(?![A-Za-z])|\{{ {run} \}})")
+        raised = {*above.findall(rest)}
+        if len(raised) >= _SEVERAL and not re.search(rf"(?<![A-Za-z\\]){run}(?![A-Za-z])", above.sub("", rest)):
+            yield from ((base, run) for base in sorted(raised))
     for given, rest in _GIVEN.findall(text):
         above = re.compile(rf"({_BASE}){_BELOW} \^ (?:{re.escape(given)}(?![A-Za-z])|\{{ {re.escape(given)} \}})")
         raised = above.findall(rest)
