@@ -175,8 +175,11 @@ def _holds_form(place: Occurrence) -> bool:
 
 def _raises(place: Occurrence) -> bool:
     """Does one letter stand in brackets with a power behind it?"""
-    return place.powered and place.superscript is None and len(place.arguments or ()) == 1 and is_letter(
-        (place.arguments or ("",))[0]
+    return (
+        place.powered
+        and place.superscript is None
+        and len(place.arguments or ()) == 1
+        and is_letter((place.arguments or ("",))[0])
     )
 
 

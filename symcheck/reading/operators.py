@@ -47,12 +47,13 @@ _BY_TIME = re.compile(
 # differences at places or times, of which an operator before a letter may be made: `D u_j = u_{j + 1} - u_j`
 _AT = r"(?:_ \w|_ \{ \w \}|(?:\\left )?\[ \w (?:\\right )?\])"
 _DIFFERENCE = re.compile(
-    rf"(?:^|& |quad |\\\\ )((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}}){_BELOW}) ({_SYMBOL}) ({_AT}) (?:& )?= ((?:(?!\\\\|\\q?quad|=).)*)"
+    rf"(?:^|& |quad |\\\\ )((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}}){_BELOW}) ({_SYMBOL}) {_AT} (?:& )?= "
+    r"((?:(?!\\\\|\\q?quad|=).)*)"
 )
-_SHIFTED = re.compile(r"[_[] (?:\{ )?\w [-+] ")
+_SHIFTED = r"[_[] (?:\{ )?\w [-+] "
 # a fraction of two sums with one letter, which a group maps to it: `g z = (a z + b)/(c z + d)`
 _MAPPED = re.compile(
-    rf"(?:^|[=&] |quad |\\\\ )([A-Za-z]|\\[a-z]+) ([a-z]|\\tau) (?:& )?= (?:& )?"
+    r"(?:^|[=&] |quad |\\\\ )([A-Za-z]|\\[a-z]+) ([a-z]|\\tau) (?:& )?= (?:& )?"
     r"\\d?frac \{ (?=[^{}=]*[-+])[^{}=]*(?<![A-Za-z\\])\2(?![A-Za-z])[^{}=]*\} "
     r"\{ (?=[^{}=]*[-+])[^{}=]*(?<![A-Za-z\\])\2(?![A-Za-z])[^{}=]*\}"
 )
@@ -74,9 +75,9 @@ def operators(text: str) -> Iterator[tuple[str, str]]:
                 yield letter, _OPERATOR
         yield from ((letter, _OPERATOR) for letter, _ in _OF_DERIVATIVES.findall(text))
         yield from ((letter, _OPERATOR) for letter, _ in _MAPPED.findall(text))
-        for letter, of, _, rest in _DIFFERENCE.findall(text):
-            shifts = [at for at in re.findall(rf"(?<![A-Za-z\\]){re.escape(of)} (?:\\left )?(?=([_[] \S+(?: \S+){{3}}))", rest)]
-            if len(shifts) > 1 and any(map(_SHIFTED.match, shifts)) and letter not in rest:
+        for letter, of, rest in _DIFFERENCE.findall(text):
+            places = rf"(?<![A-Za-z\\]){re.escape(of)} (?:\\left )?(?=[_[])"
+            if len(re.findall(places, rest)) > 1 and re.search(places + _SHIFTED, rest) and letter not in rest:
                 yield letter, _OPERATOR
     if "D " in text:
         yield from ((letter or other, _OPERATOR) for letter, other in _UPRIGHT.findall(text))

@@ -33,12 +33,14 @@ def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
         if before and not re.search(rf"(?<![A-Za-z\\]){step}(?![A-Za-z])", above.sub("", rest)):
             yield base, step
     for run, rest in _SUMMED.findall(text):
-        above = re.compile(rf"({_BASE}) _ (?:\w|\\[a-z]+|\{{(?:[^{{}}]|\{{[^{{}}]*\}})*\}}) \^ (?:{run}(?![A-Za-z])|\{{ {run} \}})")
+        above = re.compile(
+            rf"({_BASE}) _ (?:\w|\\[a-z]+|\{{(?:[^{{}}]|\{{[^{{}}]*\}})*\}}) \^ (?:{run}(?![A-Za-z])|\{{ {run} \}})"
+        )
         raised = {*above.findall(rest)}
         if len(raised) >= _SEVERAL and not re.search(rf"(?<![A-Za-z\\]){run}(?![A-Za-z])", above.sub("", rest)):
             yield from ((base, run) for base in sorted(raised))
     for given, rest in _GIVEN.findall(text):
         above = re.compile(rf"({_BASE}){_BELOW} \^ (?:{re.escape(given)}(?![A-Za-z])|\{{ {re.escape(given)} \}})")
-        raised = above.findall(rest)
-        if raised and not re.search(rf"(?<![A-Za-z\\]){re.escape(given)}(?![A-Za-z])", above.sub("", rest)):
-            yield from ((base, given) for base in raised if base not in ("e", r"\text { e }"))
+        found = above.findall(rest)
+        if found and not re.search(rf"(?<![A-Za-z\\]){re.escape(given)}(?![A-Za-z])", above.sub("", rest)):
+            yield from ((base, given) for base in found if base not in ("e", r"\text { e }"))

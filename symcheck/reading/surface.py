@@ -129,7 +129,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         )
     if _INTEGER_PART.search(source):
         raise SymcheckError(
-            "a quotient in square brackets: its integer part, or idle brackets? write \\lfloor and \\rfloor, or leave them out"
+            "a quotient in square brackets: its integer part, or idle brackets? write \\lfloor and \\rfloor, or none"
         )
     if any(_WIDE.search(rows) for rows in _CELLS.findall(source) if "&" not in rows):
         raise SymcheckError("a wide space before a sign in a matrix: another entry, or the same one? write &")
