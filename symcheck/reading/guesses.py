@@ -407,7 +407,7 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     small = of.spelling[:1] == "\\" and of.spelling[1:2].islower() and of.spelling != r"\zeta"
     coefficient = factor and small  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
-    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
+    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_", "J_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if product is not matrix and not typical and _is_hardly_factor(of):
         product = in_doubt(product, FACTOR)

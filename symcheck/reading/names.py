@@ -163,6 +163,8 @@ def _is_of_letters(place: Occurrence) -> bool:
 
 
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
+# a power with two indices of which the second one is typed too high: `x^{b_i, j}`
+_INDEXED_POWER = re.compile(r"([a-z]) _ (?:\{ )?[a-z](?: \})? , [a-z]")
 # a number of combinations, or a power
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
@@ -234,6 +236,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return STANDARD
     if inside in (["0"], ["1"]) and not any((of.word, power) in told.raised for power in "23n"):
         return ""  # nobody prints these powers but in a series of them
+    if found := _INDEXED_POWER.fullmatch(" ".join(inside)):
+        return POWER_OR_LABEL.format(found[1])
     bracketed = inside[0] == "(" and _is_label(inside)
     powers = [text for text in inside if (of.word, text) in told.raised] if bracketed else []
     if powers:
