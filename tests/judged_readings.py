@@ -89,7 +89,10 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "astro-informatics/s2fft": "MIT",
     "astroML/astroML": "BSD-2-Clause",
     "astropy/astropy": "BSD-3-Clause",
+    "astropy/ccdproc": "BSD-3-Clause",
     "astropy/halotools": "BSD-3-Clause",
+    "astropy/photutils": "BSD-3-Clause",
+    "astropy/reproject": "BSD-3-Clause",
     "atcollab/at": "Apache-2.0",
     "awslabs/gluonts": "Apache-2.0",
     "bashtage/arch": "NCSA",
@@ -157,6 +160,8 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "exoplanet-dev/celerite2": "MIT",
     "exoplanet-dev/exoplanet": "MIT",
     "exoplanet-dev/jaxoplanet": "MIT",
+    "experimental-design/bofire": "BSD-3-Clause",
+    "facebook/Ax": "MIT",
     "fairlearn/fairlearn": "MIT",
     "fatiando/boule": "BSD-3-Clause",
     "fatiando/harmonica": "BSD-3-Clause",
@@ -172,6 +177,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "giotto-ai/giotto-tda": "AGPL-3.0",
     "glotzerlab/freud": "BSD-3-Clause",
     "google-deepmind/optax": "Apache-2.0",
+    "google/flax": "Apache-2.0",
     "google/jaxopt": "Apache-2.0",
     "gplepage/vegas": "GPL-3.0-or-later",
     "graspologic-org/graspologic": "MIT",
@@ -292,6 +298,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "pykeen/pykeen": "MIT",
     "pymc-devs/pymc": "Apache-2.0",
     "pymc-devs/pymc-experimental": "Apache-2.0",
+    "pymc-devs/pymc-extras": "Apache-2.0",
     "pymc-devs/pytensor": "BSD-3-Clause",
     "pymc-labs/CausalPy": "Apache-2.0",
     "pymc-labs/pymc-marketing": "Apache-2.0",
@@ -320,12 +327,15 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "pyxem/orix": "GPL-3.0",
     "pzivich/zepid": "MIT",
     "qiboteam/qibo": "Apache-2.0",
+    "qiskit-community/qiskit-dynamics": "Apache-2.0",
+    "qiskit-community/qiskit-finance": "Apache-2.0",
     "qpsolvers/qpsolvers": "LGPL-3.0",
     "qpv-research-group/solcore5": "LGPL-3.0",
     "quantumlib/Cirq": "Apache-2.0",
     "quantumlib/OpenFermion": "Apache-2.0",
     "qucontrol/krotov": "BSD-3-Clause",
     "qutip/qutip": "BSD-3-Clause",
+    "radio-astro-tools/spectral-cube": "BSD-3-Clause",
     "radis/radis": "LGPL-3.0",
     "raphaelvallat/antropy": "BSD-3-Clause",
     "raphaelvallat/pingouin": "GPL-3.0",
@@ -400,6 +410,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "zerothi/sisl": "MPL-2.0",
     "zfit/zfit": "BSD-3-Clause",
     "zfit/zfit-physics": "BSD-3-Clause",
+    "ziatdinovmax/gpax": "MIT",
     "zwicker-group/py-pde": "MIT",
 }
 
@@ -37904,6 +37915,476 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(F; k), Integral(Mul(Call(f; x), Pow(e; Neg(Mul(2, \\pi, i, x, k)))); x; Neg(Infinity()); Infinity()); =)",
         "sympy/sympy/sympy/integrals/transforms.py",
     ),
+    (
+        "\\mathrm{ellipticity} = \\frac{a - b}{a} = 1 - \\frac{b}{a}",
+        "Chain(\\text{ellipticity}, Div(Add(a, Neg(b)); a), Add(1, Neg(Div(b; a))); =, =)",
+        "astropy/photutils/photutils/segmentation/catalog.py",
+    ),
+    (
+        "\\eta = \\eta_{\\rm initial} * \\exp{(-i/t_{\\eta})}",
+        "Chain(\\eta, Operated(*; \\eta_{initial}; Call(exp; Neg(Div(i; t_\\eta)))); =)",
+        "astropy/reproject/reproject/mosaicking/background.py",
+    ),
+    (
+        "A = 2, B = 50",
+        "System(Chain(A, 2; =), Chain(B, 50; =))",
+        "lululxvi/deepxde/docs/demos/pinn_forward/poisson.1d.multiscaleFourier.rst",
+    ),
+    (
+        "u_{ij} = \\left(g * p_{ij} + \\sigma_{rn}^2\\right)^{\\frac{1}{2}},",
+        "Chain(u_{ij}, Pow(Add(Operated(*; g; p_{ij}), Pow(\\sigma_{rn}; 2)); Div(1; 2)); =)",
+        "astropy/ccdproc/docs/reduction_toolbox.rst",
+    ),
+    (
+        "\\begin{align}\ny_t &= l_{t-1} + b_{t-1} + \\epsilon_t \\\\\nl_t &= l_{t-1} + b_{t-1} + \\alpha \\epsilon_t \\\\\nb_t &= b_{t-1} + \\alpha \\beta^\\star \\epsilon_t\n\\end{align}",
+        "System(Chain(y_t, Add(l_{t-1}, b_{t-1}, \\epsilon_t); =), Chain(l_t, Add(l_{t-1}, b_{t-1}, Mul(\\alpha, \\epsilon_t)); =), Chain(b_t, Add(b_{t-1}, Mul(\\alpha, \\beta ^ { \\star }, \\epsilon_t)); =))",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/ETS.py",
+    ),
+    (
+        "d_{dtw}(\\mathbf{x}, \\mathbf{y}) =D_{P*}(\\mathbf{x},\\mathbf{y}, M).",
+        "Chain(Call(d_{dtw}; \\mathbf{x}, \\mathbf{y}), Call(D_{P*}; \\mathbf{x}, \\mathbf{y}, M); =)",
+        "aeon-toolkit/aeon/aeon/distances/elastic/_dtw.py",
+    ),
+    (
+        "\\rm{FWHM}_{x} = 2 \\sigma_{x} \\sqrt{2 \\ln{2}}",
+        "Chain(\\text{FWHM}_x, Mul(2, \\sigma_x, Sqrt(Mul(2, Call(ln; 2)))); =)",
+        "astropy/photutils/photutils/psf/functional_models.py",
+    ),
+    (
+        "\\mathbb{P}(X = x) = \\frac{\\Sigma^{-1}}{\\sqrt{2\\pi}} e^{-\\frac{(x - \\mu)^2}{\\Sigma}}",
+        "Chain(Call(\\mathbb{P}; Chain(X, x; =)), Mul(Div(Pow(\\Sigma; Neg(1)); Sqrt(Mul(2, \\pi))), Pow(e; Neg(Div(Pow(Add(x, Neg(\\mu)); 2); \\Sigma)))); =)",
+        "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/normal.py",
+    ),
+    (
+        "\\begin{align}\n  y_k =& 0.7213y_{k-1}-0.5692y_{k-2}+0.1139y_{k-3} -0.1691y_{k-4}\n\\end{align}\n\\tag{2.13}",
+        "Chain(y_k, Add(Mul(0.7213, y_{k-1}), Neg(Mul(0.5692, y_{k-2})), Mul(0.1139, y_{k-3}), Neg(Mul(0.1691, y_{k-4}))); =)",
+        "wilsonrljr/sysidentpy/docs/en/book/2-NARMAX-Model-Representation.md",
+    ),
+    (
+        "R = \\begin{cases}\nT / S & \\text{if } |S| > \\lambda \\cdot \\max(|S|) \\\\\n0     & \\text{otherwise}\n\\end{cases}",
+        "Chain(R, Piecewise(Div(T; S), Chain(Bars(S), Mul(\\lambda, Call(max; Bars(S))); >), 0, None); =)",
+        "astropy/photutils/docs/user_guide/psf_matching.rst",
+    ),
+    (
+        "\\sigma_{xx} = (\\lambda + 2\\mu)\\epsilon_{xx} + \\lambda\\epsilon_{yy}, \\quad\n\\sigma_{yy} = (\\lambda + 2\\mu)\\epsilon_{yy} + \\lambda\\epsilon_{xx}, \\quad\n\\sigma_{xy} =  2\\mu\\epsilon_{xy},",
+        "System(Chain(\\sigma_{xx}, Add(Mul(Add(\\lambda, Mul(2, \\mu)), \\epsilon_{xx}), Mul(\\lambda, \\epsilon_{yy})); =), Chain(\\sigma_{yy}, Add(Mul(Add(\\lambda, Mul(2, \\mu)), \\epsilon_{yy}), Mul(\\lambda, \\epsilon_{xx})); =), Chain(\\sigma_{xy}, Mul(2, \\mu, \\epsilon_{xy}); =))",
+        "lululxvi/deepxde/docs/demos/pinn_forward/elasticity.plate.rst",
+    ),
+    (
+        "u(x, 0) = x^2\\cos(\\pi x)",
+        "Chain(Call(u; x, 0), Mul(Pow(x; 2), Call(cos; Mul(\\pi, x))); =)",
+        "lululxvi/deepxde/docs/demos/pinn_forward/allen.cahn.rst",
+    ),
+    (
+        "H(t) = H_0 + \\sum_i s_i(t) H_i,",
+        "Chain(Call(H; t), Add(H_0, BigSum(i; Mul(Call(s_i; t), H_i))); =)",
+        "qiskit-community/qiskit-dynamics/qiskit_dynamics/solvers/solver_classes.py",
+    ),
+    (
+        "\\omega_{syn} = n_2 - n_1",
+        "Chain(\\omega_{syn}, Add(n_2, Neg(n_1)); =)",
+        "shadden/celmech/celmech/numerical_resonance_models.py",
+    ),
+    (
+        "\\log(X) \\sim \\mathcal{N}(\\mu, \\sigma^2)",
+        "Chain(Call(log; X), Call(\\mathcal{N}; \\mu, Pow(\\sigma; 2)); \\sim)",
+        "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/lognormal.py",
+    ),
+    (
+        "M_1 = \\frac{\\int I l dl}{M_0}",
+        "Chain(M_1, Div(Antiderivative(Mul(I, l); l); M_0); =)",
+        "radio-astro-tools/spectral-cube/spectral_cube/dask_spectral_cube.py",
+    ),
+    (
+        "\\vec{r} = A \\vec{x} + \\vec{b}.",
+        "Chain(\\vec{r}, Add(Mul(A, \\vec{x}), \\vec{b}); =)",
+        "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/payoff_functions/fixed_income_pricing_objective.py",
+    ),
+    (
+        "u(x,y)= \\sin(k_0 x)\\sin(k_0 y)",
+        "Chain(Call(u; x, y), Mul(Call(sin; Mul(k_0, x)), Call(sin; Mul(k_0, y))); =)",
+        "lululxvi/deepxde/docs/demos/pinn_forward/helmholtz.2d.dirichlet.rst",
+    ),
+    (
+        "p(\\theta) = \\prod_{k=1}^K \\mathcal{N}(\\mu_{k} \\mid \\mu_0, \\Sigma_0) \\mathrm{Ga}(\\sigma_{k}^2 \\mid \\alpha_0, \\beta_0)",
+        "Chain(Call(p; \\theta), BigProduct(k; 1; K; Mul(Call(\\mathcal{N}; Given(\\mu_k; \\mu_0, \\Sigma_0; |)), Call(\\text{Ga}; Given(Pow(\\sigma_k; 2); \\alpha_0, \\beta_0; |)))); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/gaussian_hmm.py",
+    ),
+    (
+        "p(\\theta) = \\prod_{k=1}^K \\prod_{n=1}^N \\mathrm{Ga}(\\theta_{k,n}; \\gamma_0, \\gamma_1)",
+        "Chain(Call(p; \\theta), BigProduct(k; 1; K; BigProduct(n; 1; N; Call(\\text{Ga}; Given(\\theta_{kn}; \\gamma_0, \\gamma_1; ;)))); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/poisson_hmm.py",
+    ),
+    (
+        "\\begin{align}\n& \\nabla_\\theta L = S^T \\mathop{\\mathrm{diag}}(\\omega) \\, (S \\, \\theta - u^*) = 0 \\\\\n\\Leftrightarrow \\quad & S^T \\mathop{\\mathrm{diag}}(\\omega) \\, S \\; \\theta = S^T \\mathop{\\mathrm{diag}}(\\omega) \\, u^*.\n\\end{align}",
+        "Iff(Chain(Call(grad_\\theta; L), Mul(Transpose(S), Diag(\\omega), Add(Mul(S, \\theta), Neg(u ^ { * }))), 0; =, =); Chain(Mul(Transpose(S), Diag(\\omega), S, \\theta), Mul(Transpose(S), Diag(\\omega), u ^ { * }); =))",
+        "NVIDIA/torch-harmonics/notebooks/gradient_analysis.ipynb",
+    ),
+    (
+        "\\dot{y}(t) = G(t)y(t),",
+        "Chain(Call(\\dot{y}; t), Mul(Call(G; t), Call(y; t)); =)",
+        "qiskit-community/qiskit-dynamics/qiskit_dynamics/solvers/__init__.py",
+    ),
+    (
+        "\\phi_\\mathrm{GR} = \\frac{3G^2M_*^2}{c^2a^2\\sqrt{1-e^2}}",
+        "Chain(\\phi_{GR}, Div(Mul(3, Pow(G; 2), Pow(M_*; 2)); Mul(Pow(c; 2), Pow(a; 2), Sqrt(Add(1, Neg(Pow(e; 2)))))); =)",
+        "shadden/celmech/celmech/poincare.py",
+    ),
+    (
+        "d_k < \\text{threshold} \\quad\n\\forall\\, k \\in \\{N - \\text{n\\_consecutive} + 1, \\dots, N\\} .",
+        "System(Chain(d_k, \\text{threshold}; <), Forall(Chain(k, Tuple(Add(N, Neg(\\text{n\\_consecutive}), 1), Dots(), N; {}); \\in)))",
+        "experimental-design/bofire/bofire/data_models/strategies/convergence_criteria/proposal_deviation.py",
+    ),
+    (
+        "f(phi) = y0 + a1*\\sin(phi) + b1*\\cos(phi) + a2*\\sin(2*phi) +\nb2*\\cos(2*phi)",
+        "Chain(Call(f; \\phi), Add(\\text{y0}, Mul(\\text{a1}, Call(sin; \\phi)), Mul(\\text{b1}, Call(cos; \\phi)), Mul(\\text{a2}, Call(sin; Mul(2, \\phi))), Mul(\\text{b2}, Call(cos; Mul(2, \\phi)))); =)",
+        "astropy/photutils/photutils/isophote/harmonics.py",
+    ),
+    (
+        "f(\\mathbf{x})=-\\sum_{i=1}^4 \\alpha_i \\exp \\left(-\\sum_{j=1}^6 A_{i j}\\left(x_j-P_{i j}\\right)^2\\right)",
+        "Chain(Call(f; \\mathbf{x}), Neg(BigSum(i; 1; 4; Mul(\\alpha_i, Call(exp; Neg(BigSum(j; 1; 6; Mul(A_{ij}, Pow(Add(x_j, Neg(P_{ij})); 2)))))))); =)",
+        "facebook/Ax/tutorials/getting_started/getting_started.ipynb",
+    ),
+    (
+        "b_N - b_{N - \\text{n\\_lookback}} < \\text{min\\_improvement}.",
+        "Chain(Add(b_N, Neg(b_{N-n\\_lookback})), \\text{min\\_improvement}; <)",
+        "experimental-design/bofire/bofire/data_models/strategies/convergence_criteria/objective_improvement.py",
+    ),
+    (
+        "u(-1) = 0, \\quad u(1) = 0",
+        "System(Chain(Call(u; Neg(1)), 0; =), Chain(Call(u; 1), 0; =))",
+        "lululxvi/deepxde/docs/demos/pinn_inverse/elliptic.inverse.field.rst",
+    ),
+    (
+        "\\epsilon =  1  -  \\frac{b}{a}",
+        "Chain(\\epsilon, Add(1, Neg(Div(b; a))); =)",
+        "astropy/photutils/docs/user_guide/isophote_faq.rst",
+    ),
+    (
+        "\\mathcal{L}(W,b)\\rightarrow\\frac{1}{k}\\sum_{i=1}^{k} \\frac{1}{2}\\|y_i-f_{W,b}(x_i)\\|^2_2",
+        "Chain(Call(\\mathcal{L}; W, b), Mul(Div(1; k), BigSum(i; 1; k; Mul(Div(1; 2), Pow(Marked(Norm(Add(y_i, Neg(Call(f_{W,b}; x_i)))); _{ 2 }); 2)))); \\rightarrow)",
+        "google/flax/docs/guides/flax_fundamentals/flax_basics.ipynb",
+    ),
+    (
+        "p(y_t \\mid z_t, \\theta) = \\prod_{n=1}^N \\mathrm{Mult}(y_{tn} \\mid R, \\theta_{z_t,n})",
+        "Chain(Call(p; Given(y_t; z_t, \\theta; |)), BigProduct(n; 1; N; Call(\\text{Mult}; Given(y_{tn}; R, \\theta_{z_t,n}; |))); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/multinomial_hmm.py",
+    ),
+    (
+        "y_t = \\beta_t^T x_t + \\epsilon_t",
+        "Chain(y_t, Add(Mul(Transpose(\\beta_t), x_t), \\epsilon_t); =)",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/structural/components/regression.py",
+    ),
+    (
+        "H(t) = H_d + \\sum_j s_j(t) H_j,",
+        "Chain(Call(H; t), Add(H_d, BigSum(j; Mul(Call(s_j; t), H_j))); =)",
+        "qiskit-community/qiskit-dynamics/qiskit_dynamics/models/hamiltonian_model.py",
+    ),
+    (
+        "Q_k = \\frac{\\mu}{\\Vert \\psi_k \\Vert^2}I\n\\tag{3.26}",
+        "Chain(Q_k, Mul(Div(\\mu; Pow(Norm(\\psi_k); 2)), I); =)",
+        "wilsonrljr/sysidentpy/docs/en/book/3-Parameter-Estimation.md",
+    ),
+    (
+        "y_t = \\mu_t + \\nu_t + \\cdots + \\gamma_t + c_t + \\xi_t + \\epsilon_t \\tag{1}",
+        "Chain(y_t, Add(\\mu_t, \\nu_t, Dots(), \\gamma_t, c_t, \\xi_t, \\epsilon_t); =)",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/structural/core.py",
+    ),
+    (
+        "p(y_t \\mid z_t, \\theta) = \\mathrm{Ga}(y_{t} \\mid \\alpha_{z_t}, \\beta_{z_t})",
+        "Chain(Call(p; Given(y_t; z_t, \\theta; |)), Call(\\text{Ga}; Given(y_t; \\alpha_{z_t}, \\beta_{z_t}; |)); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/gamma_hmm.py",
+    ),
+    (
+        "\\mathbb{P}(X = x) = \\frac{1}{x\\sqrt{2\\pi\\sigma^2}} e^{-\\frac{(\\log(x) - \\mu)^2}{\\sigma^2}}",
+        "Chain(Call(\\mathbb{P}; Chain(X, x; =)), Mul(Div(1; Mul(x, Sqrt(Mul(2, \\pi, Pow(\\sigma; 2))))), Pow(e; Neg(Div(Pow(Add(Call(log; x), Neg(\\mu)); 2); Pow(\\sigma; 2))))); =)",
+        "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/lognormal.py",
+    ),
+    (
+        "\\dot{y}(t) = G(t)y(t).",
+        "Chain(Call(\\dot{y}; t), Mul(Call(G; t), Call(y; t)); =)",
+        "qiskit-community/qiskit-dynamics/qiskit_dynamics/solvers/solver_functions.py",
+    ),
+    (
+        "\\sum_{i=0}^{s-1} \\tilde{\\gamma}_{i} = 0.",
+        "Chain(BigSum(i; 0; Add(s, Neg(1)); \\tilde{\\gamma}_i), 0; =)",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/structural/components/seasonality.py",
+    ),
+    (
+        "\\theta_i = \\theta_{i-1} + \\mu \\cdot \\text{sign}(\\xi_i) \\cdot \\psi_i",
+        "Chain(\\theta_i, Add(\\theta_{i-1}, Mul(\\mu, Call(sign; \\xi_i), \\psi_i)); =)",
+        "wilsonrljr/sysidentpy/sysidentpy/parameter_estimation/estimators.py",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t} + u\\frac{\\partial u}{\\partial x} = \\nu\\frac{\\partial^2u}{\\partial x^2}, \\qquad x \\in [-1, 1], \\quad t \\in [0, 1]",
+        "System(Chain(Add(Derivative(Call(u); t, 1; True), Mul(Call(u), Derivative(Call(u); x, 1; True))), Mul(\\nu, Derivative(Call(u); x, 2; True)); =), Chain(x, Interval(Neg(1); 1; []); \\in), Chain(t, Interval(0; 1; []); \\in))",
+        "lululxvi/deepxde/docs/demos/pinn_forward/burgers.rar.rst",
+    ),
+    (
+        "p(y_t \\mid z_t, \\theta) = \\prod_{n=1}^N \\mathcal{N}(y_{t,n} \\mid \\mu_{z_t,n}, \\sigma_{z_t}^2)",
+        "Chain(Call(p; Given(y_t; z_t, \\theta; |)), BigProduct(n; 1; N; Call(\\mathcal{N}; Given(y_{t,n}; \\mu_{z_t,n}, Pow(\\sigma_{z_t}; 2); |))); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/gaussian_hmm.py",
+    ),
+    (
+        "p(y_t \\mid z_t, \\theta) = \\prod_{n=1}^N \\mathcal{N}(y_{t,n} \\mid \\mu_{z_t,n}, \\sigma_{z_t,n}^2)",
+        "Chain(Call(p; Given(y_t; z_t, \\theta; |)), BigProduct(n; 1; N; Call(\\mathcal{N}; Given(y_{t,n}; \\mu_{z_t,n}, Pow(\\sigma_{z_t,n}; 2); |))); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/gaussian_hmm.py",
+    ),
+    (
+        "p(\\mu, \\Sigma) \\propto\n\\mathrm{N}(\\mu \\mid  \\mu_0, \\Sigma / \\kappa_0) \\times\n\\mathrm{IW}(\\Sigma \\mid  \\nu_0, \\Psi_0)",
+        "Chain(Call(p; \\mu, \\Sigma), Cross(Call(\\text{N}; Given(\\mu; \\mu_0, Div(\\Sigma; \\kappa_0); |)); Call(\\text{IW}; Given(\\Sigma; \\nu_0, \\Psi_0; |))); \\propto)",
+        "probml/dynamax/dynamax/utils/distributions.py",
+    ),
+    (
+        "A \\cdot x' = b",
+        "Chain(Mul(A, x'), b; =)",
+        "experimental-design/bofire/bofire/strategies/predictives/acqf_optimization.py",
+    ),
+    (
+        "d = 1",
+        "Chain(d, 1; =)",
+        "lululxvi/deepxde/docs/demos/pinn_forward/diffusion.reaction.rst",
+    ),
+    (
+        "\\Delta C_{\\mathrm{tls}}:=\\left[\\begin{array}{ll}\n\\Delta A_{\\mathrm{tls}} & \\Delta B_{\\mathrm{tls}}\n\\end{array}\\right]=-U \\operatorname{diag}\\left(0, \\Sigma_2\\right) V^{\\top} .\n\\tag{3.18}",
+        "Chain(\\Delta C _ { \\mathrm { t l s } }, MatrixOf(\\Delta A _ { \\mathrm { t l s } }, \\Delta B _ { \\mathrm { t l s } }), Neg(Mul(U, Diag(0, \\Sigma_2), Transpose(V))); =, =)",
+        "wilsonrljr/sysidentpy/docs/en/book/3-Parameter-Estimation.md",
+    ),
+    (
+        "f(x) = x * \\sin(5x)",
+        "Chain(Call(f; x), Operated(*; x; Call(sin; Mul(5, x))); =)",
+        "lululxvi/deepxde/docs/demos/function/func.rst",
+    ),
+    (
+        "p(y_t \\mid z_t, \\theta) = \\sum_{c=1}^C w_{k,c} \\mathcal{N}(y_{t} \\mid \\mu_{z_t, c}, \\mathrm{diag}(\\sigma_{z_t, c}^2))",
+        "Chain(Call(p; Given(y_t; z_t, \\theta; |)), BigSum(c; 1; C; Mul(w_{k,c}, Call(\\mathcal{N}; Given(y_t; \\mu_{z_t,c}, Diag(Pow(\\sigma_{z_t,c}; 2)); |)))); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/gmm_hmm.py",
+    ),
+    (
+        "\\begin{align}\nw' &= w + \\epsilon f(\\theta; q/a_p) \\\\\n\\theta' &= \\theta + 2\\pi\\left(N + w'\\right)\n\\end{align}",
+        "System(Chain(w', Add(w, Mul(\\epsilon, Call(f; Given(\\theta; Div(q; a_p); ;)))); =), Chain(\\theta', Add(\\theta, Mul(2, \\pi, Add(N, w'))); =))",
+        "shadden/celmech/celmech/maps.py",
+    ),
+    (
+        "y^T y=\\hat{\\theta}_1^2 x_1^T x_1+\\hat{\\theta}_2^2 x_2^T x_2+\\ldots+\\hat{\\theta}_n^2 x_n^T x_n+e^T e\n\\tag{24}",
+        "Chain(Mul(Transpose(y), y), Add(Mul(Pow(\\hat{\\theta}_1; 2), Transpose(x_1), x_1), Mul(Pow(\\hat{\\theta}_2; 2), Transpose(x_2), x_2), Dots(), Mul(Pow(\\hat{\\theta}_n; 2), Transpose(x_n), x_n), Mul(Transpose(e), e)); =)",
+        "wilsonrljr/sysidentpy/docs/en/book/4-Model-Structure-Selection.md",
+    ),
+    (
+        "E_{Python} = 17.408947",
+        "Chain(E_{Python}, 17.408947; =)",
+        "wilsonrljr/sysidentpy/docs/en/book/5-Multiobjective-Parameter-Estimation.md",
+    ),
+    (
+        "y_1(0) = 0, \\quad y_2(0) = 1.",
+        "System(Chain(Call(y_1; 0), 0; =), Chain(Call(y_2; 0), 1; =))",
+        "lululxvi/deepxde/docs/demos/pinn_forward/ode.system.rst",
+    ),
+    (
+        "\\tilde{x}_{ij} = \\frac{x_{ij} - l_j}{u_j - l_j},",
+        "Chain(\\tilde{x}_{ij}, Div(Add(x_{ij}, Neg(l_j)); Add(u_j, Neg(l_j))); =)",
+        "experimental-design/bofire/bofire/data_models/strategies/convergence_criteria/proposal_deviation.py",
+    ),
+    (
+        "\\mu_i = \\frac{M_* m_i}{M_* + m_i},",
+        "Chain(\\mu_i, Div(Mul(M_*, m_i); Add(M_*, m_i)); =)",
+        "shadden/celmech/celmech/transformations.py",
+    ),
+    (
+        "Z = \\frac{\\mu(x) - f^+ - \\xi}{\\sigma(x)}",
+        "Chain(Z, Div(Add(Call(\\mu; x), Neg(f ^ { + }), Neg(\\xi)); Call(\\sigma; x)); =)",
+        "ziatdinovmax/gpax/gpax/acquisition/base_acq.py",
+    ),
+    (
+        "H_N - H_{N - \\text{n\\_lookback}} < \\text{min\\_improvement}.",
+        "Chain(Add(H_N, Neg(H_{N-n\\_lookback})), \\text{min\\_improvement}; <)",
+        "experimental-design/bofire/bofire/data_models/strategies/convergence_criteria/hypervolume_improvement.py",
+    ),
+    (
+        "b_k = \\max_{i \\le k} r_i",
+        "Chain(b_k, Limiting(max; _{ i \\le k }; r_i); =)",
+        "experimental-design/bofire/bofire/data_models/strategies/convergence_criteria/objective_improvement.py",
+    ),
+    (
+        "d_k = \\lVert \\tilde{x}_k - \\tilde{x}_{k-1} \\rVert_2,",
+        "Chain(d_k, Marked(Norm(Add(\\tilde{x}_k, Neg(\\tilde{x}_{k-1}))); _{ 2 }); =)",
+        "experimental-design/bofire/bofire/strategies/convergence_criteria/proposal_deviation.py",
+    ),
+    (
+        "f(x, y) = A \\exp\\bigl(-g(x, y)\\bigr)",
+        "Chain(Call(f; x, y), Mul(A, Call(exp; Neg(Call(g; x, y)))); =)",
+        "astropy/photutils/photutils/detection/core.py",
+    ),
+    (
+        "\\begin{align}\nx' &= x + \\epsilon f(\\theta; y) \\\\\n\\theta' &= \\theta + 2\\pi(J - x')\n\\end{align}",
+        "System(Chain(x', Add(x, Mul(\\epsilon, Call(f; Given(\\theta; y; ;)))); =), Chain(\\theta', Add(\\theta, Mul(2, \\pi, Add(J, Neg(x')))); =))",
+        "shadden/celmech/celmech/maps.py",
+    ),
+    (
+        "\\sigma_{xx}(0, y)=0, \\quad \\sigma_{xx}(1, y)=0, \\quad \\sigma_{yy}(x, 1)=(\\lambda + 2\\mu)Q\\sin(\\pi x).",
+        "System(Chain(Call(\\sigma_{xx}; 0, y), 0; =), Chain(Call(\\sigma_{xx}; 1, y), 0; =), Chain(Call(\\sigma_{yy}; x, 1), Mul(Add(\\lambda, Mul(2, \\mu)), Q, Call(sin; Mul(\\pi, x))); =))",
+        "lululxvi/deepxde/docs/demos/pinn_forward/elasticity.plate.rst",
+    ),
+    (
+        "Z = \\frac{\\mu(x) - f^+}{\\sigma(x)}",
+        "Chain(Z, Div(Add(Call(\\mu; x), Neg(f ^ { + })); Call(\\sigma; x)); =)",
+        "ziatdinovmax/gpax/gpax/acquisition/acquisition.py",
+    ),
+    (
+        "\\begin{array}{ll}\nh' = \\tanh(W_i x + b_i + W_h h + h)\n\\end{array}",
+        "Chain(h', Call(tanh; Add(Mul(W_i, x), b_i, Mul(W_h, h), h)); =)",
+        "google/flax/flax/linen/recurrent.py",
+    ),
+    (
+        "\\mathbf{T}_I^{T} \\cdot \\mathbf{S}_I \\cdot \\mathbf{T}_I = \\mathbf{D}_I",
+        "Chain(Mul(Transpose(\\mathbf{T}_I), \\mathbf{S}_I, \\mathbf{T}_I), \\mathbf{D}_I; =)",
+        "shadden/celmech/celmech/secular.py",
+    ),
+    (
+        "f(x_1, x_2) = \\left(x_2 - \\frac{5.1}{4\\pi^2} x_1^2 + \\frac{5}{\\pi} x_1 - 6\\right)^2 + 10 \\left(1 - \\frac{1}{8\\pi}\\right) \\cos(x_1) + 10",
+        "Chain(Call(f; x_1, x_2), Add(Pow(Add(x_2, Neg(Mul(Div(5.1; Mul(4, Pow(\\pi; 2))), Pow(x_1; 2))), Mul(Div(5; \\pi), x_1), Neg(6)); 2), Mul(10, Add(1, Neg(Div(1; Mul(8, \\pi)))), Call(cos; x_1)), 10); =)",
+        "facebook/Ax/tutorials/experiment_from_dataframe/experiment_from_dataframe.ipynb",
+    ),
+    (
+        "G \\cdot x' <= h",
+        "Chain(Mul(G, x'), h; \\le)",
+        "experimental-design/bofire/bofire/strategies/predictives/acqf_optimization.py",
+    ),
+    (
+        "\\lambda(\\theta, w) = 2\\pi \\left( \\frac{w'^2}{2} - \\frac{\\epsilon}{2\\pi} F_\\beta(\\theta) \\right),",
+        "Chain(Call(\\lambda; \\theta, w), Mul(2, \\pi, Add(Div(Pow(w'; 2); 2), Neg(Mul(Div(\\epsilon; Mul(2, \\pi)), Call(F_\\beta; \\theta))))); =)",
+        "shadden/celmech/celmech/maps.py",
+    ),
+    (
+        "\\begin{array}{ll}\nh' = \\tanh(W_i x + b_i + W_h h)\n\\end{array}",
+        "Chain(h', Call(tanh; Add(Mul(W_i, x), b_i, Mul(W_h, h))); =)",
+        "google/flax/flax/linen/recurrent.py",
+    ),
+    (
+        "\\begin{align}\ny_t &= l_{t-1} + b_{t-1} + s_{t-m} + \\epsilon_t \\\\\nl_t &= l_{t-1} + \\alpha \\epsilon_t \\\\\nb_t &= \\phi b_{t-1} + \\alpha \\beta^\\star \\epsilon_t \\\\\ns_t &= s_{t-m} + (1 - \\alpha) \\gamma^\\star \\epsilon_t\n\\end{align}",
+        "System(Chain(y_t, Add(l_{t-1}, b_{t-1}, s_{t-m}, \\epsilon_t); =), Chain(l_t, Add(l_{t-1}, Mul(\\alpha, \\epsilon_t)); =), Chain(b_t, Add(Mul(\\phi, b_{t-1}), Mul(\\alpha, \\beta ^ { \\star }, \\epsilon_t)); =), Chain(s_t, Add(s_{t-m}, Mul(Add(1, Neg(\\alpha)), \\gamma ^ { \\star }, \\epsilon_t)); =))",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/ETS.py",
+    ),
+    (
+        "e_k = 0.8\\nu_{k-1} + \\nu_k\n\\tag{31}",
+        "Chain(e_k, Add(Mul(0.8, \\nu_{k-1}), \\nu_k); =)",
+        "wilsonrljr/sysidentpy/docs/en/book/4-Model-Structure-Selection.md",
+    ),
+    (
+        "G = \\frac{1}{\\overline{|x|} \\, n \\, (n - 1)}\n\\sum^{n}_{i} (2i - n - 1) \\left | x_i \\right |",
+        "Chain(G, Mul(Div(1; Mul(Call(overlined; Bars(x)), n, Add(n, Neg(1)))), Limiting(sum; _{ i }^{ n }; Mul(Add(Mul(2, i), Neg(n), Neg(1)), Bars(x_i)))); =)",
+        "astropy/photutils/photutils/segmentation/catalog.py",
+    ),
+    (
+        "\\begin{align}\np' &=& p + K  \\sin\\theta\\\\\n\\theta' &=& \\theta + p'\n\\end{align}",
+        "System(Chain(p', Add(p, Mul(K, Call(sin; \\theta))); =), Chain(\\theta', Add(\\theta, p'); =))",
+        "shadden/celmech/celmech/maps.py",
+    ),
+    (
+        "UCB(x) = \\mu(x) + \\kappa \\sigma(x)",
+        "Chain(Call(\\text{UCB}; x), Add(Call(\\mu; x), Mul(\\kappa, Call(\\sigma; x))); =)",
+        "ziatdinovmax/gpax/gpax/acquisition/acquisition.py",
+    ),
+    (
+        "V = \\sum_{t=1}^T \\frac{c_t}{(1+r_t)^t}.",
+        "Chain(V, BigSum(t; 1; T; Div(c_t; Pow(Add(1, r_t); t))); =)",
+        "qiskit-community/qiskit-finance/qiskit_finance/applications/estimation/fixed_income_pricing.py",
+    ),
+    (
+        "\\mathbf{s_{s}} = \\mathbf{s_{i}} + \\mathcal{u}(0, 1) \\times\n(\\mathbf{s_{nn}} - \\mathbf{s_{i}}) \\,",
+        "Chain(\\mathbf{s}_s, Add(\\mathbf{s}_i, Cross(Call(\\mathcal{u}; 0, 1); Add(\\mathbf{s}_{nn}, Neg(\\mathbf{s}_i)))); =)",
+        "aeon-toolkit/aeon/aeon/transformations/collection/imbalance/_smote.py",
+    ),
+    (
+        "d_k = \\lVert \\tilde{x}_k - \\tilde{x}_{k-1} \\rVert_2 .",
+        "Chain(d_k, Marked(Norm(Add(\\tilde{x}_k, Neg(\\tilde{x}_{k-1}))); _{ 2 }); =)",
+        "experimental-design/bofire/bofire/data_models/strategies/convergence_criteria/proposal_deviation.py",
+    ),
+    (
+        "\\begin{align}\n\\gamma_t &= \\rho \\gamma_{t-1} \\cos \\lambda + \\rho \\gamma_{t-1}^\\star \\sin \\lambda + \\omega_{t} \\\\\n\\gamma_{t}^\\star &= -\\rho \\gamma_{t-1} \\sin \\lambda + \\rho \\gamma_{t-1}^\\star \\cos \\lambda + \\omega_{t}^\\star \\\\\n\\lambda &= \\frac{2\\pi}{s}\n\\end{align}",
+        "System(Chain(\\gamma_t, Add(Mul(\\rho, \\gamma_{t-1}, Call(cos; \\lambda)), Mul(\\rho, \\gamma _ { t - 1 } ^ { \\star }, Call(sin; \\lambda)), \\omega_t); =), Chain(\\gamma _ { t } ^ { \\star }, Add(Neg(Mul(\\rho, \\gamma_{t-1}, Call(sin; \\lambda))), Mul(\\rho, \\gamma _ { t - 1 } ^ { \\star }, Call(cos; \\lambda)), \\omega _ { t } ^ { \\star }); =), Chain(\\lambda, Div(Mul(2, \\pi); s); =))",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/structural/components/cycle.py",
+    ),
+    (
+        "p(y_t \\mid z_t, u_t) = \\mathcal{N}(y_t \\mid H z_t + D u_t + d, R)",
+        "Chain(Call(p; Given(y_t; z_t, u_t; |)), Call(\\mathcal{N}; Given(y_t; Add(Mul(H, z_t), Mul(D, u_t), d), R; |)); =)",
+        "probml/dynamax/dynamax/linear_gaussian_ssm/inference.py",
+    ),
+    (
+        "p(y_t \\mid y_{1:t-1}, z_t, \\theta) = \\mathcal{N}(y_{t} \\mid \\sum_{\\ell = 1}^L W_{z_t, \\ell} y_{t-\\ell} + b_{z_t}, \\Sigma_{z_t})",
+        "Chain(Call(p; Given(y_t; y_{1:t-1}, z_t, \\theta; |)), Call(\\mathcal{N}; Given(y_t; Add(BigSum(\\ell; 1; L; Mul(W_{z_t,\\ell}, y_{t-\\ell})), b_{z_t}), \\Sigma_{z_t}; |)); =)",
+        "probml/dynamax/dynamax/hidden_markov_model/models/arhmm.py",
+    ),
+    (
+        "\\rm{FWHM} = 1.028993969962188 \\, \\frac{R}{R_z}\n= 0.8436659602162364 \\, R",
+        "Chain(\\text{FWHM}, Mul(1.028993969962188, Div(R; R_z)), Mul(0.8436659602162364, R); =, =)",
+        "astropy/photutils/photutils/psf/functional_models.py",
+    ),
+    (
+        "\\alpha_t=(\\gamma_t, \\ldots, \\gamma_{t-ds+1}), \\quad t \\ge 0.",
+        "System(Chain(\\alpha_t, Tuple(\\gamma_t, Dots(), \\gamma_{t-ds+1}; ()); =), Chain(t, 0; \\ge))",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/structural/components/seasonality.py",
+    ),
+    (
+        "\\mu_t = \\mu",
+        "Chain(\\mu_t, \\mu; =)",
+        "pymc-devs/pymc-extras/pymc_extras/statespace/models/structural/components/level_trend.py",
+    ),
+    (
+        "p(z_1) = \\mathcal{N}(z_1 \\mid m, S)",
+        "Chain(Call(p; z_1), Call(\\mathcal{N}; Given(z_1; m, S; |)); =)",
+        "probml/dynamax/dynamax/linear_gaussian_ssm/models.py",
+    ),
+    (
+        "\\hat{d}(a, b) = \\min_{\\alpha, q} \\frac{L_2(a, \\alpha b_{(q)})}{L_2(a, a)}",
+        "Chain(Call(\\hat{d}; a, b), Limiting(min; _{ \\alpha , q }; Div(Call(L_2; a, Mul(\\alpha, b_{(q)})); Call(L_2; a, a))); =)",
+        "aeon-toolkit/aeon/aeon/distances/_shift_scale_invariant.py",
+    ),
+    (
+        "\\mathbb{P}(X = x) = \\frac{1}{\\sqrt{2\\pi\\sigma^2}} e^{-\\frac{(x - \\mu)^2}{\\sigma^2}}",
+        "Chain(Call(\\mathbb{P}; Chain(X, x; =)), Mul(Div(1; Sqrt(Mul(2, \\pi, Pow(\\sigma; 2)))), Pow(e; Neg(Div(Pow(Add(x, Neg(\\mu)); 2); Pow(\\sigma; 2))))); =)",
+        "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/normal.py",
+    ),
+    (
+        "M_1 = \\frac{\\int v I_v  dv}{\\int I_v dv} = \\frac{\\int v I_v dv}{M_0}",
+        "Chain(M_1, Div(Antiderivative(Mul(v, I_v); v); Antiderivative(I_v; v)), Div(Antiderivative(Mul(v, I_v); v); M_0); =, =)",
+        "radio-astro-tools/spectral-cube/docs/moments.rst",
+    ),
+    (
+        "D_P(\\mathbf{x},\\mathbf{y}, M) =\\sum_{i=1}^s M_{e_i,f_i}",
+        "Chain(Call(D_P; \\mathbf{x}, \\mathbf{y}, M), BigSum(i; 1; s; M_{e_i,f_i}); =)",
+        "aeon-toolkit/aeon/aeon/distances/elastic/_dtw.py",
+    ),
+    (
+        "\\begin{align}\n    &\\lim\\limits_{x \\to \\infty} \\phi(x) = \\alpha \\nonumber \\\\\n    &\\lim\\limits_{x \\to -\\infty} \\phi(x) = \\beta \\quad \\text{with } \\alpha > \\beta,  \\nonumber\n\\end{align}\n\\tag{32}",
+        "System(Chain(Limiting(lim; _{ x \\to \\infty }; Call(\\phi; x)), \\alpha; =), Chain(Limiting(lim; _{ x \\to - \\infty }; Call(\\phi; x)), \\beta; =), Chain(\\alpha, \\beta; >))",
+        "wilsonrljr/sysidentpy/docs/en/book/4-Model-Structure-Selection.md",
+    ),
+    (
+        "\\begin{align}\n    y_{bk} &= 0.7103y_{bk-1} + 0.1458u_{k-1} + 0.1631u_{k-2} \\\\\n           &\\quad - 1467y_{bk-1}^3 + 0.0710y_{bk-2}^3 + 0.0554y_{bk-3}^2u_{k-3}.\n\\end{align}\n\\tag{3}",
+        "Chain(y_{bk}, Add(Mul(0.7103, y_{bk-1}), Mul(0.1458, u_{k-1}), Mul(0.1631, u_{k-2}), Neg(Mul(1467, Pow(y_{bk-1}; 3))), Mul(0.0710, Pow(y_{bk-2}; 3)), Mul(0.0554, Pow(y_{bk-3}; 2), u_{k-3})); =)",
+        "wilsonrljr/sysidentpy/docs/en/book/4-Model-Structure-Selection.md",
+    ),
+    (
+        "r = \\sqrt{(x - x_0)^2 + (y - y_0)^2}",
+        "Chain(r, Sqrt(Add(Pow(Add(x, Neg(x_0)); 2), Pow(Add(y, Neg(y_0)); 2))); =)",
+        "astropy/photutils/photutils/psf/functional_models.py",
+    ),
+    (
+        "\\tilde{x}_{ij} = (x_{ij} - l_j) / (u_j - l_j),",
+        "Chain(\\tilde{x}_{ij}, Div(Add(x_{ij}, Neg(l_j)); Add(u_j, Neg(l_j))); =)",
+        "experimental-design/bofire/bofire/strategies/convergence_criteria/proposal_deviation.py",
+    ),
+    (
+        "e = \\sqrt{1 - \\frac{b^2}{a^2}}",
+        "Chain(e, Sqrt(Add(1, Neg(Div(Pow(b; 2); Pow(a; 2))))); =)",
+        "astropy/photutils/photutils/aperture/stats.py",
+    ),
+    (
+        "\\mathbb{P}(X = x) = \\frac{1}{N}.",
+        "Chain(Call(\\mathbb{P}; Chain(X, x; =)), Div(1; N); =)",
+        "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/uniform.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -38878,5 +39359,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "w = g z = \\frac{az+b}{cz+d}.",
         "fredrik-johansson/arb/doc/source/acb_modular.rst",
+    ),
+    (
+        "f(r) = \\frac{\\pi F}{4 (R / R_z)^{2}}\n\\left[ \\frac{2 J_1\\left(\\frac{\\pi r}{R / R_z}\\right)}\n{\\frac{\\pi r}{R / R_z}} \\right]^2",
+        "astropy/photutils/photutils/psf/functional_models.py",
+    ),
+    (
+        "y  =  y0 + (An * sin(n * E)) + (Bn * cos(n * E))",
+        "astropy/photutils/photutils/isophote/ellipse.py",
+    ),
+    (
+        "\\begin{align}\n  y_k = \\sum_{i=1}^{p}\\Theta_i \\times \\prod_{j=0}^{n_x}x_{k-j}^{b_i, j}\\prod_{m=1}^{n_y}y_{k-m}^{a_i, m}\n\\end{align}\n\\tag{2.23}",
+        "wilsonrljr/sysidentpy/docs/en/book/2-NARMAX-Model-Representation.md",
     ),
 )

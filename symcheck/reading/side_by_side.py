@@ -38,7 +38,9 @@ _OF_MATRICES = re.compile(
     r"|(?:[A-Z] (?:_ (?:\w|\{[^{}]*\}) )?|\\[a-z]+ \{ [A-Z] \} |[)\]] )\^ \{ - 1 \}"
 )
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
-_SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot|sin|cos|tan|exp|sqrt)(?![A-Za-z]))")
+_SIGN = re.compile(
+    r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot|sin|cos|tan|exp|sqrt)(?![A-Za-z]))"
+)
 # what shows that letters are vectors
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
