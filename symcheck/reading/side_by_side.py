@@ -39,7 +39,8 @@ _OF_MATRICES = re.compile(
 )
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
 _SIGN = re.compile(
-    r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot|sin|cos|tan|exp|sqrt)(?![A-Za-z]))"
+    r"[A-Za-z0-9}_)] (?:\\cdot|\*) "
+    r"(?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot|sin|cos|tan|exp|sqrt)(?![A-Za-z]))"
 )
 # what shows that letters are vectors
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
