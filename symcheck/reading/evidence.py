@@ -14,9 +14,10 @@ from symcheck.reading.arguments import is_doubled, is_product
 from symcheck.reading.commands import ACCENTS
 from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
-from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, names_of_several_tokens
+from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, POWER_OR_LABEL, names_of_several_tokens
 from symcheck.reading.occurrences import BOLD, FUNCTIONS_SPELLED, Occurrence, occurrences, words
 from symcheck.reading.operators import operators
+from symcheck.reading.powers import raised_in_vain
 from symcheck.reading.side_by_side import doubted
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
@@ -172,7 +173,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.values |= {int(t) for t in tokens if t.isdigit()} if family else set()
         own.said = phrases.get(latex, "")
         own.index = latex in index and not tokens
-        told = "" if own.said else open_.get(place.word, "")
+        told = "" if own.said else open_.get(latex, "") or open_.get(place.word, "")
         own.whole, own.doubt = latex in wholes, wholes.get(latex, "") or told
         if tokens and not family and (inside := summed.intersection(tokens)):
             own.doubt = own.doubt or f"{INDEX_IN_NAME}: {min(inside)}"
@@ -274,6 +275,12 @@ _EXPECTED = re.compile(
 )
 
 
+# two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
+_DOTTED_PAIR = re.compile(
+    r"\( (?:\\[,;:!] )*(\\?[A-Za-z]+) _ (?:[a-z]|\{ [a-z] \}) \\cdot \1 _ (?:[a-z]|\{ [a-z] \}) (?:\\right )?\)"
+)
+
+
 def _doubted(text: str) -> Iterator[tuple[str, str]]:
     """The letters of one formula of which its print leaves open what they are, each with what is open."""
     if text.startswith(r"\mathbf") and (bold := _BOLD_NAME.match(text)):
@@ -285,7 +292,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for letter, above in _PRODUCT_DERIVED.findall(text):
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
-    yield from operators(text)
+    yield from ((canonical(letter), doubt) for letter, doubt in operators(text))
+    if "^" in text and " = " in text:
+        yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
     if r"\pi" in text and _INFLATION.search(text):
         yield r"\pi", "the number pi, or a letter? say what it is"
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
@@ -312,6 +321,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
                 base for base in over if base in _NO_VARIABLES or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
         yield from ((base, f"a power, or an index? say what {run} is above it") for base in over)
+    if r"\cdot" in text:
+        yield from ((letter, "numbers, or vectors? say what they are") for letter in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"

@@ -14,6 +14,7 @@ from symcheck.reading.arguments import (
     is_idle,
     is_listed,
     is_lone,
+    is_product,
     is_shift,
     is_shift_of_time,
     is_signed,
@@ -64,6 +65,9 @@ _DIFFERENTIAL = re.compile(r"[dD]_\{?(?:[A-Z]|\\math|\\text)")  # of a map, by o
 _OF_SPACE = re.compile(r"\\(?:Delta|nabla)_\{?\\(?:mathbf|boldsymbol|bm|vec)")  # a derivative by a place
 _MAPS = frozenset({r"\exp", r"\log"})  # functions of matrices, which have differentials
 _PRODUCT = re.compile(r"\\Pi_\{?[i-n]\}?")  # with an index below it
+_SUM = re.compile(r"\\Sigma_\{?([i-n])\}?")  # likewise
+# what stands before a sign of a sum, and hardly before a factor with an index
+_BEFORE_SIGN = frozenset({"", "=", "+", "-", "(", "[", "{", "&", r"\\"})
 _VARIED = re.compile(r"\\delta\s*(?:[A-Za-z]|\\)")  # a name that begins with the sign of a variation
 
 
@@ -74,13 +78,14 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         varied = any(x != of.spelling and _VARIED.match(x) for x in every)
         if varied or any(p.after in INTEGRALS for p in of.places):
             return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
-    if of.spelling == r"\Sigma" and not of.said and any(tex.is_letter(place.after) for place in of.places):
+    summed = of.spelling == r"\Sigma" and any(tex.is_letter(place.after) for place in of.places)
+    if (summed or _runs_over_what_follows(of, every)) and not of.said:
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     if _PRODUCT.fullmatch(of.spelling) and not of.said and any(p.after in OVER or p.arguments for p in of.places):
         doubt = r"a letter, or the sign of a product? say what it is, or write \prod"
         return [in_doubt(guess, doubt) for guess in found]
     if of.arguments and not of.said:
-        found = _before_brackets(of, found)
+        found = _before_brackets(of, every, found)
     if not of.said and _is_normed(of) and sum(map(_is_normed, every.values())) > 1:
         found = [in_doubt(guess, NORMED) if _is_constant(guess) else guess for guess in found]
     operator = (_OPERATOR.fullmatch(of.spelling) or _OF_SPACE.match(of.spelling)) and not of.said
@@ -105,7 +110,7 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
     return [replace(guess, letter=replace(guess.letter, open=True)) for guess in found]
 
 
-def _before_brackets(of: Evidence, found: list[Guess]) -> list[Guess]:
+def _before_brackets(of: Evidence, every: Mapping[str, Evidence], found: list[Guess]) -> list[Guess]:
     """The same, in doubt if what stands in brackets behind the letter may be a factor as well as its argument."""
     if any(place.arguments is not None and _is_undecided(place) for place in of.places) and not any(
         place.arguments is None and place.superscript is None for place in of.places
@@ -117,6 +122,9 @@ def _before_brackets(of: Evidence, found: list[Guess]) -> list[Guess]:
     negative = of.spelling[:1].isupper() and any(map(_holds_negative, of.places))
     if shifted or negative or any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    form = of.spelling not in _TYPICAL and any(map(_holds_form, of.places))
+    if form or (any(map(_raises, of.places)) and _has_coefficients_beside(of, every)):
+        found = [in_doubt(guess, FACTOR) for guess in found]
     return found
 
 
@@ -143,6 +151,46 @@ def _multiplies(of: Evidence, place: Occurrence) -> bool:
         return raised
     printed = " ".join(tex.texts(of.spelling))
     return any(f" {printed} " in f" {arg} " for arg in place.arguments)
+
+
+def _runs_over_what_follows(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """May it be the sign of a sum over its index, as in `\\Sigma_i m_i r_i`?"""
+    found = _SUM.fullmatch(of.spelling)
+    if found is None or not any(_SCRIPTED.fullmatch(x) and found[1] in x.partition("_")[2] for x in every):
+        return False
+    return any(
+        place.superscript is None
+        and place.before in _BEFORE_SIGN
+        and (place.arguments is not None or place.after in OVER | {r"\frac"} or tex.is_letter(place.after))
+        for place in of.places
+    )
+
+
+_SCRIPTED = re.compile(r"(?!\\Sigma_).+_(?:\w|\{.*\})")  # a letter with an index
+# a product of a row, a matrix and a column
+_QUADRATIC = re.compile(r"\S+(?: _ (?:\w|\{[^{}]*\}))? \^ (?:T|\{ T \}|\\top|\{ \\top \}) \S+ \S.*")
+
+
+def _holds_form(place: Occurrence) -> bool:
+    """Do the brackets behind it hold a product of a row, a matrix and a column, and nothing more?"""
+    alone = len(place.arguments or ()) == 1 and not place.powered
+    return alone and is_product(place.arguments or ()) and any(map(_QUADRATIC.fullmatch, place.arguments or ()))
+
+
+def _raises(place: Occurrence) -> bool:
+    """Does one letter stand in brackets with a power behind it?"""
+    return (
+        place.powered
+        and place.superscript is None
+        and len(place.arguments or ()) == 1
+        and is_letter((place.arguments or ("",))[0])
+    )
+
+
+def _has_coefficients_beside(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same letter stand with another index, and nothing in brackets behind it, as b_0 beside `b_1 (T)^2`?"""
+    stem, _, below = of.spelling.partition("_")
+    return bool(below) and any(x.partition("_")[0] == stem and not each.arguments for x, each in every.items())
 
 
 def in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -285,7 +333,7 @@ FACTOR = "a factor before brackets, or a function? say what it is"
 # what stands in brackets as a factor rather than as an argument: one fraction, or a number of several digits
 _FACTORS = re.compile(r"\\frac \{ .*\}$|(?:\d ){3}|(?:\d )+\. ")
 # a power alone, which needs no brackets as a factor
-_POWER = re.compile(r"(?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\})| ')* \^ (?:\d|\{ \d \})")
+_POWER = re.compile(r"(?:[A-Za-z]|\\[a-z]+(?: \{ \S+ \})?)(?: _ (?:\w|\{[^{}]*\})| ')* \^ (?:\w|\{ [\w ]+ \})")
 
 
 # a letter with a minus, which capitals that are functions have as arguments as well
@@ -363,7 +411,7 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     small = of.spelling[:1] == "\\" and of.spelling[1:2].islower() and of.spelling != r"\zeta"
     coefficient = factor and small  # as in \phi(1.4 - x)
     typical = of.spelling in _TYPICAL and not weight and not coefficient
-    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_") or _OF_ORDER.match(of.spelling) is not None
+    indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_", "J_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if product is not matrix and not typical and _is_hardly_factor(of):
         product = in_doubt(product, FACTOR)

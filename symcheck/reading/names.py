@@ -16,7 +16,7 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
 from symcheck.reading.commands import ACCENTS, LETTER_COMMANDS, OVER, ROMAN, STYLES, known
 from symcheck.reading.faces import face
-from symcheck.reading.lexer import SIZES, SPACES
+from symcheck.reading.lexer import CLOSE, OPEN, SIZES, SPACES
 from symcheck.reading.occurrences import SIGNED_SUMS, Occurrence, occurrences
 
 # Capitals that name frames and bodies above a letter; T transposes, and the others are often numbers.
@@ -163,6 +163,8 @@ def _is_of_letters(place: Occurrence) -> bool:
 
 
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
+# a power with two indices of which the second one is typed too high: `x^{b_i, j}`
+_INDEXED_POWER = re.compile(r"([a-z]) _ (?:\{ )?[a-z](?: \})? , [a-z]")
 # a number of combinations, or a power
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
@@ -234,6 +236,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return STANDARD
     if inside in (["0"], ["1"]) and not any((of.word, power) in told.raised for power in "23n"):
         return ""  # nobody prints these powers but in a series of them
+    if found := _INDEXED_POWER.fullmatch(" ".join(inside)):
+        return POWER_OR_LABEL.format(found[1])
     bracketed = inside[0] == "(" and _is_label(inside)
     powers = [text for text in inside if (of.word, text) in told.raised] if bracketed else []
     if powers:
@@ -637,6 +641,7 @@ def _is_label(inside: Sequence[str]) -> bool:
     """Is a superscript a sign, a number in brackets or a word, so that it is no power?"""
     bracketed = len(inside) > 2 and (inside[0], inside[-1]) in {("(", ")"), ("[", "]"), (r"\{", r"\}")}
     bracketed = bracketed and not ("^" in inside or {"_", "+"} <= {*inside})  # that is a power
+    bracketed = bracketed and _encloses(inside)
     if "," in inside and not {"(", "[", "="} & set(inside):  # two indices
         return True
     if [*inside] == ["i", "g"]:  # of an ideal gas
@@ -647,6 +652,12 @@ def _is_label(inside: Sequence[str]) -> bool:
         return True  # of one point or frame to another
     word = _is_word(inside) and "".join(inside[1:]).strip("{}") not in ("T", "H", "i", "j", "e", "d")
     return (len(inside) == 1 and inside[0] in _SIGNS) or bracketed or word
+
+
+def _encloses(inside: Sequence[str]) -> bool:
+    """Does the bracket that opens first close last: `(n - 1)`, and no `(n - j) / (n + j)`?"""
+    depths = itertools.accumulate((text in OPEN) - (text in CLOSE) for text in inside[:-1])
+    return all(depth > 0 for depth in depths)
 
 
 def _is_word(inside: Sequence[str]) -> bool:

@@ -44,6 +44,24 @@ _BY_TIME = re.compile(
     rf"(?:^|[=+-] |& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:\\left )?\("
     rf"|(?:^|& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:& )?="
 )
+# differences at places or times, of which an operator before a letter may be made: `D u_j = u_{j + 1} - u_j`
+_AT = r"(?:_ \w|_ \{ \w \}|(?:\\left )?\[ \w (?:\\right )?\])"
+_DIFFERENCE = re.compile(
+    rf"(?:^|& |quad |\\\\ )((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}}){_BELOW}) ({_SYMBOL}) {_AT} (?:& )?= "
+    r"((?:(?!\\\\|\\q?quad|=).)*)"
+)
+_SHIFTED = r"[_[] (?:\{ )?\w [-+] "
+# a fraction of two sums with one letter, which a group maps to it: `g z = (a z + b)/(c z + d)`
+_MAPPED = re.compile(
+    r"(?:^|[=&] |quad |\\\\ )([A-Za-z]|\\[a-z]+) ([a-z]|\\tau) (?:& )?= (?:& )?"
+    r"\\d?frac \{ (?=[^{}=]*[-+])[^{}=]*(?<![A-Za-z\\])\2(?![A-Za-z])[^{}=]*\} "
+    r"\{ (?=[^{}=]*[-+])[^{}=]*(?<![A-Za-z\\])\2(?![A-Za-z])[^{}=]*\}"
+)
+# an upright sign of a derivative with a letter below, and one in italics at the beginning
+_UPRIGHT = re.compile(
+    r"(\\(?:text|mathrm) \{ D \} _ (?:[a-z]|\{ [a-z] \}))(?= (?:\\left )?(?:\\[a-z]+ \{|[A-Za-z(]))"
+    rf"|(?:^|& |\\\\ )(D _ (?:[txyz]|\{{ [txyz] \}})) {_SYMBOL}{_BELOW} (?:& )?="
+)
 _OPERATOR = "applied to what follows, or times it? say what it is"
 
 
@@ -56,6 +74,13 @@ def operators(text: str) -> Iterator[tuple[str, str]]:
             if not _ADDED.search(rest):
                 yield letter, _OPERATOR
         yield from ((letter, _OPERATOR) for letter, _ in _OF_DERIVATIVES.findall(text))
+        yield from ((letter, _OPERATOR) for letter, _ in _MAPPED.findall(text))
+        for letter, of, rest in _DIFFERENCE.findall(text):
+            places = rf"(?<![A-Za-z\\]){re.escape(of)} (?:\\left )?(?=[_[])"
+            if len(re.findall(places, rest)) > 1 and re.search(places + _SHIFTED, rest) and letter not in rest:
+                yield letter, _OPERATOR
+    if "D " in text:
+        yield from ((letter or other, _OPERATOR) for letter, other in _UPRIGHT.findall(text))
     if "d _ " in text and _BY_TIME.search(text):
         yield "d", _OPERATOR
     if "H " in text:

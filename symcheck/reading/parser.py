@@ -869,6 +869,8 @@ class Builder:
             raise self.fail(after.at, AT_OR_TIMES)
         if not self.in_brackets(after):
             return
+        if isinstance(node, Marked) and isinstance(self.inside(after), Name) and not after.postfix:
+            raise self.fail(after.at, AT_OR_TIMES)
         if isinstance(node, Derivative) and _is_step(node, self.inside(after)):
             return
         if isinstance(node, Derivative) or (item.kind == "group" and self.has_function(node)):

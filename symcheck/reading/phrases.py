@@ -17,7 +17,7 @@ _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,|~)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
 _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
-_CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: [_^] (?:\w|{_BRACED}))*)"
+_CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: [_^] (?:\w|{_BRACED})| ')*)"
 # spaces between formulas
 _WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
 _BARS = r"\|(?: & \|)+"
@@ -25,7 +25,7 @@ _SPELLINGS: Sequence[
     tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]
 ] = (  # of one thing in several tokens, behind what always stands in it, with the usual one
     (r"\operatorname { \text", re.compile(r"\\operatorname \{ \\text (\{ [^{}]* \}) \}"), r"\\operatorname \1"),
-    (". ", re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= )"), r"\\dots"),  # three full stops
+    (". ", re.compile(r"(?<![\d.] )\. (?:\\[,;] )?\. (?:\\[,;] )?\.(?= |$)"), r"\\dots"),  # three full stops
     # signs that are typed as two, or as another one
     (r"\left < ", re.compile(r"\\left < "), r"\\left \\langle "),
     (r"\right >", re.compile(r"\\right >"), r"\\right \\rangle"),
@@ -229,7 +229,7 @@ def phrased(text: str) -> str:
     for inside, layout, change in _SPELLINGS:
         if inside in text:
             text = layout.sub(change, text)
-    text = _STOP.sub("", text)
+    text = _STOP.sub(lambda found: next((sign for sign in found[0] if sign in ",;"), ""), text)
     for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
     if _SPACE in text:

@@ -38,7 +38,10 @@ _OF_MATRICES = re.compile(
     r"|(?:[A-Z] (?:_ (?:\w|\{[^{}]*\}) )?|\\[a-z]+ \{ [A-Z] \} |[)\]] )\^ \{ - 1 \}"
 )
 # a sign of multiplication between numbers, which nobody prints who puts factors side by side
-_SIGN = re.compile(r"[A-Za-z0-9}_)] (?:\\cdot|\*) (?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot)(?![A-Za-z]))")
+_SIGN = re.compile(
+    r"[A-Za-z0-9}_)] (?:\\cdot|\*) "
+    r"(?:[A-Za-z(]|\\(?:left|frac|text|mathrm|eta|Delta|dot|sin|cos|tan|exp|sqrt)(?![A-Za-z]))"
+)
 # what shows that letters are vectors
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
@@ -69,6 +72,7 @@ _OWN_PRODUCT = re.compile(
 )
 _FACTORS_FIRST = frozenset("gkmd")  # gravity, springs, masses, differentials
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
+_CAPITAL_FIRST = re.compile(r"[A-Z][a-z]")  # as in `Tc`
 # a number before a matrix
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
 
@@ -98,6 +102,8 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         found |= dict.fromkeys(run, _told(run))
     for run in several:
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
+        if not alone and _CAPITAL_FIRST.fullmatch(run) and _is_numbered(run[1], texts):
+            alone = {run[1]}
         sequence = alone == {run[-1]} and runs[run] > 1 and _stands_before(r"\[", run, texts)
         doubled = run in _DOUBLED and all(_stands_before("[_,]", each, texts) for each in (run, run[0]))
         if sequence or doubled:
@@ -111,7 +117,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
         if unit or (
             alone
-            and not _is_coefficient(run, alone, runs)
+            and (signed or not _is_coefficient(run, alone, runs))
             and _may_be_name(
                 run,
                 alone,
@@ -123,6 +129,13 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         ):
             found |= dict.fromkeys(alone or run, _told(run))
     return found
+
+
+def _is_numbered(letter: str, texts: Sequence[str]) -> bool:
+    """Has a letter a number below wherever it stands alone, as a coefficient has, and no letter like it has none?"""
+    printed = rf"(?<![A-Za-z\\])(?<![A-Za-z] ){letter}(?! [A-Za-z])(,?)"
+    places = [found[1] for text in texts for found in re.finditer(printed, text)]
+    return bool(places) and all(places)
 
 
 def _told(run: str) -> str:

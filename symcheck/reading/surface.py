@@ -101,6 +101,17 @@ class Group:
 Part = str | Group
 
 
+_COUNT = r"[A-Za-z](?:_(?:\w|\{[^{}]*\}))?(?:\s*[-+]\s*\d)?"
+# half a number and the like, around which nobody writes square brackets but for its integer part
+_INTEGER_PART = re.compile(
+    rf"(?<![A-Za-z0-9)}}\]])\s*(?:\\left\s*)?\[\s*"
+    rf"(?:\\[dt]?frac\s*\{{\s*{_COUNT}\s*\}}\s*(?:\d|\{{\s*\d+\s*\}})|\(?\s*{_COUNT}\s*\)?\s*/\s*\d+)"
+    r"\s*(?:\\right\s*)?\](?!\s*[\^_,])"
+)
+_CELLS = re.compile(r"\\begin\{[bBpvV]?matrix\}((?:(?!\\begin|\\end).)*)\\end", re.DOTALL)
+_WIDE = re.compile(r"[^\s\\&]\s*\\q?quad\s*(?:\\[,:;>]\s*|\\q?quad\s*)*[-+]")
+
+
 def plain(source: str, beside: Iterable[str] = ()) -> str:
     """The same formula without what is layout alone; what is not balanced is left as it is.
 
@@ -116,6 +127,12 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
         raise SymcheckError(
             "brackets that begin with +: a term that may be left out, or a factor? write it without them"
         )
+    if _INTEGER_PART.search(source):
+        raise SymcheckError(
+            "a quotient in square brackets: its integer part, or idle brackets? write \\lfloor and \\rfloor, or none"
+        )
+    if any(_WIDE.search(rows) for rows in _CELLS.findall(source) if "&" not in rows):
+        raise SymcheckError("a wide space before a sign in a matrix: another entry, or the same one? write &")
     if _BLOCKS.search(source):
         raise SymcheckError("a row of two blocks, or their product? write & between blocks, or no space")
     if _NO_NAME.search(source):
@@ -145,7 +162,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     return phrased(_printed(_made_plain(parts)))
 
 
-_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{[^{}]*\})|'|\([A-Za-z, ]*\))*"
+_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{(?:[^{}]|\{[^{}]*\})*\})|'|\([A-Za-z, ]*\))*"
 # a line of the source that begins with what is equal to something
 _DEFINES = re.compile(
     rf"&?\s*(?:\\(?!frac|sqrt|left)[A-Za-z]+(?:\{{[^{{}}]*\}})?|[A-Za-z]|\\frac\s*\{{\s*(?:d|\\partial)(?![A-Za-z])[^{{}}]*\}}"

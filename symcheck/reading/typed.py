@@ -98,6 +98,7 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
     word = "".join(tok.text for tok in toks[k + 1 : end])
     twins = word.isupper() and any(_is_twice(toks, m, base) for m in range(len(toks) - 2))
     twins = twins or (len(word) == 2 and word.islower() and len({*word}) == 1)  # `I_xx`, or `p_x x`
+    twins = twins or (k == 1 and len(word) == 2 and word.isupper() and behind == "=")  # all that a side holds
     meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES) or twins
     return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
 

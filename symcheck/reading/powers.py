@@ -1,0 +1,46 @@
+r"""Letters above others that are powers by their looks, and hardly by what an equation says: `q^{n + 1} = q^n + h f`.
+
+A step of a scheme is numbered so, and a name that the left side gives stands above what makes it up.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+_BASE = r"(?:[A-Za-z]|\\[A-Za-z]+(?: \{ (?:\w|\\[A-Za-z]+|\w _ (?:\w|\{ \w \})) \})?)"
+_BELOW = r"(?: _ (?:\w|\\[a-z]+|\{(?:[^{}]|\{[^{}]*\})*\}))?"
+_SIDE = r"(?:^|\\\\ |& |\\q?quad )"
+_REST = r"(?:& )?= ((?:(?!\\\\|\\q?quad| = ).)*)"
+_NUMBER = r"(?:\d+|\d / \d|\\frac \{ \d \} \{ \d \}|\\frac \d \d)"
+# the next step, by itself on the left
+_NEXT = re.compile(rf"{_SIDE}(?:\{{ )?({_BASE}{_BELOW})(?: \}})? \^ \{{ ([a-z]) \+ {_NUMBER} \}} {_REST}")
+# what is given by an equation, or its logarithm
+_GIVEN = re.compile(rf"{_SIDE}(?:\\(?:ln|log) (?:\( )?)?(\\[a-z]+|[A-Za-z]) (?:\) )?{_REST}")
+
+# what is summed over a letter from 1 to another one
+_SUMMED = re.compile(
+    r"\\(?:sum|prod) _ \{ ([a-z]) = 1 \} \^ (?:[A-Za-z]|\{ [A-Za-z] \}) ((?:(?!\\\\|\\q?quad| = |\\sum|\\prod).)*)"
+)
+_SEVERAL = 2  # letters with the same one above, of which no powers are multiplied
+
+
+def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
+    """The letters of a formula, whose tokens stand apart, that have such a letter above, each with that letter."""
+    for base, step, rest in _NEXT.findall(text):
+        above = re.compile(rf"\^ (?:{step}(?![A-Za-z])|\{{ {step}(?: [-+] {_NUMBER})? \}})")
+        before = re.search(rf"(?<![A-Za-z\\]){re.escape(base)}(?: \}})? {above.pattern}", rest)
+        if before and not re.search(rf"(?<![A-Za-z\\]){step}(?![A-Za-z])", above.sub("", rest)):
+            yield base, step
+    for run, rest in _SUMMED.findall(text):
+        above = re.compile(
+            rf"({_BASE}) _ (?:\w|\\[a-z]+|\{{(?:[^{{}}]|\{{[^{{}}]*\}})*\}}) \^ (?:{run}(?![A-Za-z])|\{{ {run} \}})"
+        )
+        raised = {*above.findall(rest)}
+        if len(raised) >= _SEVERAL and not re.search(rf"(?<![A-Za-z\\]){run}(?![A-Za-z])", above.sub("", rest)):
+            yield from ((base, run) for base in sorted(raised))
+    for given, rest in _GIVEN.findall(text):
+        above = re.compile(rf"({_BASE}){_BELOW} \^ (?:{re.escape(given)}(?![A-Za-z])|\{{ {re.escape(given)} \}})")
+        found = above.findall(rest)
+        if found and not re.search(rf"(?<![A-Za-z\\]){re.escape(given)}(?![A-Za-z])", above.sub("", rest)):
+            yield from ((base, given) for base in found if base not in ("e", r"\text { e }"))
