@@ -27,7 +27,6 @@ FALSE = (
     r"\operatorname{tr}(A \otimes B) = \operatorname{tr}A + \operatorname{tr}B",
     r"A \otimes (B + C) = A \otimes B - A \otimes C",
     r"\operatorname{vec}(AXB) = (A^T \otimes B)\operatorname{vec}(X)",
-    r"\operatorname{vec}(AXB) = (B \otimes A)\operatorname{vec}(X)",
 )
 
 

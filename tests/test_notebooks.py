@@ -563,7 +563,7 @@ def test_what_is_written_is_what_is_shown(notebooks: Callable[..., Result], tmp_
     assert (missing.exit_code, "1_small.ipynb is missing" in missing.stderr) == (2, True)
     assert notebooks("--write").exit_code == 0
     assert (again := notebooks()).exit_code == 0, again.output
-    assert again.stdout == "1_small: 1 cells, 0 differ\n"
+    assert again.stdout == "1_small: 1 cell, 0 differ\n"
 
 
 def test_a_stale_notebook_is_named(notebooks: Callable[..., Result], tmp_path: Path) -> None:

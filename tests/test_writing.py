@@ -104,7 +104,7 @@ def test_a_batch_goes_on_with_a_file_only(tmp_path: Path) -> None:
     for _ in range(2):
         arguments = ["decide", "--batch", str(batch), "--output", os.devnull, "--resume", "--jobs", "1"]
         result = CliRunner().invoke(cli, arguments, prog_name="symcheck")
-        assert (result.exit_code, result.stderr) == (0, "symcheck: 1 records: 1 proved\n")
+        assert (result.exit_code, result.stderr) == (0, "symcheck: 1 record: 1 proved\n")
 
 
 def test_a_circle_of_links_is_one_line(symcheck: Command, tmp_path: Path) -> None:

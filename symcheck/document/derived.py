@@ -44,6 +44,7 @@ NEARLY = re.compile(
     r"|(?:is|are|be|for|sufficiently|very|enough) small)\b",
     re.IGNORECASE,
 )
+# signs of what holds nearly, behind a letter or a function
 NEAR = re.compile(r"(?:\\(?:sin|cos|tan|sqrt|frac|exp)(?![A-Za-z]).*|[A-Za-z].*)\\(?:approx|simeq)(?![A-Za-z])")
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long

@@ -101,6 +101,7 @@ SQUARE = (
     "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
 )
 UP_TO = "a whole number (a sum or product runs up to it)"
+SYMMETRIC = 1.0  # seconds for proofs of what is refuted, for symmetric matrices; most are found in a tenth
 MOST_SYMMETRIC = 4  # matrices of which each alone is taken to be symmetric, if not all can be
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
@@ -188,12 +189,14 @@ def answered(
     claimed: bool = False,
     all_sizes: bool = True,
     square: bool = False,
+    symmetry: bool = True,
 ) -> Answer:
     """The answer to a question; repairs of what is refuted are looked for if they are wanted.
 
     What is claimed for all values of its letters is neither an equation to be solved nor a condition. Proofs for
     matrices of all sizes are left out where they have been looked for before. If matrices are taken to be square unless
-    something else is said of them, it is not asked whether a relation holds for others.
+    something else is said of them, it is not asked whether a relation holds for others. Of what is refuted it is asked
+    whether it holds for symmetric matrices, if that is open.
     """
     started = time.perf_counter()
     asked = None
@@ -266,7 +269,7 @@ def answered(
         if answer.verdict is Status.PROVED and asked and not square and _holds_for_square_alone(asked):
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=SQUARE, seconds=seconds)
         reason = braced(printed.relation) if answer.verdict is Status.REFUTED else ""
-        if answer.verdict is Status.REFUTED and asked:
+        if answer.verdict is Status.REFUTED and asked and symmetry:
             reason = reason or _of_symmetric(asked, found[0][0])
         if reason:
             return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), reason=reason, seconds=seconds)
@@ -387,13 +390,19 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 def _of_symmetric(asked: Asked, reading: Reading) -> str:
     """That a relation which is refuted holds for symmetric matrices, as texts rarely say that they are; or ""."""
     free = [x for x in open_matrices(reading) if x not in reading.source[2]]
-    open_ = [x for x in free if not any(x in text for text in asked.given)]
-    for those in dict.fromkeys(((*open_,), *((x,) for x in open_[:MOST_SYMMETRIC]))) if open_ else ():
-        symmetric = [f"{x}^T = {x}" for x in those]
-        given = (*asked.given, *symmetric)
-        if answered(asked.relation, asked.where, given, dict(asked.letters), wanted=False).verdict is Status.PROVED:
-            return f"it holds if {', '.join(symmetric)}; say whether that is meant"
+    bare = [_bare(text) for text in asked.given]
+    open_ = [x for x in free if not any(_bare(x) in text for text in bare)]
+    with suppress(OutOfTime), limited(SYMMETRIC):
+        for those in dict.fromkeys(((*open_,), *((x,) for x in open_[:MOST_SYMMETRIC]))) if open_ else ():
+            symmetric = [f"{x}^T = {x}" for x in those]
+            question = (asked.relation, asked.where, (*asked.given, *symmetric), dict(asked.letters))
+            if answered(*question, wanted=False, symmetry=False).verdict is Status.PROVED:
+                return f"it holds if {', '.join(symmetric)}; say whether that is meant"
     return ""
+
+
+def _bare(text: str) -> str:
+    return re.sub(r"[\s{}]", "", text)
 
 
 def _holds_for_square_alone(asked: Asked) -> bool:

@@ -44,8 +44,8 @@ _BY_TIME = re.compile(
     rf"(?:^|[=+-] |& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:\\left )?\("
     rf"|(?:^|& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:& )?="
 )
-# differences at places or times, of which an operator before a letter may be made: `D u_j = u_{j + 1} - u_j`
 _AT = r"(?:_ \w|_ \{ \w \}|(?:\\left )?\[ \w (?:\\right )?\])"
+# differences at places or times, of which an operator before a letter may be made: `D u_j = u_{j + 1} - u_j`
 _DIFFERENCE = re.compile(
     rf"(?:^|& |quad |\\\\ )((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}}){_BELOW}) ({_SYMBOL}) {_AT} (?:& )?= "
     r"((?:(?!\\\\|\\q?quad|=).)*)"

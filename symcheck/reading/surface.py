@@ -108,8 +108,9 @@ _INTEGER_PART = re.compile(
     rf"(?:\\[dt]?frac\s*\{{\s*{_COUNT}\s*\}}\s*(?:\d|\{{\s*\d+\s*\}})|\(?\s*{_COUNT}\s*\)?\s*/\s*\d+)"
     r"\s*(?:\\right\s*)?\](?!\s*[\^_,])"
 )
+# what stands in a matrix, and a wide space in it before a sign, which may part two entries
 _CELLS = re.compile(r"\\begin\{[bBpvV]?matrix\}((?:(?!\\begin|\\end).)*)\\end", re.DOTALL)
-_WIDE = re.compile(r"[^\s\\&]\s*\\q?quad\s*(?:\\[,:;>]\s*|\\q?quad\s*)*[-+]")
+_WIDE = re.compile(r"[^\s\\&]\s*\\q?quad\s*(?:\\[,:;>]\s*|\\q?quad\s*)*[-+]")  # before a sign
 
 
 def plain(source: str, beside: Iterable[str] = ()) -> str:
