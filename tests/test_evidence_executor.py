@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import time
 from pathlib import Path
 
@@ -76,6 +77,19 @@ def test_a_dying_worker_takes_only_its_own_id_with_it(jobs: int) -> None:
     assert isinstance(crash, Crash)
     assert "died" in crash.reason
     assert answers == {id: Done(int(id) ** 2) for id in "1245"}
+
+
+def own_process(id: str) -> int:
+    return os.getpid()
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_workers_that_die_between_two_tasks_take_none_with_them(jobs: int) -> None:
+    with Pool(jobs).kept() as workers:
+        for pid in {answer.value for _, answer in workers.map(own_process, list("1234"), 60.0)}:
+            os.kill(pid, signal.SIGKILL)
+        answers = dict(workers.map(square, list("12345678"), 60.0))
+    assert answers == {id: Done(int(id) ** 2) for id in "12345678"}
 
 
 def test_after_the_time_limit_no_process_is_left(tmp_path: Path) -> None:

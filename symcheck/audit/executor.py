@@ -90,12 +90,12 @@ class Pool:
     def kept(self) -> Iterator[Executor]:
         from pebble import ProcessPool
 
-        pool: Any = ProcessPool(max_workers=self.jobs, context=self._context())
+        context = self._context()
+        workers = _Workers(lambda: ProcessPool(max_workers=self.jobs, context=context), self.jobs)
         try:
-            yield _Workers(pool, self.jobs)
+            yield workers
         finally:
-            pool.stop()
-            pool.join()
+            workers.stop()
 
     def _context(self) -> Any:
         from multiprocessing import get_all_start_methods, get_context
@@ -119,37 +119,57 @@ class Pool:
         return context
 
 
-@dataclass(frozen=True)
+ATTEMPTS = 3  # of a task in pools that broke for another one: a worker that dies between two tasks breaks its pool
+
+
 class _Workers:
     """The workers of a pool that stays; what is not awaited any more is killed."""
 
-    pool: Any
-    jobs: int
+    def __init__(self, made: Callable[[], Any], jobs: int) -> None:
+        self.made, self.jobs = made, jobs
+        self.pool = made()
+
+    def stop(self) -> None:
+        self.pool.stop()
+        self.pool.join()
 
     def map(self, function: Callable[[K], T], tasks: Iterable[K], timeout: float) -> Generator[tuple[K, Answer[T]]]:
         from concurrent.futures import FIRST_COMPLETED, wait
+        from concurrent.futures.process import BrokenProcessPool
 
-        waiting, running = iter(tasks), dict[Any, K]()
+        waiting, running = iter(tasks), dict[Any, tuple[K, int]]()
 
-        def begin(count: int) -> None:
-            for task in islice(waiting, count):
-                with withheld():  # no worker is left half started
-                    running[self._scheduled(function, task, timeout)] = task
+        def begin(task: K, attempt: int) -> None:
+            with withheld():  # no worker is left half started
+                running[self._scheduled(function, task, timeout)] = task, attempt
 
         try:
-            begin(2 * self.jobs)
+            for task in islice(waiting, 2 * self.jobs):
+                begin(task, 1)
             while running:
                 for future in wait(running, return_when=FIRST_COMPLETED).done:
-                    task = running.pop(future)
-                    begin(1)
+                    task, attempt = running.pop(future)
+                    if attempt < ATTEMPTS and isinstance(future.exception(), BrokenProcessPool):
+                        self._renew()
+                        begin(task, attempt + 1)
+                        continue
+                    for more in islice(waiting, 1):
+                        begin(more, 1)
                     yield task, _answer(future, timeout)
         finally:
             for future in running:
                 future.cancel()
 
+    def _renew(self) -> None:
+        """Other workers in the place of those of a pool that broke."""
+        if not self.pool.active:
+            self.stop()
+            self.pool = self.made()
+
     def _scheduled(self, function: Callable[[K], T], task: K, timeout: float) -> Any:
         from concurrent.futures import Future
 
+        self._renew()
         try:
             return self.pool.schedule(_attempt, args=(function, task), timeout=timeout)
         except RuntimeError as error:  # no worker could be started
