@@ -707,7 +707,9 @@ def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, d
         order = {} if number is None else {found.base: str(number)}
         point = order | {x: term(value) for x, value in made["point"]["values"].items()}
         stated = tuple(reading.stated[name] for name in used if name in reading.stated)
-        return replace(base, verdict=Status.REFUTED, counterexample=point, used=stated, certificate=(made,))
+        shown = tuple(map(term, made["point"].get("shown", ())))
+        base = replace(base, verdict=Status.REFUTED, counterexample=point, values=shown)
+        return replace(base, used=stated, certificate=(made,))
     return None
 
 
