@@ -654,6 +654,7 @@ MATRIX, COLUMN = r"\begin{bmatrix} 0 & 1 \\ 0 & a \end{bmatrix}", r"\begin{bmatr
         rf"A = {MATRIX} \text{{ and }} B = {COLUMN}",
         rf"A = {MATRIX}, \quad \dot B = {COLUMN}",
         r"A = \left[\begin{array}{cc} 0 & 1 \\ 0 & a \end{array}\right], B = (\begin{array}{c} 0 \\ b \end{array})",
+        r"A = \begin{Bmatrix*} 0 & 1 \\ 0 & a \end{Bmatrix*}, B = \begin{pmatrix*}[c] 0 \\ b \end{pmatrix*}",
         r"A = \begin{bmatrix*}[r] 0 & 1 \\ 0 & a \end{bmatrix*}, B = \begin{pmatrix*} 0 \\ b \end{pmatrix*}",
     ],
 )
@@ -672,6 +673,7 @@ CHAINS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\frac{dL}{dt} = \frac{\partial L}{\partial q} \dot q + \frac{\partial L}{\partial\dot q} \ddot q"
          r" + \frac{\partial L}{\partial t}", [FORCED]),
         (r"\frac{\partial f}{\partial t} = x^2", [X_T]),
+        (r"\frac{\partial f}{\partial t} + \dot x = x^2 + \dot x", [X_T]),
         (r"\frac{\partial u^2}{\partial t} = 2 u \frac{\partial u}{\partial t}", []),
         (r"\frac{\partial u}{\partial t} = -c \frac{\partial u}{\partial x}", ["u = f(x - ct)"]),
     ],

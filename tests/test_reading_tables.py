@@ -17,7 +17,7 @@ from symcheck.reading.lexer import Lexeme, Lexer
 from symcheck.reading.surface import plain
 from symcheck.reading.tables import made, tables
 
-WRITE = "after a change of the grammar run `python -m symcheck.reading.grammar`"
+WRITE = "after a change of the grammar run `python -m symcheck.reading`"
 
 DISPLAYS = (
     r"x = 1",

@@ -150,7 +150,6 @@ class _Workers:
                 for future in wait(running, return_when=FIRST_COMPLETED).done:
                     task, attempt = running.pop(future)
                     if attempt < ATTEMPTS and isinstance(future.exception(), BrokenProcessPool):
-                        self._renew()
                         begin(task, attempt + 1)
                         continue
                     for more in islice(waiting, 1):

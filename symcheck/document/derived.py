@@ -37,15 +37,14 @@ DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|fi
 NAMING = re.compile(
     rf"{DERIVED.pattern}|(?<!in the )\blimit(?:s|ed)?\b|\b(?:laws?|models?|examples?|consider\w*)\b", re.IGNORECASE
 )
-# words before what holds nearly, and signs of it between letters, or of a function
+# words before what holds nearly
 NEARLY = re.compile(
     r"\b(?:lineari[sz]\w*|neglect\w*|approximation\w*|(?:first|second|leading|lowest|higher)[- ]order"
     r"|small[- ](?:\w+ )?(?:angle|perturbation|deviation|oscillation|displacement|rotation|error|motion)s?"
     r"|(?:is|are|be|for|sufficiently|very|enough) small)\b",
     re.IGNORECASE,
 )
-# signs of what holds nearly, behind a letter or a function
-NEAR = re.compile(r"(?:\\(?:sin|cos|tan|sqrt|frac|exp)(?![A-Za-z]).*|[A-Za-z].*)\\(?:approx|simeq)(?![A-Za-z])")
+NEAR = re.compile(r"[A-Za-z].*\\(?:approx|simeq)(?![A-Za-z])")  # a sign of it, behind letters
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
 FOLLOWING = 1.2  # for all sets of a relation

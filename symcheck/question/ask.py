@@ -28,7 +28,7 @@ from symcheck.proof.search.wellformed import checked
 from symcheck.question import indices, jets, named, power_series, series, special
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
-from symcheck.question.conventions import constant
+from symcheck.question.conventions import constant, mentioned
 from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.doubts import (
     braced,
@@ -389,9 +389,8 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
 
 def _of_symmetric(asked: Asked, reading: Reading) -> str:
     """That a relation which is refuted holds for symmetric matrices, as texts rarely say that they are; or ""."""
-    free = [x for x in open_matrices(reading) if x not in reading.source[2]]
-    bare = [_bare(text) for text in asked.given]
-    open_ = [x for x in free if not any(_bare(x) in text for text in bare)]
+    known = reading.source[2]
+    open_ = [x for x in open_matrices(reading) if x not in known and not mentioned(x, asked.given)]
     with suppress(OutOfTime), limited(SYMMETRIC):
         for those in dict.fromkeys(((*open_,), *((x,) for x in open_[:MOST_SYMMETRIC]))) if open_ else ():
             symmetric = [f"{x}^T = {x}" for x in those]
@@ -399,10 +398,6 @@ def _of_symmetric(asked: Asked, reading: Reading) -> str:
             if answered(*question, wanted=False, symmetry=False).verdict is Status.PROVED:
                 return f"it holds if {', '.join(symmetric)}; say whether that is meant"
     return ""
-
-
-def _bare(text: str) -> str:
-    return re.sub(r"[\s{}]", "", text)
 
 
 def _holds_for_square_alone(asked: Asked) -> bool:

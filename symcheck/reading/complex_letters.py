@@ -5,16 +5,14 @@ Such a letter has a real and an imaginary part; `\bar{z}`, `\overline{z}`, `z^*`
 
 from __future__ import annotations
 
-import itertools
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 from symcheck.reading import tex
-from symcheck.reading.lexer import SPACES
 from symcheck.reading.notation import SAID
-from symcheck.reading.occurrences import first, occurrences
+from symcheck.reading.occurrences import occurrences
+from symcheck.reading.sides import CLOSE, OPEN, alone, equated
 
 # a conjugate: "\bar{z}", or by its tokens "z ^ *"
 _CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\ast|\\star|\\dagger)(?: \})?")
@@ -26,7 +24,6 @@ _LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")  # bars of an absolute value
 # the part of one letter
 _ALONE = re.compile(r"\s*[({]?\s*(\\?[A-Za-z]+(?:\s*_\s*(?:\w+|\{[\w\s]+\}))?)\s*[)}]?\s*(?=$|[-+=<>,.]|\\[lg])")
 _ORDER = re.compile(r"<|>|\\(?:leq?|geq?|leqslant|geqslant|lt|gt)(?![A-Za-z])")  # what compares real numbers only
-OPEN, CLOSE = frozenset("([{"), frozenset(")]}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +69,7 @@ def complexes(
     free = {x for x in letters if x not in ordered and x not in conjugates}
     certain = dict.fromkeys(said, SAID)
     parts = [m[1] for f in formulas for part in _PARTS.finditer(f) if (m := _ALONE.match(f, part.end()))]
-    certain |= {x: "its real or imaginary part is printed" for x in map(_letter, parts) if x in free}
+    certain |= {x: "its real or imaginary part is printed" for x in map(alone, parts) if x in free}
     parted = any(map(_PARTS.search, formulas))
     if parted or units:
         shown = "its conjugate stands beside it" if parted else "its conjugate and the imaginary unit stand beside it"
@@ -108,56 +105,3 @@ def _without_real(formula: str) -> str:
         else:
             kept.append(tok.text)
     return " ".join(kept)
-
-
-def equated(formulas: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Letters with what they are equal to."""
-    for formula in formulas:
-        yield from _equated(formula)
-
-
-@lru_cache(maxsize=512)  # each reading of a formula asks for them
-def _equated(formula: str) -> tuple[tuple[str, str], ...]:
-    sides = (both for members in _relations(formula) for both in itertools.pairwise(members))
-    pairs = [(x.strip("& "), y.strip("& ")) for a, b in sides for x, y in ((a, b), (b, a))]
-    return tuple((letter, other) for x, other in pairs if (letter := _letter(x)) and _plain(letter) == _plain(x))
-
-
-# what stands in no letter: most sides of equations need not be looked at closely
-_MORE = re.compile(r"[(\[&]|\\(?:d?frac|begin|sum|int|left|sqrt|cdot|times)(?![A-Za-z])")
-
-
-def _letter(latex: str) -> str:
-    """The spelling of the first letter, unless there is more than one for certain."""
-    place = None if _MORE.search(latex) else first(latex)
-    if place is None:
-        return ""
-    return place.word + (tex.subscript(place.subscript) if place.subscript else "")
-
-
-def _plain(latex: str) -> list[str]:
-    return [text for text in tex.texts(latex) if text not in _LAYOUT]
-
-
-_LAYOUT = SPACES | {"{", "}"}
-
-
-PARTING = frozenset({r"\\", ",", ";", r"\quad", r"\qquad", r"\text"})  # relations
-# what aligns them
-_ALIGNED = re.compile(r"\\(?:begin|end)\s*\{\s*(?:a\s*l\s*i\s*g\s*n|s\s*p\s*l\s*i\s*t|g\s*a\s*t\s*h\s*e\s*r)[^}]*\}")
-
-
-def _relations(formula: str) -> Iterator[list[str]]:
-    """For each relation what stands between its equality signs, outside of all brackets and matrices."""
-    depth, start, found = 0, 0, list[str]()
-    formula = _ALIGNED.sub(" ", formula) if r"\begin" in formula else formula
-    for tok in tex.tokenize(formula) if "=" in formula else ():
-        depth += (tok.text in OPEN or tok.text == r"\begin") - (tok.text in CLOSE or tok.text == r"\end")
-        parts = tok.text in PARTING
-        if depth == 0 and (parts or tok.text == "="):
-            found.append(formula[start : tok.at])
-            start = formula.find("}", tok.at) + 1 if tok.text == r"\text" else tok.at + len(tok.text)
-            if parts:
-                yield found
-                found = []
-    yield [*found, formula[start:]]

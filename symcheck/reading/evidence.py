@@ -12,13 +12,13 @@ from functools import cached_property, lru_cache
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_doubled, is_product
 from symcheck.reading.commands import ACCENTS
-from symcheck.reading.complex_letters import equated
 from symcheck.reading.faces import FACES, is_styled
 from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, POWER_OR_LABEL, names_of_several_tokens
 from symcheck.reading.occurrences import BOLD, FUNCTIONS_SPELLED, Occurrence, occurrences, words
 from symcheck.reading.operators import operators
 from symcheck.reading.powers import raised_in_vain
 from symcheck.reading.side_by_side import doubted
+from symcheck.reading.sides import equated, without_dots
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
@@ -146,7 +146,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
             ends.setdefault(letter, (low, high))
     families = {p.word for p in places if p.subscript is not None and index.intersection(words(p.subscript))}
     phrases = {latex if latex in wholes else canonical(latex): phrase for latex, phrase in said.items()}
-    printed = [_DOTS.sub(r"\1", formula) for formula in formulas if r"\begin" in formula]
+    printed = [without_dots(formula) for formula in formulas if r"\begin" in formula]
     shapes = {letter: shape for letter, other in equated(printed) if (shape := _shape(other))}
     shapes |= {letter: (3, 3) for letter, other in equated(formulas) if letter.isupper() and _SKEW_ADDED.search(other)}
     found: dict[str, Evidence] = {}
@@ -192,9 +192,6 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
                 own.running = True
     _complete(found)
     return found
-
-
-_DOTS = re.compile(r"\\d+ot(?![a-z])\s*(?:\{([^{}]*)\})?")  # the rate of what is printed as a column is one
 
 
 def _is_mixed(subscript: Sequence[str]) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 from symcheck.reading import tex
 from symcheck.reading.lexer import Lexeme
-from symcheck.reading.tables import ANY, store, tables
+from symcheck.reading.tables import ANY, tables
 from symcheck.reading.tree import Name
 
 ParseNode = Any  # a Branch, or a Leaf, whose `value` is a Lexeme
@@ -97,7 +97,3 @@ def parse(source: str, lexemes: list[Lexeme]) -> ParseNode:
 
 def _shown(lexeme: Lexeme) -> str:
     return lexeme.value.letter if isinstance(lexeme.value, Name) else str(lexeme.value)
-
-
-if __name__ == "__main__":
-    store(GRAMMAR)

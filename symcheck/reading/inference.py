@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from symcheck.reading import tex
-from symcheck.reading.complex_letters import complexes, equated
+from symcheck.reading.complex_letters import complexes
 from symcheck.reading.evidence import Evidence, gathered, spelling
 from symcheck.reading.faces import ACCENT, STYLED
 from symcheck.reading.guesses import COMPLEX, CONSTANT, Guess, in_doubt, options, variable_name
@@ -22,6 +22,7 @@ from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation, is_value
 from symcheck.reading.occurrences import Occurrence, occurrences
 from symcheck.reading.relatives import Relatives, relatives
+from symcheck.reading.sides import equated, without_dots
 
 SIZES = (3, 2)  # of vectors and matrices whose size nothing tells: what holds of both hardly fails of others
 _MEMBER = re.compile(r"(\\?[A-Za-z]+)_\{?\w\}?")  # a plain letter with one index
@@ -185,7 +186,6 @@ def _complexed(inference: Inference, formulas: Sequence[str]) -> Iterator[Infere
 
 UNIT = r"\text{i}"
 _CROSS = re.compile(r"(?<![\d}])\s*\\times(?!\s*\d)|\}\s*\\times(?!\s*\d)")  # not beside a printed number
-_DOTS = re.compile(r"\\d+ot(?![a-z])\s*(?:\{([^{}]*)\})?")  # a vector has a rate that is one
 _TWICE = re.compile(r"\(([^()]*\\times[^()]*)\)")  # a cross within another one
 # what shows that brackets hold a number
 _SCALAR = re.compile(r"[(|\[]|\\(?:frac|cdot|sqrt)|\d")
@@ -203,7 +203,7 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
     if not crossed or not any(map(_CROSS.search, formulas)):
         yield inference
         return
-    for letter, other in equated([_DOTS.sub(r"\1", f) for f in formulas]):
+    for letter, other in equated([*map(without_dots, formulas)]):
         if letter in plain and r"\times" in other and not _SCALAR.search(_TWICE.sub(r"\1", other)):
             crossed.add(letter)  # it is equal to a cross
     while more := {x for key in crossed for p in evidence[key].places for x in p.beside if x in plain} - crossed:

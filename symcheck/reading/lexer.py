@@ -29,8 +29,7 @@ ENVIRONMENTS = frozenset(
 VALUES = "values by cases"  # the environment of that kind
 CONDITIONS = frozenset({"if", "for", "when", "where", "as", "in", "on", "at"})
 OTHERWISE = frozenset({"otherwise", "else", "elsewhere"})
-MATRICES = frozenset({"pmatrix", "bmatrix", "matrix", "Bmatrix", "smallmatrix", "pmatrix*", "bmatrix*", "matrix*"})
-ALIGNING = frozenset("lcr")  # in square brackets behind a starred matrix
+MATRICES = frozenset({"smallmatrix", *(f"{side}matrix{star}" for side in ("", "p", "b", "B") for star in ("", "*"))})
 RELATIONS = {
     "=": "=", "<": "<", ">": ">", r"\lt": "<", r"\gt": ">", r"\ne": r"\ne", r"\neq": r"\ne",
     r"\le": r"\le", r"\leq": r"\le", r"\leqslant": r"\le", r"\ge": r"\ge", r"\geq": r"\ge", r"\geqslant": r"\ge",
@@ -567,8 +566,7 @@ class Lexer(tex.Reader):
                 self.environments.append((VALUES, at))
                 self.emit("CBEGIN", name, at)
                 return
-            if name.endswith("matrix*") and (self.peek(), self.peek(2)) == ("[", "]") and self.peek(1) in ALIGNING:
-                self.i += 3
+            self.alignment(name)
             if name == "array":
                 self.group()
                 inside = self.last() in {"LPAR", "LBRA", "LBAR", "LNORM"}

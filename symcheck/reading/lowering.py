@@ -1366,14 +1366,11 @@ class Lowering:
             by = self.value(variable_tree, env)
             if tree.partial and len(shape(by)) == 1:
                 value = self.by_components(value, by, order, tree, env)
-                continue
-            by = self.scalar(variable_tree, env)
-            if isinstance(by, Applied) and tree.partial:
-                value = each_part(partial(self.by_function, by=by, order=order, tree=tree, env=env), value)
-            elif isinstance(by, Applied):
+            elif isinstance(by, Applied) and not tree.partial:
                 value = self.along(value, by, order, tree)
             else:
-                value = self.derived(value, self.variable(variable_tree, env), order, tree, partial=tree.partial)
+                place = by if isinstance(by, Applied) else self.variable(variable_tree, env)
+                value = self.by_place(value, place, order, tree, env)
         return value
 
     def by_components(self, value: Value, by: list[Term], order: int, tree: Derivative, env: Env) -> Value:
@@ -1383,7 +1380,9 @@ class Lowering:
         places = [self.as_rate(self.written_out(each, tree, env), tree) for each in by]
         if len({*places}) < len(places):
             raise Unsaid(f"{to_latex(tree)}: a derivative by letters of which two are the same; write it out")
-        return type(by)(self.by_place(value, each, tree, env) for each in places)
+        if not all(isinstance(each, str | Applied) for each in places):
+            raise Unsaid(f"{to_latex(tree)}: a derivative by what is no letter; write it out")
+        return type(by)(self.by_place(value, each, 1, tree, env) for each in places)
 
     def as_rate(self, term: Term, tree: Tree) -> Term:
         """A derivative of the value of a function as that of its rate."""
@@ -1392,12 +1391,11 @@ class Lowering:
             return self.slope(term.body, term.letter, int(str(order)), tree, partial=False)
         return term
 
-    def by_place(self, value: Value, by: Term, tree: Derivative, env: Env) -> Value:
+    def by_place(self, value: Value, by: Any, order: int, tree: Derivative, env: Env) -> Value:
+        """The derivative by a variable, or the partial one by the value of a function."""
         if isinstance(by, Applied):
-            return each_part(partial(self.by_function, by=by, order=1, tree=tree, env=env), value)
-        if not isinstance(by, str):
-            raise Unsaid(f"{to_latex(tree)}: a derivative by what is no letter; write it out")
-        return self.derived(value, by, 1, tree, partial=True)
+            return each_part(partial(self.by_function, by=by, order=order, tree=tree, env=env), value)
+        return self.derived(value, by, order, tree, partial=tree.partial)
 
     def along(self, value: Value, by: Applied, order: int, tree: Derivative) -> Value:
         r"""The total derivative by what depends on another letter, as `\dot r / \dot \theta` for `dr / d\theta`."""
@@ -1474,7 +1472,8 @@ class Lowering:
 
         Beside total derivatives a partial one holds constant what depends on the variable alone; else that is not said.
         """
-        inside, met = self.inside, {**self.met}
+        inside, met, written = self.inside, self.met, {**self.met}
+        self.met = written
         with suppress(SymcheckError):
             term = self.written_out(term, tree, {})
         self.inside, self.met = inside, met
@@ -1490,6 +1489,7 @@ class Lowering:
         dots = any(isinstance(part, Name) and part.dots for part in nodes(self.tree))
         if alone == term or not (dots or any(not part.partial for part in derivatives)):
             raise Unsaid(f"{to_latex(tree)}: is {min(own)} held constant, or not? write a total derivative, or what is")
+        self.met = written  # what is defined stands in its definition
         return alone
 
     def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:

@@ -175,8 +175,7 @@ class Scan(tex.Reader):
         name = "".join(self.group())
         if name == "array" and self.peek() == "{":
             self.group()
-        elif name.endswith("matrix*") and self.peek() == "[":
-            self.i += 3  # how its columns are aligned
+        self.alignment(name)
 
     def inside(self, scope: Scope) -> Iterator[Occurrence]:
         """The letters of one TeX argument."""

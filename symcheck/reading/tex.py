@@ -161,6 +161,11 @@ class Reader:
         except IndexError:
             return ""
 
+    def alignment(self, environment: str) -> None:
+        r"""Skip how the columns of a starred matrix are aligned: `[r]`."""
+        if environment.endswith("matrix*") and (self.peek(), self.peek(2)) == ("[", "]") and self.peek(1) in "lcr":
+            self.i += 3
+
     def at(self, ahead: int = 0) -> int:
         """The place of a coming token in the source."""
         k = self.i + ahead
