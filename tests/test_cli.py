@@ -229,6 +229,7 @@ BAD_INPUT = {
     "an unknown link": (["check", "toy:1.2z"], "toy:1.2a, toy:1.2b"),
     "one unknown among known": (["check", "toy", "toy:7"], "toy has no relation '7'"),
     "show of a paper": (["show", "toy"], "neither of the form PAPER:NUMBER"),
+    "show of a number alone": (["show", "1.1"], "did you mean toy:1.1?"),
     "show of what is like nothing": (["show", "zzz"], "`symcheck check PAPER` lists the numbers of a paper"),
     "show of nothing": (["show"], "PAPER:NUMBER"),
     "errata of an unknown paper": (["errata", "toi"], "did you mean toy?"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -58,6 +59,15 @@ def test_what_is_stored_are_the_tables_of_the_grammar() -> None:
 def test_the_tables_of_another_grammar_are_made() -> None:
     other = 'start: "a" b\nb: (NAME NAME)+\n%declare NAME\n'
     assert {rule.name.strip("_")[:1] for rule in tables(other).rules} == {"s", "b"}
+
+
+@pytest.mark.parametrize("damaged", [None, b"", b"[1, 2", b"5", b"[1, 2]", b"\xff"])
+def test_damaged_tables_are_made_again(damaged: bytes | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    stored = tmp_path / "tables.json"
+    if damaged is not None:
+        stored.write_bytes(damaged)
+    monkeypatch.setattr("symcheck.reading.tables.STORED", stored)
+    assert tables.__wrapped__(GRAMMAR) == made(GRAMMAR)
 
 
 @pytest.mark.parametrize("latex", DISPLAYS)

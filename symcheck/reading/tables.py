@@ -6,6 +6,7 @@ Reason: to make them takes longer than to read a page of formulas, and every sta
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -36,9 +37,12 @@ class Tables(NamedTuple):
 
 @cache
 def tables(grammar: str) -> Tables:
-    """Those that are stored, if they are of this grammar."""
-    of, states, rules, start, end = json.loads(STORED.read_text(encoding="utf-8"))
-    return Tables(states, [Rule(*rule) for rule in rules], start, end) if of == grammar else made(grammar)
+    """Those that are stored, if they are of this grammar and whole; others are made again."""
+    with suppress(OSError, ValueError, TypeError):
+        of, states, rules, start, end = json.loads(STORED.read_text(encoding="utf-8"))
+        if of == grammar:
+            return Tables(states, [Rule(*rule) for rule in rules], start, end)
+    return made(grammar)
 
 
 def made(grammar: str) -> Tables:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
+from symcheck import audit
 from symcheck.audit import check, kernels
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
@@ -49,9 +50,10 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
             terminal.show(out, record, certificate, _in_general(record))
         return
     if name not in named:
-        near = get_close_matches(name, named, n=1)
-        example = f"{name}:NUMBER" if name in keys else near[0] if near else ""
-        meant = f"did you mean {example}?" if example else "`symcheck check PAPER` lists the numbers of a paper"
+        every = (each for key in keys for each in audit.decide.expand(load()[key]))
+        near = [each.id for each in every if each.item.number == name]
+        near = [f"{name}:NUMBER"] if name in keys else near or get_close_matches(name, named, n=1)
+        meant = f"did you mean {' or '.join(near)}?" if near else "`symcheck check PAPER` lists the numbers of a paper"
         raise SymcheckError(f"{name!r} is neither of the form PAPER:NUMBER nor a kernel; {meant}")
     key, kernel = named[name]
     claims = records([str(Id.of(key, place)) for place in kernel.claims])
