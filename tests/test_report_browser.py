@@ -648,6 +648,12 @@ def noted(page: Page, text: str) -> None:
     page.locator(".own textarea").fill(text)
 
 
+def notes(page: Page) -> str:
+    """What is listed under Review, which is drawn only some time after the link is clicked."""
+    page.locator("#notes > *").wait_for()
+    return page.locator("#notes").inner_text()
+
+
 def saved(page: Page, button: str, folder: Path) -> str:
     with page.expect_download() as waiting:
         page.get_by_role("button", name=button).click()
@@ -663,14 +669,14 @@ def test_notes_are_kept_and_saved_and_come_back(opened: Callable[..., Page], tmp
     assert page.locator(".own textarea").input_value() == "Is <i>A</i> proper?"
     assert page.locator(".own select").input_value() == "disagree"
     page.locator(".top").get_by_role("link", name="Review").click()
-    assert "Is <i>A</i> proper?" in page.locator("#notes").inner_text()
+    assert "Is <i>A</i> proper?" in notes(page)
     kept = saved(page, "Save as JSON", tmp_path)
     assert json.loads(kept)["review"]["mirer2009:2.12"].items() >= {"opinion": "disagree", "audit": "proved"}.items()
     letter = saved(page, "Save as a letter", tmp_path)
     for part in ("## mirer2009:2.12", "As printed: $J_1 J_3 = ", "The audit says: proved. I do not agree.", "proper?"):
         assert part in letter
     other = opened("#review")
-    assert "None yet" in other.locator("#notes").inner_text()
+    assert "None yet" in notes(other)
     other.evaluate(DROP, ["symcheck-review.json", kept])
     other.locator("#notes").get_by_role("link", name="mirer2009:2.12").click()
     title(other, "mirer2009:2.12")
@@ -678,7 +684,7 @@ def test_notes_are_kept_and_saved_and_come_back(opened: Callable[..., Page], tmp
     other.locator(".own select").select_option("")
     other.locator(".own textarea").fill(" ")
     other.locator(".top").get_by_role("link", name="Review").click()
-    assert "None yet" in other.locator("#notes").inner_text()
+    assert "None yet" in notes(other)
 
 
 @pytest.mark.parametrize(
@@ -691,7 +697,7 @@ def test_a_browser_that_keeps_nothing_says_so_in_one_line(opened: Callable[..., 
     noted(page, "A note")
     assert "save your notes, under Review, before you close it" in page.locator(".own .kept").inner_text()
     page.locator(".top").get_by_role("link", name="Review").click()
-    assert "A note" in page.locator("#notes").inner_text()
+    assert "A note" in notes(page)
 
 
 def test_what_changed_since_an_older_ledger_is_listed(opened: Callable[..., Page]) -> None:
