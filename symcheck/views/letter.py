@@ -14,11 +14,11 @@ from itertools import count
 
 from markupsafe import escape
 
+from symcheck import papers
 from symcheck.core.claims import Paper
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import Group, Origin, SymcheckError
 from symcheck.ledger import Record
-from symcheck.papers import load
 from symcheck.views.latex import formulas_of, is_formula, only_formula, split_at_formulas, standing_alone
 from symcheck.views.model import Fault, errata
 
@@ -100,7 +100,7 @@ def letter(records: Iterable[Record]) -> Letter:
         raise SymcheckError("no erratum concerns the authors; `symcheck errata` lists damage by the digitisation")
     if len(keys) > 1:
         raise SymcheckError(f"a letter is about one paper, not about {' and '.join(keys)}; select one of them")
-    paper = load()[keys[0]]
+    paper = papers.load()[keys[0]]
     faults_of: dict[Group, list[Fault]] = {group: [] for group in Group}
     for group, lists in errata(wrong):
         faults_of[group] += [fault for faults in lists for fault in faults.faults]

@@ -6,13 +6,12 @@ from collections.abc import Callable, Iterable, Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from symcheck import audit
+from symcheck import audit, papers
 from symcheck.audit import check, kernels
 from symcheck.core.ids import Id
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.kernels.codegen.kernel import Kernel
 from symcheck.ledger import Record
-from symcheck.papers import load
 from symcheck.views import terminal
 
 if TYPE_CHECKING:
@@ -42,7 +41,7 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
     """
     out = terminal.console()
     before, colon, _ = name.partition(":")
-    keys = [before] if colon else list(load())
+    keys = [before] if colon else list(papers.load())
     named = {known: (key, kernel) for key in keys for known, kernel in _named(key)}
     if ":" in name and name not in named:
         for n, record in enumerate(records([name])):
@@ -50,7 +49,7 @@ def show(name: str, certificate: bool = False, records: Callable[[Iterable[str]]
             terminal.show(out, record, certificate, _in_general(record))
         return
     if name not in named:
-        every = (each for key in keys for each in audit.decide.expand(load()[key]))
+        every = (each for key in keys for each in audit.decide.expand(papers.load()[key]))
         near = [each.id for each in every if each.item.number == name]
         near = [f"{name}:NUMBER"] if name in keys else near or get_close_matches(name, named, n=1)
         meant = f"did you mean {' or '.join(near)}?" if near else "`symcheck check PAPER` lists the numbers of a paper"
