@@ -36,7 +36,7 @@
     const pen = canvas.getContext("2d");
     pen.scale(ratio, ratio);
     const size = Math.max(...shape.vertices.map((v) => Math.hypot(...v)));
-    const scale = Math.min(0.47 * width, 0.58 * height) / size * view.zoom;
+    const scale = Math.min(0.49 * width - 30, 0.58 * height) / size * view.zoom;
     const place = (p) => { const far = 1 / (1 - p[2] / (7 * size)); return [width / 2 + p[0] * scale * far, height / 2 - p[1] * scale * far]; };
     const space = shape.vertices.map(turned), flat = space.map(place);
     const front = shape.faces.map((face) => cross(sub(flat[face[1]], flat[face[0]]).concat(0), sub(flat[face[2]], flat[face[1]]).concat(0))[2] < 0);
