@@ -231,6 +231,11 @@ def test_terms_that_are_nested_too_deeply_settle_nothing() -> None:
     assert (found.verdict, found.reason) == (UNDETERMINED, "its terms are nested too deeply")
 
 
+def test_a_partial_derivative_at_a_place_has_a_verdict_on_its_dimension() -> None:
+    found = decided("f_y(x, y) = 2 x^2 y - 1", where=("f(x, y) = x^2 y^2 - y",)).dimension
+    assert found.verdict == UNDETERMINED
+
+
 def test_what_has_no_form_is_undetermined_with_its_reason() -> None:
     found = decided(r"t_s \approx \frac{4}{\zeta \omega_n}", units={"t_s": "s"}).dimension
     assert found.verdict == UNDETERMINED

@@ -529,7 +529,13 @@ def test_a_name_in_doubt_is_read_and_says_both_readings(latex: str) -> None:
 
 
 def test_letters_of_an_abbreviated_number_are_factors_where_they_may_be() -> None:
-    products = (r"AB = BA + C", r"R^2 = S S_1 + S", r"x = \frac{A B C}{A + B + C}", r"\pi = 4 \arctan 1")
+    products = (
+        r"AB = BA + C",
+        r"R^2 = S S_1 + S",
+        r"\frac{b}{R} = a_0 + R a_1",
+        r"x = \frac{A B C}{A + B + C}",
+        r"\pi = 4 \arctan 1",
+    )
     for latex in products:
         assert lower(*first_reading(latex))
     for latex in (r"I = \frac16 M a^2", r"y = D e^{2 x}"):

@@ -1121,7 +1121,7 @@ class Lowering:
         """A function of the notation with its arguments."""
         letter, met = self.notation.letter(name.letter, len(name.subscripts)), dict(self.met)
         refuse_doubt(tree, letter)
-        if letter.partial:
+        if letter.partial and letter.partial[0] in self.defined:
             function, *by = letter.partial
             return self.put(Name(function), [self.value(argument, env) for argument in tree.arguments], tree, env, by)
         if self.defined.get(name.letter, ((), None))[0] and not name.subscripts:

@@ -103,7 +103,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     for run in several:
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
         if not alone and _CAPITAL_FIRST.fullmatch(run) and _is_numbered(run[1], texts):
-            alone = {run[1]}
+            alone = set() if _is_numbered(" ".join(run), texts) else {run[1]}
         sequence = alone == {run[-1]} and runs[run] > 1 and _stands_before(r"\[", run, texts)
         doubled = run in _DOUBLED and all(_stands_before("[_,]", each, texts) for each in (run, run[0]))
         if sequence or doubled:
@@ -131,9 +131,9 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def _is_numbered(letter: str, texts: Sequence[str]) -> bool:
-    """Has a letter a number below wherever it stands alone, as a coefficient has, and no letter like it has none?"""
-    printed = rf"(?<![A-Za-z\\])(?<![A-Za-z] ){letter}(?! [A-Za-z])(,?)"
+def _is_numbered(run: str, texts: Sequence[str]) -> bool:
+    """Have these letters a number below wherever they stand alone, as a coefficient has?"""
+    printed = rf"(?<![A-Za-z\\])(?<![A-Za-z] ){run}(?! [A-Za-z])(,?)"
     places = [found[1] for text in texts for found in re.finditer(printed, text)]
     return bool(places) and all(places)
 
