@@ -666,6 +666,7 @@ def test_what_is_equal_to_a_printed_matrix_is_one_wherever_that_stands(relation:
 
 
 X_T, FORCED = "f = x^2 t", r"L = \frac12 m \dot q^2 - \frac12 k q^2 + q \sin t"
+BESIDE_R = [r"\Gamma = \frac{\partial h}{\partial r} - \frac12 \frac{\partial g}{\partial t}", "h = 0", "g = -a(t)^2"]
 CHAINS: dict[str, list[tuple[str, list[str]]]] = {
     "proved": [
         (r"\frac{df}{dt} = \frac{\partial f}{\partial t} + \frac{\partial f}{\partial x} \frac{dx}{dt}", [X_T]),
@@ -676,13 +677,16 @@ CHAINS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\frac{\partial f}{\partial t} + \dot x = x^2 + \dot x", [X_T]),
         (r"\frac{\partial u^2}{\partial t} = 2 u \frac{\partial u}{\partial t}", []),
         (r"\frac{\partial u}{\partial t} = -c \frac{\partial u}{\partial x}", ["u = f(x - ct)"]),
+        (r"\Gamma = \dot a a", BESIDE_R),
     ],
     "refuted": [
+        (r"\Gamma = -\dot a a", BESIDE_R),
         (r"\frac{df}{dt} = \frac{\partial f}{\partial t} - \frac{\partial f}{\partial x} \frac{dx}{dt}", [X_T]),
     ],
     "undecided": [  # what moves may be held constant, or not
         (r"\frac{\partial f}{\partial t} = x^2", [X_T, r"\dot x = v"]),
         (r"\frac{\partial T}{\partial t} = m \dot x \ddot x", [r"T = \frac12 m \dot x^2"]),
+        (r"\frac{\partial u}{\partial t} = r \dot a", ["u = r a(t)"]),
     ],
 }  # fmt: skip
 

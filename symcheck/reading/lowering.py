@@ -1470,7 +1470,8 @@ class Lowering:
     def explicit(self, term: Term, by: str, tree: Tree) -> Term | None:
         """The term with another letter in the place of a variable where that stands itself; None if that is all.
 
-        Beside total derivatives a partial one holds constant what depends on the variable alone; else that is not said.
+        Beside total derivatives a partial one holds constant what depends on the variable alone. Beside partial ones by
+        letters that depend on nothing it holds constant only these, its fellow coordinates. Else that is not said.
         """
         inside, met, written = self.inside, self.met, {**self.met}
         self.met = written
@@ -1486,8 +1487,14 @@ class Lowering:
         if not own:
             return None
         alone = _alone(term, by, f"{by}_alone")
-        dots = any(isinstance(part, Name) and part.dots for part in nodes(self.tree))
-        if alone == term or not (dots or any(not part.partial for part in derivatives)):
+        total = any(isinstance(part, Name) and part.dots for part in nodes(self.tree)) or any(
+            not part.partial for part in derivatives
+        )
+        others = {name for part in derivatives for name, _ in part.variables if isinstance(name, Name)} - {Name(by)}
+        known = [self.notation.find(name.letter, len(name.subscripts)) for name in others]
+        if alone == term and not total and any(letter and not letter.depends for letter in known):
+            return None
+        if alone == term or not total:
             raise Unsaid(f"{to_latex(tree)}: is {min(own)} held constant, or not? write a total derivative, or what is")
         self.met = written  # what is defined stands in its definition
         return alone
