@@ -744,3 +744,55 @@ def test_what_holds_for_a_symmetric_matrix_is_proved_if_it_is_said_to_be(relatio
     answer = decide(relation, where, r"\mathbf{J}^T = \mathbf{J}")
     assert answer.verdict == "proved"
     assert r"\mathbf{J}^T = \mathbf{J}" in answer.used
+
+
+OF_TWO, OF_THREE = r"A, B \in \mathbb{R}^{2 \times 2}", r"\mathbf{x}, \mathbf{y} \in \mathbb{R}^3"
+OF_SAID: dict[str, list[tuple[str, list[str]]]] = {
+    "proved": [
+        (r"\mathbf{x}^T \mathbf{y} = x_1 y_1 + x_2 y_2 + x_3 y_3", [OF_THREE]),
+        (r"\mathbf{x} \cdot \mathbf{y} = x_x y_x + x_y y_y + x_z y_z", [OF_THREE]),
+        (r"\sum_{i=1}^3 x_i y_i = \mathbf{x} \cdot \mathbf{y}", [OF_THREE]),
+        (r"\mathbf{x}^T \mathbf{x} \ge x_1^2", [OF_THREE]),
+        (r"(\mathbf{x} \times \mathbf{y})_1 = x_2 y_3 - x_3 y_2", [OF_THREE]),
+        (r"\mathbf{r} \cdot \mathbf{r} = r^2", [r"\mathbf{r} \in \mathbb{R}^3"]),
+        (r"\sum_{i=1}^3 x_i^2 = \|x\|^2", [r"x \in \mathbb{R}^3"]),
+        (r"q_0^2 + q_1^2 + q_2^2 + q_3^2 = \|q\|^2", [r"q \in \mathbb{R}^4"]),
+        (r"\operatorname{tr}\mathbf{A} = A_{11} + A_{22}", [r"\mathbf{A} \in \mathbb{R}^{2 \times 2}"]),
+        (r"\operatorname{tr} A = \sum_{i=1}^2 A_{ii}", [OF_TWO]),
+        (r"\det A = a_{11} a_{22} - a_{12} a_{21}", [OF_TWO]),
+        (r"(A B)_{12} = A_{11} B_{12} + A_{12} B_{22}", [OF_TWO]),
+        (r"(A^{-1})_{11} = \frac{a_{22}}{a_{11} a_{22} - a_{12} a_{21}}", [OF_TWO]),
+        (r"\operatorname{tr}\boldsymbol\sigma = \sigma_{xx} + \sigma_{yy} + \sigma_{zz}",
+         [r"\boldsymbol\sigma \in \mathbb{R}^{3 \times 3}"]),
+        (r"R_{11}^2 + R_{12}^2 + R_{13}^2 = 1", [r"R \in SO(3)"]),
+    ],
+    "refuted": [
+        (r"\mathbf{x}^T \mathbf{y} = x_1 y_1 + x_2 y_2 - x_3 y_3", [OF_THREE]),
+        (r"\sum_{i=1}^3 x_i y_i = 2 \mathbf{x} \cdot \mathbf{y}", [OF_THREE]),
+        (r"(\mathbf{x} \times \mathbf{y})_1 = x_3 y_2 - x_2 y_3", [OF_THREE]),
+        (r"\det A = a_{11} a_{22} + a_{12} a_{21}", [OF_TWO]),
+        (r"(A^{-1})_{11} = \frac{a_{11}}{a_{11} a_{22} - a_{12} a_{21}}", [OF_TWO]),
+    ],
+    "undecided": [  # components under other names, those of something else, and numbers below brackets that may be labels
+        (r"\mathbf{r} \cdot \mathbf{r} = x^2 + y^2 + z^2", [r"\mathbf{r} \in \mathbb{R}^3"]),
+        (r"\mathbf{x} \cdot \mathbf{x} = x^2 + y^2 + z^2", [r"\mathbf{x} \in \mathbb{R}^3"]),
+        (r"\mathbf{v}^2 = u^2 + v^2 + w^2", [r"\mathbf{v} \in \mathbb{R}^3"]),
+        (r"\|\mathbf{q}\|^2 = q_w^2 + q_x^2 + q_y^2 + q_z^2", [r"\mathbf{q} \in \mathbb{R}^4"]),
+        (r"(a + b)_2 = a + b", [r"a \in \mathbb{R}", r"b \in \mathbb{R}"]),
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "given"), [(v, *each) for v, several in OF_SAID.items() for each in several]
+)
+def test_letters_with_numbers_below_are_entries_of_what_is_said_to_be_a_vector_or_matrix(
+    verdict: str, relation: str, given: list[str]
+) -> None:
+    assert decide(relation, given=given).verdict == verdict
+
+
+def test_what_an_equation_defines_is_no_component() -> None:
+    given = [r"\mathbf{v} \in \mathbb{R}^3", r"\mathbf{u} \in \mathbb{R}^3"]
+    answer = decide(r"\|\mathbf{v}\|^2 \ge v_1^2", where=[r"v_1 = \mathbf{v} \cdot \mathbf{u}"], given=given)
+    assert answer.verdict == "refuted"

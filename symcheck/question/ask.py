@@ -384,7 +384,8 @@ def _agreed(found: Sequence[tuple[Reading, Answer]]) -> Answer | None:
     verdicts = {answer.verdict for answer in near}
     if len(verdicts) == 1 and not (Status.REFUTED in verdicts and Status.PROVED in remote):
         return near[0]
-    return found[0][1] if not near and {*remote} in ({Status.PROVED}, {Status.AMBIGUOUS}) else None
+    agreed = not near and len({*remote}) == 1 and Status.REFUTED not in remote
+    return found[0][1] if agreed else None
 
 
 def _of_symmetric(asked: Asked, reading: Reading) -> str:

@@ -12,7 +12,7 @@ from symcheck.core.terms import Call, Connective, Formula, Node, Relation, Term
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.question import jets
 from symcheck.question.conventions import mentioned, names
-from symcheck.question.prepare import Reading
+from symcheck.question.prepare import SIZE_SAID, Reading
 from symcheck.reading import Notation, Tree
 from symcheck.reading.evidence import spellings
 from symcheck.reading.landau import terms_of_order
@@ -35,7 +35,7 @@ def relates(problem: Problem, reading: Reading) -> bool:
         return False  # what is claimed then is about coefficients and limits
     if _is_of_one_matrix(tree, notation) or _is_rough(tree):
         return True
-    context = (*asked.where, *asked.given)
+    context = (*asked.where, *(text for text in asked.given if not SIZE_SAID.search(text)))
     known = spellings(*context) | {
         x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)
     }

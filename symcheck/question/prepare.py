@@ -42,6 +42,8 @@ _SET = re.compile(
     r"^\\mathbb\s*\{?([RZNQC])\}?\s*(?:_\{?\s*(>\s*0|\\geq?\s*0|\+|0)\s*\}?)?\s*(?:\^\s*\{?([^{}]*)\}?)?$"
 )
 Definitions = Mapping[str, tuple[str, tuple[str, ...], str]]  # left side, arguments and right side, by the letter
+# a vector or a matrix of some size, of which nothing else is said
+SIZE_SAID = re.compile(r"\\in\s*\\mathbb\s*\{?[RC]\}?\s*\^")
 # letters for the size of a vector or matrix: "\mathbb{R}^{m \times n}"
 _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\s*([A-Za-z]))?")
 # what may say for which letters a relation holds

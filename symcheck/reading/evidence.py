@@ -190,8 +190,14 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
                 own.values |= {int(low), int(high)}
             elif high:
                 own.running = True
+    for each in found.values():
+        if each.indices and each.spelling in found and _SAID_WHOLE.match(each.said):
+            each.said = ""  # the components of what is said to be a vector
     _complete(found)
     return found
+
+
+_SAID_WHOLE = re.compile(r"real \d|(?:constant )?(?:vector|matrix)$")  # phrases about a letter with all its components
 
 
 def _is_mixed(subscript: Sequence[str]) -> bool:

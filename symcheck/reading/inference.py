@@ -105,10 +105,15 @@ def inferred(
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or each.derived)}
     bold = {key for key in evidence if key in defined and not defined[key] and STYLED.match(key)}
-    related = relatives(evidence.keys(), free, open_.keys() | bold, bold, formulas)
+    told = {key: size for key, each in evidence.items() if key not in defined and (size := _size_said(each))}
+    related = relatives(evidence.keys(), free, open_.keys() | bold, bold, formulas, told)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
-    loose = [each for plain in _inferred(formulas, evidence, defined) for each in _complexed(plain, formulas)]
+    loose = [
+        each
+        for plain in _inferred(formulas, evidence, defined, related.entries)
+        for each in _complexed(plain, formulas)
+    ]
     loose = [crossed for each in loose for crossed in _crossed(each, evidence, formulas)]
     if not related:
         return _sized(loose, sizes)
@@ -129,6 +134,16 @@ def _is_plain(of: Evidence) -> bool:
     return not (of.index or of.whole or applied or of.indices > 0)
 
 
+def _size_said(of: Evidence) -> tuple[int, ...]:
+    """The size that is said of a vector or matrix at rest, 0 for what is left open; () for other letters."""
+    if of.dotted or of.derived:
+        return ()
+    if found := re.fullmatch(r"real (\d+)(?: (\d+))?", of.said):
+        return tuple(int(n) for n in found.groups() if n)
+    sizes = {"vector": (0,), "matrix": (0, 0), "rotation": (3, 3)}
+    return sizes.get(of.said.removeprefix("constant "), ())
+
+
 def _moved(loose: Sequence[Inference], by: Relatives) -> Sequence[Inference]:
     """The readings in which no length that is differentiated is constant, if there are such."""
     found = [r for r in loose if not any(g.letter.latex in by.lengths and g.taken == CONSTANT for g in r.guesses)]
@@ -142,7 +157,7 @@ def _related(inference: Inference, by: Relatives, defined: Collection[str]) -> I
     moving = {bold: on[plain] for plain, bold in by.lengths.items() if plain in on and bold not in defined}
     for guess in inference.guesses:
         latex = guess.letter.latex
-        if latex in by.components:
+        if latex in by.components and not guess.letter.indices:
             letter = replace(guess.letter, components=by.components[latex], size=())
             guess = Guess(letter, f"{guess.taken} with the components {by.components[latex]}", guess.why)
         elif latex in by.lengths:
@@ -298,10 +313,16 @@ def _of_size(guess: Guess, size: int) -> Guess:
 
 
 def _inferred(
-    formulas: Sequence[str], evidence: Mapping[str, Evidence], defined: Mapping[str, tuple[str, ...]]
+    formulas: Sequence[str],
+    evidence: Mapping[str, Evidence],
+    defined: Mapping[str, tuple[str, ...]],
+    entries: Collection[str],
 ) -> list[Inference]:
-    """All readings by the every of each letter."""
+    """All readings by the options of each letter; entries of vectors and matrices are numbers."""
     every = [options(each, evidence, defined) for each in evidence.values()]
+    for k, each in enumerate(every):
+        if each[0].letter.latex in entries:
+            every[k] = [guess for guess in each if guess.letter.kind == "scalar"] or each
     habits = [
         [(name, value) for value in values]
         for name, (pattern, values) in HABITS.items()

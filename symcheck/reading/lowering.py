@@ -6,6 +6,7 @@ A scalar is lowered to a term (see `symcheck.core.claims`), a vector to a list o
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -104,6 +105,7 @@ from symcheck.reading.tree import (
     Integral,
     Interval,
     Limiting,
+    Marked,
     MatrixOf,
     Mean,
     Mul,
@@ -135,6 +137,7 @@ from symcheck.reading.tree import (
 SHAPES_DIFFER = "do not compare"  # sides of different shapes
 AND_OTHER = "and something else"  # addends of different shapes
 MAX_FACTORIAL = 1000  # its digits fill a page
+_PLACES = re.compile(r"_\{?([1-9](?:,?[1-9])?)\}?")  # the numbers of an entry below brackets
 Env = Mapping[str, Term]  # the values of indices; a letter where a sum cannot be written out
 
 SIGNS = {"=": "=", r"\equiv": "=", r"\ne": "!=", "<": "<", r"\le": "<=", ">": ">", r"\ge": ">="}
@@ -787,6 +790,19 @@ class Lowering:
         if not columns:
             return [entry((k,)) for k in rows]
         return [[entry((k, m)) for m in columns[0]] for k in rows]
+
+    def of_marked(self, tree: Marked, env: Env) -> Value:
+        """The component of a vector or the entry of a matrix in brackets, by numbers or axes below them."""
+        value = self.value(tree.value, env)
+        found = _PLACES.fullmatch("".join(tree.mark.split()))
+        places = ["123456789xyz".index(x) % 9 for x in (found[1] or found[2]).replace(",", "")] if found else []
+        if not isinstance(value, list) or len(places) != len(shape(value)):
+            raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
+        for k, size in zip(places, shape(value), strict=True):
+            if k >= size:
+                raise Unsaid(f"{to_latex(tree)}: what stands in these brackets has no such entry")
+            value = value[k]
+        return value
 
     def of_add(self, tree: Add, env: Env) -> Value:
         values = [self.value(term, env) for term in tree.terms]
