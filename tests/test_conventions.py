@@ -606,9 +606,9 @@ GRADIENTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"\frac{\partial f}{\partial q} = \begin{pmatrix} 2x \\ 1 \end{pmatrix}",
          ["f = x^2 + y", r"q = \begin{pmatrix} 2x \\ y \end{pmatrix}"]),
         (r"\frac{\partial \mathbf{f}}{\partial \mathbf{x}} = 0", []),  # rows or columns
+        (r"\frac{\partial}{\partial \mathbf{x}} (x^2 + y^2) = \mathbf{0}", []),
     ],
     "ambiguous": [  # they may be components, or constant
-        (r"\frac{\partial}{\partial \mathbf{x}} (x^2 + y^2) = \mathbf{0}", []),
         (r"\frac{\partial f}{\partial \mathbf{x}} = \mathbf{0}", ["f = x_1^2"]),
     ],
 }  # fmt: skip
