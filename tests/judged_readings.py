@@ -38385,6 +38385,11 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(\\mathbb{P}; Chain(X, x; =)), Div(1; N); =)",
         "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/uniform.py",
     ),
+    (
+        "{^f}{\\bf J}_e = \\left[\\begin{array}{cc} I_{3\\times3} & [{^f}{\\bf R}_w \\; {^e}{\\bf t}_w]_\\times \\\\ 0_{3\\times3} & I_{3\\times3} \\end{array} \\right] {^f}{\\bf J}_w",
+        "Chain(\\prescript { f } { } { \\mathbf { J } } _ { e }, Mul(MatrixOf(I_{3\\times3}, Marked(Mul(\\prescript { f } { } { \\mathbf { R } } _ { w }, \\prescript { e } { } { \\mathbf { t } } _ { w }); _{ \\times }), Marked(0; _{ 3 \\times 3 }), I_{3\\times3}), \\prescript { f } { } { \\mathbf { J } } _ { w }); =)",
+        "lagadic/visp/modules/core/src/tools/geometry/vpVelocityTwistMatrix.cpp",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -39371,5 +39376,57 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\begin{align}\n  y_k = \\sum_{i=1}^{p}\\Theta_i \\times \\prod_{j=0}^{n_x}x_{k-j}^{b_i, j}\\prod_{m=1}^{n_y}y_{k-m}^{a_i, m}\n\\end{align}\n\\tag{2.23}",
         "wilsonrljr/sysidentpy/docs/en/book/2-NARMAX-Model-Representation.md",
+    ),
+    (
+        "\\hat{\\mathbf{W}}_{out} = \\mathbf{YX}^\\top ~ (\\mathbf{XX}^\\top + \\lambda\\mathbf{Id})^{-1}",
+        "reservoirpy/reservoirpy/reservoirpy/nodes/ridge.py",
+    ),
+    (
+        "a_i = \\frac{1}{2}(\\gamma_{2i} + i \\gamma_{2i+1}), \\quad a_i^\\dagger = \\frac{1}{2}(\\gamma_{2i} - i \\gamma_{2i+1}) \\,,",
+        "qiskit-community/qiskit-nature/qiskit_nature/second_q/hamiltonians/quadratic_hamiltonian.py",
+    ),
+    (
+        "\\gamma_2 = \\frac{\\mathrm{E}[x-\\mu]^4}{\\sigma^4}",
+        "stdlib-js/stdlib/lib/node_modules/@stdlib/stats/README.md",
+    ),
+    (
+        "\\Delta \\phi(\\vec{r}) = -\\frac{\\rho(\\vec{r})}{\\varepsilon}",
+        "magpylib/magpylib/docs/_pages/user_guide/docs/docs_physics.md",
+    ),
+    (
+        "\\mathbf{C}=\\sum_{i=1}^{3} \\Lambda_i \\mathbf{M^i},",
+        "Dhondtguido/CalculiX/ccx.tex",
+    ),
+    (
+        "e_{kl}=(u_{k,l}+u_{l,k}-u_{m,k} u_{m,l})/2,\\;\\;\\;k,l,m=1,2,3",
+        "Dhondtguido/CalculiX/ccx.tex",
+    ),
+    (
+        "\\Delta_1^2 F = \\frac{f \\dot{m}^2 L}{2 g \\rho^2 A^2 D},",
+        "Dhondtguido/CalculiX/ccx.tex",
+    ),
+    (
+        "\\phi_{i+1/2} = \\sum_{p \\in [idz;(i+1)dz]} V^p_{i+1/2};",
+        "yade/trunk/doc/sphinx/formulation.rst",
+    ),
+    (
+        "f=\\sum_{i=1}^{N} \\langle a_{i}x + b_{i}y + c_{i}z - d_i\\rangle^2.",
+        "yade/trunk/doc/sphinx/potentialparticles.rst",
+    ),
+    (
+        "\\bigl(\\Delta + k^2\\bigr)\\,G_0(\\boldsymbol r) = -\\delta(\\boldsymbol r).",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "\\mathcal{P}\\!\\int_{0}^{\\infty}\\!\\frac{q\\,J_0(q\\rho)}{q^2-k^2}\\,\\mathrm{d}q =-\\frac{\\pi}{2}\\,Y_0(k\\rho),",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "k\\to k+i0^+",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "\\sigma_{y}= \\left[ \\begin{array}{cc}  0 & -i \\\\ i & 0 \\end{array} \\right] , \\quad S_{i} = \\frac{\\hbar}{2}\\sigma_{i}",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
     ),
 )

@@ -245,6 +245,8 @@ SAME = {  # two ways to print one thing
     r"a = \int_0^1 \frac{2 x^2 \, dx}{1 + x}": r"a = \int_0^1 \frac{2 x^2}{1 + x} \, dx",
     r"y = \textit{sign}(a)": r"y = \mathit{sign}(a)",
     r"\eta = \textbf{ShkStd}_t^2": r"\eta = \text{ShkStd}_t^2",
+    r"v = \mathrm{E}[X^2] - \mathrm{E}[X]^2": r"v = \text{E}[X^2] - \left(\text{E}[X]\right)^2",
+    r"y = [C] {^f} {\bf x}": r"y = [C] \, {}^f {\bf x}",
     r"s^{\rm z-space} = s^{\rm true} + a": r"s^{\mathrm{z-space}} = s^{\mathrm{true}} + a",
 }
 
@@ -698,6 +700,16 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = 2 a^{\left[\frac{n}{2}\right]}": r"y = 2 a^{\left[\frac{n}{2} + n\right]}",
     r"P = \begin{bmatrix} -a \qquad -b \end{bmatrix}": r"P = \begin{bmatrix} -a & \qquad -b \end{bmatrix}",
     r"l = (x - a)(x - b)...": r"l = (x - a)(x - b).",
+    r"\sigma^2 = \mathbb{E}(X - \mu)^2": r"\sigma^2 = \mathbb{E}[(X - \mu)^2]",
+    r"v = \mathbb{E}[x - \mu]^2": r"v = \mathbb{E}[x]^2",
+    r"u_{k,l} = u_{kl}, \quad k, l = 1, 2, 3": r"u_{k,l} = v_{k,l}, \quad k, l = 1, 2, 3",
+    r"s = \sum_{p \in S} V_j^p": r"s = \sum_{p \in \mathbb{Z}} V_j^p",
+    r"(\Delta + k^2) \psi = 0": r"(\Delta + k^2) x = 0",
+    r"y = \langle x - a \rangle^2": r"y = \langle x \rangle^2",
+    r"u_i + i v_i = 0": r"u_i + k v_i = 0",
+    r"\Delta_1^2 F = 2": r"\Delta_1^2 = 2",
+    r"m {^a} b = c": r"m {^2} b = c",
+    r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",
     "C_{n} = a_1 + b_1\n\nC_{\\mu_{p}} = c_1": "C_{n} = a_1 + b_1 +\n\nC_{\\mu_{p}}",
 }
 
