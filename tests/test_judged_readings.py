@@ -246,6 +246,8 @@ SAME = {  # two ways to print one thing
     r"y = \textit{sign}(a)": r"y = \mathit{sign}(a)",
     r"\eta = \textbf{ShkStd}_t^2": r"\eta = \text{ShkStd}_t^2",
     r"v = \mathrm{E}[X^2] - \mathrm{E}[X]^2": r"v = \text{E}[X^2] - \left(\text{E}[X]\right)^2",
+    r"y = (\mathbf{a} - \mathbf{b})^\mathbf{T} \mathbf{c}": r"y = (\mathbf{a} - \mathbf{b})^T \mathbf{c}",
+    r"U[t+1] = b U[t] + I[t+1] - c": r"U[t+1] = b U[t] + (I[t+1]) - c",
     r"y = [C] {^f} {\bf x}": r"y = [C] \, {}^f {\bf x}",
     r"s^{\rm z-space} = s^{\rm true} + a": r"s^{\mathrm{z-space}} = s^{\mathrm{true}} + a",
 }
@@ -708,6 +710,7 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = \langle x - a \rangle^2": r"y = \langle x \rangle^2",
     r"u_i + i v_i = 0": r"u_i + k v_i = 0",
     r"\Delta_1^2 F = 2": r"\Delta_1^2 = 2",
+    r"y = |a| (x) + b": r"y = |a| (x + 1) + b",
     r"m {^a} b = c": r"m {^2} b = c",
     r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",
     "C_{n} = a_1 + b_1\n\nC_{\\mu_{p}} = c_1": "C_{n} = a_1 + b_1 +\n\nC_{\\mu_{p}}",

@@ -126,8 +126,8 @@ def _refuse(tree: Tree, notation: Notation) -> None:
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
         if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
             raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
-        averaged = isinstance(part, Pow) and isinstance(part.base, Call) and part.base.function == "average"
-        if averaged and isinstance(part.base.arguments[0], Add):
+        averaged = part.base if isinstance(part, Pow) and isinstance(part.base, Call) else None
+        if averaged and averaged.function == "average" and isinstance(averaged.arguments[0], Add):
             raise SymcheckError(f"{to_latex(part)}: the average of a sum, or its positive part? say what it is")
         if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in parts:
             raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
