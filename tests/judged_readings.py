@@ -113,6 +113,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "calculix-ccx-doc": "GPL-2.0",
     "capytaine/capytaine": "GPL-3.0-or-later",
     "ceres-solver/ceres-solver": "BSD-3-Clause",
+    "chaobrain/brainstate": "Apache-2.0",
     "chris-hld/spaudiopy": "MIT",
     "climlab/climlab": "MIT",
     "cornellius-gp/gpytorch": "MIT",
@@ -39456,5 +39457,13 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "O = V^\\dagger \\bigl(\\prod_i Z_i\\bigr) V",
         "qiskit-community/qiskit-machine-learning/qiskit_machine_learning/datasets/ad_hoc.py",
+    ),
+    (
+        "\\nabla \\mathrm{relu}(6) = 0",
+        "chaobrain/brainstate/brainstate/nn/_activations.py",
+    ),
+    (
+        "L = -\\lambda \\sum_i \\log\\left(\\pi \\cdot \\text{spike}(x_i) + (1-\\pi) \\cdot \\text{slab}(x_i)\\right)",
+        "chaobrain/brainstate/brainstate/nn/_regularization.py",
     ),
 )

@@ -98,6 +98,20 @@ def test_a_prime_below_an_integral_makes_no_constant() -> None:
     assert all(formula.tag != "form" for formula in lower(*first_reading(PRIMED.replace("'", "_1"))))
 
 
+AT_A_PLACE = (
+    r"\nabla^2 \phi(1) = 0",
+    r"\nabla \exp(0) = 0",
+    r"\nabla \Phi(2) = 0",
+    r"\nabla \mathrm{relu}(3) = 0",
+    r"u_{k,l} = u_{kl}, \quad k, l = 1, 2, 3",
+)
+
+
+@pytest.mark.parametrize("latex", AT_A_PLACE)
+def test_a_derivative_at_a_place_is_not_that_of_a_constant(latex: str) -> None:
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)
+
+
 OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
     (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
     (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
@@ -710,6 +724,8 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = \langle x - a \rangle^2": r"y = \langle x \rangle^2",
     r"u_i + i v_i = 0": r"u_i + k v_i = 0",
     r"\Delta_1^2 F = 2": r"\Delta_1^2 = 2",
+    r"y = \pi a + (1 - \pi) b": r"y = \pi a + (1 - 2 \pi) b",
+    r"y = \nabla \exp(0)": r"y = \nabla \exp(x)",
     r"y = |a| (x) + b": r"y = |a| (x + 1) + b",
     r"m {^a} b = c": r"m {^2} b = c",
     r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",

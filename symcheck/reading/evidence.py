@@ -274,6 +274,8 @@ _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say w
 _RATE = r"[irRg](?: _ (?:\w|\{ \w \}))?"
 # and pi beside it, as an addend
 _INFLATION = re.compile(rf"(?:^|[=(+-] ){_RATE} [-+] \\pi(?= [-+=,.)]| ?$)|\\pi [-+] {_RATE}(?= [-+=,.)]| ?$)")
+# one minus pi alone, which as a number is negative
+_WEIGHT = re.compile(r"[(\[{] 1 - \\pi (?:\\right )?[)\]}]")
 # what is expected of the next value of something: `E_t \pi_{t + 1}`
 _EXPECTED = re.compile(
     r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"
@@ -321,6 +323,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     yield from ((canonical(letter), doubt) for letter, doubt in operators(text))
     if "^" in text and " = " in text:
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
+    if r"1 - \pi" in text and _WEIGHT.search(text):
+        yield r"\pi", "the number pi, or a probability? say what it is"
     if r"\pi" in text and _INFLATION.search(text):
         yield r"\pi", "the number pi, or a letter? say what it is"
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
