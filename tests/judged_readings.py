@@ -110,8 +110,10 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "brainpy/BrainPy": "Apache-2.0",
     "bumps/bumps": "public domain",
     "bwohlberg/sporco": "BSD-3-Clause",
+    "calculix-ccx-doc": "GPL-2.0",
     "capytaine/capytaine": "GPL-3.0-or-later",
     "ceres-solver/ceres-solver": "BSD-3-Clause",
+    "chaobrain/brainstate": "Apache-2.0",
     "chris-hld/spaudiopy": "MIT",
     "climlab/climlab": "MIT",
     "cornellius-gp/gpytorch": "MIT",
@@ -198,6 +200,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "jcmgray/quimb": "Apache-2.0",
     "jeanfeydy/geomloss": "MIT",
     "jeffgortmaker/pyblp": "MIT",
+    "jeshraghian/snntorch": "MIT",
     "jkitchin/pycse": "GPL-3.0-or-later",
     "jobovy/galpy": "BSD-3-Clause",
     "johannfaouzi/pyts": "BSD-3-Clause",
@@ -212,6 +215,8 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "landlab/landlab": "MIT",
     "lenstronomy/lenstronomy": "BSD-3-Clause",
     "libAtoms/matscipy": "LGPL-2.1-or-later",
+    "libitpp-doc": "GPL-3.0-or-later",
+    "libvisp-doc": "GPL-2.0-or-later",
     "lifelib-dev/lifelib": "MIT",
     "lightkurve/lightkurve": "MIT",
     "ljvmiranda921/pyswarms": "MIT",
@@ -222,6 +227,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "loco-3d/crocoddyl": "BSD-3-Clause",
     "lpsinger/ligo.skymap": "GPL-3.0-or-later",
     "lululxvi/deepxde": "LGPL-2.1",
+    "magpylib/magpylib": "BSD-2-Clause",
     "mathurinm/celer": "BSD-3-Clause",
     "matplotlib/matplotlib": "PSF-based",
     "matt-graham/mici": "MIT",
@@ -329,6 +335,8 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "qiboteam/qibo": "Apache-2.0",
     "qiskit-community/qiskit-dynamics": "Apache-2.0",
     "qiskit-community/qiskit-finance": "Apache-2.0",
+    "qiskit-community/qiskit-machine-learning": "Apache-2.0",
+    "qiskit-community/qiskit-nature": "Apache-2.0",
     "qpsolvers/qpsolvers": "LGPL-3.0",
     "qpv-research-group/solcore5": "LGPL-3.0",
     "quantumlib/Cirq": "Apache-2.0",
@@ -341,6 +349,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "raphaelvallat/pingouin": "GPL-3.0",
     "reflectometry/refl1d": "BSD-3-Clause",
     "refnx/refnx": "BSD-3-Clause",
+    "reservoirpy/reservoirpy": "MIT",
     "rlabbe/filterpy": "MIT",
     "robbievanleeuwen/section-properties": "MIT",
     "sbi-dev/sbi": "Apache-2.0",
@@ -381,6 +390,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "steven-murray/hankel": "MIT",
     "steven-murray/hmf": "MIT",
     "stevengj/nlopt": "MIT",
+    "struphy-hub/struphy": "MIT",
     "takuseno/d3rlpy": "MIT",
     "tempoCollaboration/OQuPy": "Apache-2.0",
     "tensorly/tensorly": "BSD-3-Clause",
@@ -405,6 +415,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "wradlib/wradlib": "MIT",
     "xarray-contrib/xeofs": "MIT",
     "xgi-org/xgi": "BSD-3-Clause",
+    "yade-doc": "GPL-2.0-or-later",
     "yt-project/yt": "BSD-3-Clause",
     "zblz/naima": "BSD-3-Clause",
     "zerothi/sisl": "MPL-2.0",
@@ -38385,6 +38396,21 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Call(\\mathbb{P}; Chain(X, x; =)), Div(1; N); =)",
         "qiskit-community/qiskit-finance/qiskit_finance/circuit/library/probability_distributions/uniform.py",
     ),
+    (
+        "{^f}{\\bf J}_e = \\left[\\begin{array}{cc} I_{3\\times3} & [{^f}{\\bf R}_w \\; {^e}{\\bf t}_w]_\\times \\\\ 0_{3\\times3} & I_{3\\times3} \\end{array} \\right] {^f}{\\bf J}_w",
+        "Chain(\\prescript { f } { } { \\mathbf { J } } _ { e }, Mul(MatrixOf(I_{3\\times3}, Marked(Mul(\\prescript { f } { } { \\mathbf { R } } _ { w }, \\prescript { e } { } { \\mathbf { t } } _ { w }); _{ \\times }), Marked(0; _{ 3 \\times 3 }), I_{3\\times3}), \\prescript { f } { } { \\mathbf { J } } _ { w }); =)",
+        "libvisp-doc/classvpRobotViper850.html",
+    ),
+    (
+        "U[t+1] = βU[t] + I_{\\rm in}[t+1] - RU_{\\rm thr}",
+        "Chain(Indexed(U; Add(t, 1)), Add(Mul(β, Indexed(U; t)), Indexed(I_{in}; Add(t, 1)), Neg(Mul(R, U_{thr}))); =)",
+        "jeshraghian/snntorch/snntorch/_neurons/leaky.py",
+    ),
+    (
+        "U[t+1] = I_{\\rm in}[t+1] (\\frac{T}{C}) + (1- \\frac{T}{\\tau})U[t] - RU_{\\rm thr}",
+        "Chain(Indexed(U; Add(t, 1)), Add(Mul(Indexed(I_{in}; Add(t, 1)), Div(T; C)), Mul(Add(1, Neg(Div(T; \\tau))), Indexed(U; t)), Neg(Mul(R, U_{thr}))); =)",
+        "jeshraghian/snntorch/snntorch/_neurons/lapicque.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -39371,5 +39397,73 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\begin{align}\n  y_k = \\sum_{i=1}^{p}\\Theta_i \\times \\prod_{j=0}^{n_x}x_{k-j}^{b_i, j}\\prod_{m=1}^{n_y}y_{k-m}^{a_i, m}\n\\end{align}\n\\tag{2.23}",
         "wilsonrljr/sysidentpy/docs/en/book/2-NARMAX-Model-Representation.md",
+    ),
+    (
+        "\\hat{\\mathbf{W}}_{out} = \\mathbf{YX}^\\top ~ (\\mathbf{XX}^\\top + \\lambda\\mathbf{Id})^{-1}",
+        "reservoirpy/reservoirpy/reservoirpy/jax/nodes/ridge.py",
+    ),
+    (
+        "a_i = \\frac{1}{2}(\\gamma_{2i} + i \\gamma_{2i+1}), \\quad a_i^\\dagger = \\frac{1}{2}(\\gamma_{2i} - i \\gamma_{2i+1}) \\,,",
+        "qiskit-community/qiskit-nature/qiskit_nature/second_q/operators/majorana_op.py",
+    ),
+    (
+        "\\gamma_2 = \\frac{\\mathrm{E}[x-\\mu]^4}{\\sigma^4}",
+        "libitpp-doc/group__statistics.html",
+    ),
+    (
+        "\\Delta \\phi(\\vec{r}) = -\\frac{\\rho(\\vec{r})}{\\varepsilon}",
+        "magpylib/magpylib/docs/_pages/user_guide/examples/examples_misc_image_method.md",
+    ),
+    (
+        "\\mathbf{C}=\\sum_{i=1}^{3} \\Lambda_i \\mathbf{M^i},",
+        "calculix-ccx-doc/node138.html",
+    ),
+    (
+        "e_{kl}=(u_{k,l}+u_{l,k}-u_{m,k} u_{m,l})/2,\\;\\;\\;k,l,m=1,2,3",
+        "calculix-ccx-doc/node22.html",
+    ),
+    (
+        "\\Delta_1^2 F = \\frac{f \\dot{m}^2 L}{2 g \\rho^2 A^2 D},",
+        "calculix-ccx-doc/node92.html",
+    ),
+    (
+        "\\phi_{i+1/2} = \\sum_{p \\in [idz;(i+1)dz]} V^p_{i+1/2};",
+        "yade-doc/HydroForceEngine.html",
+    ),
+    (
+        "f=\\sum_{i=1}^{N} \\langle a_{i}x + b_{i}y + c_{i}z - d_i\\rangle^2.",
+        "yade-doc/potentialparticles.html",
+    ),
+    (
+        "\\bigl(\\Delta + k^2\\bigr)\\,G_0(\\boldsymbol r) = -\\delta(\\boldsymbol r).",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "\\mathcal{P}\\!\\int_{0}^{\\infty}\\!\\frac{q\\,J_0(q\\rho)}{q^2-k^2}\\,\\mathrm{d}q =-\\frac{\\pi}{2}\\,Y_0(k\\rho),",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "k\\to k+i0^+",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "\\sigma_{y}= \\left[ \\begin{array}{cc}  0 & -i \\\\ i & 0 \\end{array} \\right] , \\quad S_{i} = \\frac{\\hbar}{2}\\sigma_{i}",
+        "leppenen/leppenen.github.io/ed_theory/index.md",
+    ),
+    (
+        "H(\\mathbf Z) = H(\\boldsymbol \\eta, v_{\\parallel}) = \\varepsilon\\frac{v_{\\parallel}^2}{2} + \\varepsilon\\mu_p |\\hat{\\mathbf B}| (\\boldsymbol \\eta) + \\hat \\phi(\\boldsymbol \\eta)\\,,",
+        "struphy-hub/struphy/struphy/pic/pushing/kernels/push_gc_Bstar_discrete_gradient_1st_order/push_gc_Bstar_discrete_gradient_1st_order_kernels.py",
+    ),
+    (
+        "O = V^\\dagger \\bigl(\\prod_i Z_i\\bigr) V",
+        "qiskit-community/qiskit-machine-learning/qiskit_machine_learning/datasets/ad_hoc.py",
+    ),
+    (
+        "\\nabla \\mathrm{relu}(6) = 0",
+        "chaobrain/brainstate/brainstate/nn/_activations.py",
+    ),
+    (
+        "L = -\\lambda \\sum_i \\log\\left(\\pi \\cdot \\text{spike}(x_i) + (1-\\pi) \\cdot \\text{slab}(x_i)\\right)",
+        "chaobrain/brainstate/brainstate/nn/_regularization.py",
     ),
 )

@@ -98,6 +98,20 @@ def test_a_prime_below_an_integral_makes_no_constant() -> None:
     assert all(formula.tag != "form" for formula in lower(*first_reading(PRIMED.replace("'", "_1"))))
 
 
+AT_A_PLACE = (
+    r"\nabla^2 \phi(1) = 0",
+    r"\nabla \exp(0) = 0",
+    r"\nabla \Phi(2) = 0",
+    r"\nabla \mathrm{relu}(3) = 0",
+    r"u_{k,l} = u_{kl}, \quad k, l = 1, 2, 3",
+)
+
+
+@pytest.mark.parametrize("latex", AT_A_PLACE)
+def test_a_derivative_at_a_place_is_not_that_of_a_constant(latex: str) -> None:
+    assert decide(latex).verdict not in (Status.PROVED, Status.REFUTED)
+
+
 OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
     (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
     (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
@@ -245,6 +259,10 @@ SAME = {  # two ways to print one thing
     r"a = \int_0^1 \frac{2 x^2 \, dx}{1 + x}": r"a = \int_0^1 \frac{2 x^2}{1 + x} \, dx",
     r"y = \textit{sign}(a)": r"y = \mathit{sign}(a)",
     r"\eta = \textbf{ShkStd}_t^2": r"\eta = \text{ShkStd}_t^2",
+    r"v = \mathrm{E}[X^2] - \mathrm{E}[X]^2": r"v = \text{E}[X^2] - \left(\text{E}[X]\right)^2",
+    r"y = (\mathbf{a} - \mathbf{b})^\mathbf{T} \mathbf{c}": r"y = (\mathbf{a} - \mathbf{b})^T \mathbf{c}",
+    r"U[t+1] = b U[t] + I[t+1] - c": r"U[t+1] = b U[t] + (I[t+1]) - c",
+    r"y = [C] {^f} {\bf x}": r"y = [C] \, {}^f {\bf x}",
     r"s^{\rm z-space} = s^{\rm true} + a": r"s^{\mathrm{z-space}} = s^{\mathrm{true}} + a",
 }
 
@@ -704,6 +722,19 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = 2 a^{\left[\frac{n}{2}\right]}": r"y = 2 a^{\left[\frac{n}{2} + n\right]}",
     r"P = \begin{bmatrix} -a \qquad -b \end{bmatrix}": r"P = \begin{bmatrix} -a & \qquad -b \end{bmatrix}",
     r"l = (x - a)(x - b)...": r"l = (x - a)(x - b).",
+    r"\sigma^2 = \mathbb{E}(X - \mu)^2": r"\sigma^2 = \mathbb{E}[(X - \mu)^2]",
+    r"v = \mathbb{E}[x - \mu]^2": r"v = \mathbb{E}[x]^2",
+    r"u_{k,l} = u_{kl}, \quad k, l = 1, 2, 3": r"u_{k,l} = v_{k,l}, \quad k, l = 1, 2, 3",
+    r"s = \sum_{p \in S} V_j^p": r"s = \sum_{p \in \mathbb{Z}} V_j^p",
+    r"(\Delta + k^2) \psi = 0": r"(\Delta + k^2) x = 0",
+    r"y = \langle x - a \rangle^2": r"y = \langle x \rangle^2",
+    r"u_i + i v_i = 0": r"u_i + k v_i = 0",
+    r"\Delta_1^2 F = 2": r"\Delta_1^2 = 2",
+    r"y = \pi a + (1 - \pi) b": r"y = \pi a + (1 - 2 \pi) b",
+    r"y = \nabla \exp(0)": r"y = \nabla \exp(x)",
+    r"y = |a| (x) + b": r"y = |a| (x + 1) + b",
+    r"m {^a} b = c": r"m {^2} b = c",
+    r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",
     "C_{n} = a_1 + b_1\n\nC_{\\mu_{p}} = c_1": "C_{n} = a_1 + b_1 +\n\nC_{\\mu_{p}}",
 }
 

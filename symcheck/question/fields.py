@@ -25,6 +25,7 @@ from symcheck.question.prepare import DEFINED, Asked, Reading, unlowered
 from symcheck.reading import Tree, read, with_brackets
 from symcheck.reading.components import Value, dot, each_part, minus, plus, times
 from symcheck.reading.faces import face
+from symcheck.reading.forms import is_of_value
 from symcheck.reading.lowering import Env, Lowering, length
 from symcheck.reading.relations import relations
 from symcheck.reading.tree import Add, Call, Chain, Cross, Derivative, Div, Integral, Mul, Name, Neg, Number, Pow, nodes
@@ -95,6 +96,8 @@ def _read(asked: Asked) -> Reading:
         reading = unlowered(replace(asked, letters=(*asked.letters, *said)))[0]
         texts = (text for text in (*asked.where, *asked.given) if _PRINTED.search(text))
         trees = [reading.tree, *(read(text, reading.inference.notation) for text in texts)]
+        if any(is_of_value(part) for tree in trees for part in nodes(tree) if isinstance(part, Call)):
+            raise NoForm("at this place, or of this value?")
         names = {part.letter for tree in trees for part in nodes(tree) if isinstance(part, Name)}
         names -= {name for tree in trees for name in _applied(tree)}
         vectors = {x: "vector" for x in names if face(x) or (x.startswith(NABLA) and x != NABLA)}

@@ -239,13 +239,16 @@ _WORD_TIMES = re.compile(
     r"\( \d+ [-+] (?:[a-z]|\\(?:text|mathrm) \{[^{}]*\}|\\[a-z]+) (?:\\right )?\)"
 )
 # what has a number above it that a sum or a product runs over
-_ABOVE = re.compile(r"([A-Za-z]|\\[a-z]+) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})")
+_ABOVE = re.compile(
+    r"([A-Za-z]|\\[a-z]+|\\(?:mathbf|boldsymbol|bm) \{ \w \}) \^ (?:([ij])(?!\w)|\{ ([ij]) (?:- 1 )?\})"
+)
 _NO_VARIABLES = frozenset("ABCDEFGHKLMNPQRSTUVW")  # of which a series in powers is hardly made
 # such a sum or product, from 1 to a number
-_FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z]|\{ [A-Za-z] \})")
-_RAISED_CHANGE = re.compile(
-    r"\\Delta \^ (?:\d|\{ \d \}) (?:[A-Za-z]|\\(?:theta|phi|tau|nu|lambda))(?![A-Za-z])"
-)  # `\Delta^2 t`
+_FROM_ONE = re.compile(r"_ \{ ([ij]) = 1 \} \^ (?:[a-zA-Z3]|\{ [A-Za-z3] \})")
+_RAISED_CHANGE = re.compile(  # `\Delta^2 t` and `\Delta_1^2 F`
+    r"\\Delta (?:\^ (?:\d|\{ \d \}) (?:[A-Za-z]|\\(?:theta|phi|tau|nu|lambda))(?![A-Za-z])"
+    r"|(_ (?:\w|\{ \w \})) \^ (?:\w|\{ \w \}) (?:[A-Za-z]|\\(?!cdot|times|left|right|frac|q?quad)[a-z]+)(?![A-Za-z]))"
+)
 # `2F_1(a, b, c, x)`
 _HYPERGEOMETRIC = re.compile(
     r"\d F _ (?:\d|\{ \d \}) (?:\\left )?\( [^()]*(?:\([^()]*\)[^()]*)*,[^()]*(?:\([^()]*\)[^()]*)*,"
@@ -263,6 +266,12 @@ _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _LABELS = "derivatives, or letters with a label? write them as fractions"
+_RUN = r"(?:[i-n]|\\(?:alpha|beta|mu|nu|lambda|rho|sigma|ell))"
+# two indices with a comma between them, and without one
+_PARTED = re.compile(rf"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+(?: \{{ \w \}})?) _ \{{ ({_RUN}) , ({_RUN}) \}}")
+_UNPARTED = re.compile(rf"_ \{{ ({_RUN}) ({_RUN}) \}}")
+_UNIT_DOUBT = "the imaginary unit, or the index that stands below? say what it is"
+_COMMA = "a derivative by what the comma parts, or another index? write the derivative as a fraction"
 _DENOTED = "words with the letter they stand for, or a function? leave out one of them"
 _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say what it is"
 
@@ -271,11 +280,33 @@ _FACTOR_OR_FUNCTION = "a factor, or a function of what is in the brackets? say w
 _RATE = r"[irRg](?: _ (?:\w|\{ \w \}))?"
 # and pi beside it, as an addend
 _INFLATION = re.compile(rf"(?:^|[=(+-] ){_RATE} [-+] \\pi(?= [-+=,.)]| ?$)|\\pi [-+] {_RATE}(?= [-+=,.)]| ?$)")
+# one minus pi alone, which as a number is negative
+_WEIGHT = re.compile(r"[(\[{] 1 - \\pi (?:\\right )?[)\]}]")
 # what is expected of the next value of something: `E_t \pi_{t + 1}`
 _EXPECTED = re.compile(
     r"(?<![A-Za-z\\])(E|\\(?:mathbb|text|mathrm) \{ E \}) _ (?:\{ )?(\w) (?:\} )?(?:\\[,;:!] |\\Delta )*"
     r"(?:\\[a-z]+ \{ )?(?:\\?[A-Za-z]+) (?:\} )?_ \{ \2 \+"
 )
+
+
+_MEAN = r"E|\\(?:mathbb|text|mathrm) \{ E \}"
+_OF_MEAN = r"(?: _ (?:\w|\\\w+|\{(?:[^{}]|\{[^{}]*\})*\}))?"
+_BRACKETED = r"(?:[^()\[\]]|\([^()]*\))*"
+# the mean of a difference in square brackets with a power behind them, and what is expected of a power
+_MEAN_RAISED = re.compile(
+    rf"(?<![A-Za-z\\])({_MEAN}){_OF_MEAN} (?:\\left )?\[ {_BRACKETED} [-+] {_BRACKETED} (?:\\right )?\] \^ (?!T|\{{ T)"
+    rf"|(?<![A-Za-z\\])(\\(?:mathbb|text|mathrm) \{{ E \}}|E(?= (?:\\left )?\( (?:[XYZ]|{_BRACKETED}\\mu))){_OF_MEAN} "
+    rf"(?:\\left )?\( (?=[^()]* [-+]){_BRACKETED}(?:\\right )?\) \^ (?!T|\{{ T)"
+)
+# i below a letter that it also stands before, as an addend: `u_i + i v_i`
+_UNIT_OR_INDEX = re.compile(
+    r"[-+] ([ij]) (?:\\[,;:!] )*(?:[A-Za-z]|\\(?!sum|prod|frac)[a-z]+(?: \{ \w \})?) (?:\^ (?:\S|\{[^{}]*\}) )?"
+    r"_ (?:\1(?![A-Za-z])|\{ (?:[^{}]* )?\1 [^{}]*\})"
+)
+
+
+# an entry of a matrix that is one of these letters alone
+_UNIT_ENTRY = re.compile(r"(?:& |\\\\ |r i x \} )(?:- )?([ij])(?= (?:&|\\\\|\\end))")
 
 
 # two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
@@ -298,6 +329,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     yield from ((canonical(letter), doubt) for letter, doubt in operators(text))
     if "^" in text and " = " in text:
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
+    if r"1 - \pi" in text and _WEIGHT.search(text):
+        yield r"\pi", "the number pi, or a probability? say what it is"
     if r"\pi" in text and _INFLATION.search(text):
         yield r"\pi", "the number pi, or a letter? say what it is"
     if "^ 2 ( " in text or "^ { 2 } ( " in text:
@@ -307,13 +340,23 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for value, by, rest in _OF_ONE.findall(text):
             if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
                 yield value, f"is {value} what {value}({by}) is? write {value}({by}), or name the constant otherwise"
-    if r"\Delta ^ " in text and _RAISED_CHANGE.search(text):
-        yield r"\Delta", "the power of a change, or times what follows? write brackets"
+    if r"\Delta ^ " in text or r"\Delta _ " in text:
+        for below in _RAISED_CHANGE.findall(text):
+            yield canonical(rf"\Delta {below}"), "the power of a change, or times what follows? write brackets"
     if _HYPERGEOMETRIC.search(text):
         yield "F", "a factor before a function, or a hypergeometric one? write the number as a subscript at its left"
     if "E _ " in text or "E } _ " in text:
         for expectation, _ in _EXPECTED.findall(text):
             yield canonical(expectation), "what is expected of what follows, or a factor? write square brackets"
+    if "E " in text:
+        for first, second in _MEAN_RAISED.findall(text):
+            yield canonical(first or second), "the power of a mean, or the mean of a power? write brackets around it"
+    for letter in _UNIT_OR_INDEX.findall(text):
+        if not re.search(rf"\\(?:sum|prod) (?:\\limits )?_ (?:{letter}|\{{ {letter}) ", text):
+            yield letter, _UNIT_DOUBT
+    for letter in _UNIT_ENTRY.findall(text) if "r i x }" in text or "a r r a y" in text else ():
+        if re.search(rf"_ (?:{letter}(?![A-Za-z])|\{{ (?:[^{{}}]* )?{letter} )", text):
+            yield letter, _UNIT_DOUBT
     function = _OF_FUNCTION.search(text)
     if function and tex.texts(text).count("f") == len(_OF_FUNCTION.findall(text)):
         yield "f", f"a factor, or part of the name f{function[1]}? say what it is"
@@ -321,9 +364,11 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         over = [base for base, *above in _ABOVE.findall(text) if run in above]
         if tex.texts(text).count(run) != len(over) + len(_FROM_ONE.findall(text)):
             over = [
-                base for base in over if base in _NO_VARIABLES or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
+                base
+                for base in over
+                if base in _NO_VARIABLES or base.endswith("}") or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
-        yield from ((base, f"a power, or an index? say what {run} is above it") for base in over)
+        yield from ((canonical(base), f"a power, or an index? say what {run} is above it") for base in over)
     if r"\cdot" in text:
         yield from ((letter, "numbers, or vectors? say what they are") for letter in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
@@ -338,6 +383,11 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
     found = doubted(formulas)
     for text in formulas:
         found |= dict(_doubted(text))
+    parted = [found for text in formulas for found in _PARTED.finditer(text)] if "," in "".join(formulas) else []
+    beside = {index for text in formulas for pair in (_UNPARTED.findall(text) if parted else ()) for index in pair}
+    for match in parted:
+        if {match[2], match[3]} <= beside:
+            found.setdefault(canonical(match[1]), _COMMA)
     for letter in {x for text in formulas for x in {*_RATE_BELOW.findall(text)} & {*_PLACE_BELOW.findall(text)}}:
         said = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =")  # of what it is a function
         if not any(map(said.search, formulas)):

@@ -18,6 +18,7 @@ from typing import TypeGuard
 from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import Doubt, SymcheckError, Unsaid
 from symcheck.reading.faces import face
+from symcheck.reading.functions import FIELDS
 from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, INTEGRATED, KINDS_OPEN
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
@@ -126,6 +127,9 @@ def _refuse(tree: Tree, notation: Notation) -> None:
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
         if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
             raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
+        averaged = part.base if isinstance(part, Pow) and isinstance(part.base, Call) else None
+        if averaged and averaged.function == "average" and isinstance(averaged.arguments[0], Add):
+            raise SymcheckError(f"{to_latex(part)}: the average of a sum, or its positive part? say what it is")
         if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in parts:
             raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
         if isinstance(part, Chain) and part.signs[0] == "=" and any(map(_is_pair_in_braces, part.members)):
@@ -147,8 +151,29 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             and part.right.arguments
         ):
             raise SymcheckError(f"{to_latex(part)}: are both functions applied to these arguments? write brackets")
+        if isinstance(part, Call) and is_of_value(part):
+            raise SymcheckError(f"{to_latex(part)}: at this place, or of this value? write brackets")
         if isinstance(part, Indexed) and not is_sequence(part):
             raise SymcheckError(f"{to_latex(part)}: a factor before brackets, or a function? write round brackets")
+
+
+def is_of_value(tree: Call) -> bool:
+    r"""Whether a field is differentiated of which a value at numbers is printed, as in `\nabla f(2)`.
+
+    Parameters
+    ----------
+    tree
+        Anything with arguments.
+    """
+    if isinstance(tree.function, Name):
+        return tree.function.letter.startswith(r"\nabla") and _is_value(tree)
+    field = tree.function.partition("_")[0] in FIELDS
+    return field and any(_is_value(part) for each in tree.arguments for part in nodes(each) if isinstance(part, Call))
+
+
+def _is_value(tree: Call) -> bool:
+    inside = [part for each in tree.arguments for part in nodes(each)]
+    return any(isinstance(part, Number) for part in inside) and not any(isinstance(part, Name) for part in inside)
 
 
 # `\sum_i^N`, over a set, and over pairs

@@ -122,6 +122,8 @@ def _before_brackets(of: Evidence, every: Mapping[str, Evidence], found: list[Gu
     negative = of.spelling[:1].isupper() and any(map(_holds_negative, of.places))
     if shifted or negative or any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    if of.spelling.endswith(r"\dagger }"):  # which is done to factors
+        found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     form = of.spelling not in _TYPICAL and any(map(_holds_form, of.places))
     if form or (any(map(_raises, of.places)) and _has_coefficients_beside(of, every)):
         found = [in_doubt(guess, FACTOR) for guess in found]

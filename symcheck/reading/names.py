@@ -176,6 +176,10 @@ _ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
 _LISTED = re.compile(rf"(?:\\left )?\( {_ARGUMENT}(?: (?:[,;|]|\\mid) {_ARGUMENT})+ (?:\\right )?\)")
 
 
+# what a sum runs over a set with, but over one of numbers
+_MEMBER = re.compile(r"\\(?:sum|prod) _ \{ ([a-z]) \\in (?!\\mathbb \{ [NZQRC] \})")
+
+
 @dataclass(frozen=True)
 class Told:
     """What formulas tell of superscripts."""
@@ -194,6 +198,11 @@ class Told:
     def numbers(self) -> Collection[str]:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
+    @cached_property
+    def members(self) -> Collection[str]:
+        """Letters that sums and products run over sets with, which need no numbers be."""
+        return {letter for formula in self.formulas for letter in _MEMBER.findall(formula)}
 
     @cached_property
     def paired(self) -> Collection[tuple[str, str]]:
@@ -274,7 +283,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.above in told.labels and of.below:
         power = letters[0].islower() and letters[0] in told.numbers and of.word not in _OF_ORDERS
         return POWER_OR_LABEL.format(letters[0]) if power and not of.framed else ""
-    loose = letters[0] in told.loose or (of.applied and not any(letter[:1].isupper() for letter in letters))
+    loose = letters[0] in told.loose or (of.below and letters == inside and letters[0] in told.members)
+    loose = loose or (of.applied and not any(letter[:1].isupper() for letter in letters))
     if loose and not of.framed:
         return POWER_OR_LABEL.format(letters[0])
     if letters[0] in _STATES_ABOVE and len(letters) == 1 and not of.framed:
@@ -530,7 +540,7 @@ def _is_laplacian(letter: str, formula: str) -> bool:
     ):
         return True
     alone = letter in _POTENTIALS and len(re.findall(rf"(?<![A-Za-z\\]){own}(?![A-Za-z])", formula)) == 1
-    return alone and re.match(rf"(?:& )?(?:- )?\\Delta {own} (?:& )?=", formula) is not None
+    return alone and re.match(rf"(?:& )?(?:- )?\\Delta {own} (?:(?:\\left )?\([^()]*\) )?(?:& )?=", formula) is not None
 
 
 def _is_place(texts: tuple[str, ...], start: int) -> bool:
@@ -541,10 +551,17 @@ def _is_place(texts: tuple[str, ...], start: int) -> bool:
     before = texts[start - 1] if start else ""
     four = zip(texts, texts[1:], texts[2:], texts[3:], strict=False)
     return (
-        texts[start - 4 : start] == (r"\mathbb", "{", "E", "}")
-        or before == "E"
+        before == "E"
+        or _OPERATED.search(" ".join(texts[:start])) is not None
         or any((a, b, d) == (before, "[", "]") and (c.isdigit() or c.islower()) for a, b, c, d in four)
     )
+
+
+# an upright name, perhaps with what stands below it
+_OPERATED = re.compile(
+    r"(?:\\(?:mathbb|text|mathrm) \{[^{}]*\}|(?<![A-Za-z\\])E)"
+    r"(?: _ (?:\S+|\{(?:[^{}]|\{[^{}]*\})*\}))?(?: \\(?:left|[bB]igg?l?))?$"
+)
 
 
 # words and subscripts, whose letters are no factors

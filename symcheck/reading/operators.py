@@ -62,6 +62,18 @@ _UPRIGHT = re.compile(
     r"(\\(?:text|mathrm) \{ D \} _ (?:[a-z]|\{ [a-z] \}))(?= (?:\\left )?(?:\\[a-z]+ \{|[A-Za-z(]))"
     rf"|(?:^|& |\\\\ )(D _ (?:[txyz]|\{{ [txyz] \}})) {_SYMBOL}{_BELOW} (?:& )?="
 )
+_ADDENDS = r"(?:[^()\[\]=]|\([^()]*\))*"
+# a Delta among the addends of what stands before a function of the place: `(\Delta + k^2) G(\mathbf{r})`
+_LAPLACIAN = re.compile(
+    rf"[(\[] (?:{_ADDENDS}[-+] )?(?:\\[a-z]+ |[a-z] |\\frac \{{[^{{}}]*\}} \{{[^{{}}]*\}} )*\\Delta (?:\\right )?"
+    rf"(?:[)\]]|[-+] {_ADDENDS}[)\]]) (?:\^ (?:\d|\{{ \d \}}) )?(?:\\[,;:!] )*"
+    rf"(?:(?:[uvfG]|\\(?:var)?(?:psi|phi)|\\(?:Psi|Phi)){_BELOW}(?![A-Za-z])|{_SYMBOL}{_BELOW} (?:\\left )?\( "
+    r"(?:[xr] |\\(?:mathbf|boldsymbol|bm|vec) ))"
+)
+# the principal value of an integral
+_PRINCIPAL = re.compile(
+    r"(\\mathcal \{ P \}|\\(?:text|mathrm) \{ (?:P|P V|p v|V P|v p|P \. V \.|p \. v \.) \}) (?:\\[,;:!] )*\\int"
+)
 _OPERATOR = "applied to what follows, or times it? say what it is"
 
 
@@ -83,6 +95,10 @@ def operators(text: str) -> Iterator[tuple[str, str]]:
         yield from ((letter or other, _OPERATOR) for letter, other in _UPRIGHT.findall(text))
     if "d _ " in text and _BY_TIME.search(text):
         yield "d", _OPERATOR
+    if r"\Delta " in text and _LAPLACIAN.search(text):
+        yield r"\Delta", "a number, or the Laplacian? write \\nabla^2, or say what it is"
+    if r"\int" in text:
+        yield from ((letter, "the principal value, or a factor? say what it is") for letter in _PRINCIPAL.findall(text))
     if "H " in text:
         yield from ((letter, _OPERATOR) for letter in _ENERGY.findall(text))
     if "_ t" in text or "t }" in text:

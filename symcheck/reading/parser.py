@@ -821,6 +821,9 @@ class Builder:
             raise self.fail(after.at, "the expectation of what is in these brackets, or times it? write \\cdot")
         if after.kind == "group" and isinstance(node, Indexed) and _is_styled(self.inside(after)):
             raise self.fail(after.at, AT_OR_TIMES)
+        length = isinstance(node, Norm | Bars) and alone and isinstance(node.value, Name)
+        if length and after.kind == "group" and not after.square and isinstance(self.inside(after), Name):
+            raise self.fail(after.at, AT_OR_TIMES)
         beside = isinstance(after.node, Norm | Bars) or self.in_brackets(after)
         if isinstance(node, Name) and _VERB.match(node.letter) and beside:
             raise self.fail(after.at, f"{to_latex(node)} of what follows, or times it? write \\cdot, or brackets")
@@ -1168,8 +1171,9 @@ class Builder:
         counted = isinstance(inside, Add) and all(
             isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
         )
+        letters = [node.letter for node in nodes(inside) if isinstance(node, Name)]
         counts = counted and (
-            self.is_sequence(name) or any(node.letter in COUNTERS for node in nodes(inside) if isinstance(node, Name))
+            self.is_sequence(name) or any(letter in COUNTERS or self.is_place(letter) for letter in letters)
         )
         upright = name.letter.startswith(r"\text{")
         return (inside,) if counts or upright or isinstance(inside, Name | Number | Call) else ()
@@ -1185,6 +1189,10 @@ class Builder:
     def is_sequence(self, name: Name) -> bool:
         """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
         return re.search(rf"{re.escape(name.letter[-1])} ?\}}? ?\[ ?[A-Za-z0-9] ?\]", self.source) is not None
+
+    def is_place(self, letter: str) -> bool:
+        """Does this letter stand alone in square brackets behind any letter: the `t` of `x[t]`?"""
+        return re.search(rf"[A-Za-z}}] ?\[ ?{re.escape(letter)} ?\]", self.source) is not None
 
     def is_declared(self, name: Name, arguments: tuple[Tree, ...]) -> bool:
         """Are these the very letters that the letter is declared to depend on?"""

@@ -220,12 +220,15 @@ WORDS = tuple(  # that part relations: what stands behind them holds as well, or
     )
 )
 _TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")  # T above in any style
+_BOLD_T = r"\mathbf { T }"
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
 
 
 def phrased(text: str) -> str:
     """The same text with usual spellings, signs between relations for words, and problems with what is to be found."""
     text = _TRANSPOSED.sub("^ { T }", _DEFINES.sub("=", text))
+    if _BOLD_T in text and text.count(_BOLD_T) == text.count(above := f"^ {{ {_BOLD_T} }}"):
+        text = text.replace(above, "^ { T }")
     for inside, layout, change in _SPELLINGS:
         if inside in text:
             text = layout.sub(change, text)

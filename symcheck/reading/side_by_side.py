@@ -154,7 +154,9 @@ def bold_name(source: str) -> str:
     for run in runs:
         alone = {x for x in run if len(run) > 1 and not _stands_elsewhere(x, run, runs)}
         product = _MATRICES_APPLIED.fullmatch(run)
-        if alone and not product and _may_be_name(run, alone, signed=False, matrices=True, named=False):
+        if run == "Id" or (
+            alone and not product and _may_be_name(run, alone, signed=False, matrices=True, named=False)
+        ):
             return run
     return ""
 

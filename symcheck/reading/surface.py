@@ -559,6 +559,10 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
     """A group that is no argument: its braces print nothing; empty ones before a script carry a script of the left."""
     if not inner and after in ("^", "_"):
         return [Group([])]
+    if _is_frame(inner, after):  # `{^f}{\bf J}`
+        if before and isinstance(before[-1], str) and tex.is_letter(before[-1]):
+            raise SymcheckError("a power, or a script at the left of what follows? write {} before the script")
+        return [Group([]), *inner]
     if after in ("^", "_") and len(inner) > 1 and isinstance(inner[0], str) and inner[0][:1].isdigit():
         return [inner[0], *_loose(inner[1:], [*before, inner[0]], after)]  # `{6x}^5` is printed as `6x^5`
     if after == "^" and len(inner) == 3 and inner[1] == "_" and isinstance(inner[2], Group):
@@ -574,6 +578,14 @@ def _loose(inner: list[Part], before: Sequence[Part], after: Part) -> list[Part]
             return ["(", *inner, ")"]  # a letter with scripts of its own
         return [Group(inner)]  # the script belongs to all of it
     return inner
+
+
+def _is_frame(inner: Sequence[Part], after: Part) -> bool:
+    """Is this one letter above nothing, before a group or a letter?"""
+    above = _units(inner[1].parts) if len(inner) == 2 and inner[0] == "^" and isinstance(inner[1], Group) else []
+    letter = above[0] if len(above) == 1 else ""
+    follows = isinstance(after, Group) or (bool(after) and (tex.is_letter(after) or after in OVER))
+    return follows and isinstance(letter, str) and letter.isalpha() and letter not in ("T", "H")
 
 
 def _runs_on(inner: Sequence[Part]) -> bool:

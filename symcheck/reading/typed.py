@@ -147,7 +147,8 @@ def _digits_behind(toks: Sequence[tex.Tok], k: int) -> int:
         end += 1
     behind = toks[end] if end < len(toks) else tex.Tok("", -2)
     adjacent = behind.at == toks[k].at + end - k and (tex.is_letter(behind.text) or behind.text[:1] in _OF_NUMBERS)
-    return 0 if adjacent or _is_base(toks, end) else end - k - 1
+    one_sided = [tok.text for tok in toks[k + 1 : k + 5] if tok.text != "{"][:3] in (["0", "^", "+"], ["0", "^", "-"])
+    return 0 if adjacent or one_sided or _is_base(toks, end) else end - k - 1
 
 
 def _is_base(toks: Sequence[tex.Tok], end: int) -> bool:
