@@ -61,6 +61,7 @@ def test_a_known_integral_is_proved_and_its_slip_refuted(right: str, wrong: str,
         (r"\int_0^\infty x^{-u} e^{-x^k}\,dx = \frac1k\Gamma\left(\frac{1-u}{k}\right)", "k > 0, u > 1"),  # it diverges
         (r"\int_0^\infty e^{x^k}\,dx = \Gamma\left(1+\frac1k\right)", "k > 0"),
         (rf"\int_{{-\infty}}^{{x_0}} {CAUCHY}\,dt = \frac12", r"\gamma < 0"),
+        (r"\int_{-\infty}^{\infty} \left(\sqrt{x} - \sqrt{x} + \frac{1}{1+x^2}\right) dx = \pi", ""),  # no value
         (r"\int_{-\infty}^x \frac{1}{t^2-1}\,dt = \arctan x + \frac\pi2", "x < -1"),
     ],
 )

@@ -12,7 +12,7 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symcheck.core.calculus import fresh, functions, letters, nodes, substituted
+from symcheck.core.calculus import domain, fresh, functions, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Formula, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
@@ -44,7 +44,8 @@ def with_values(problem: Problem) -> Series | None:
         between += [node("<", t, high)] if high != INFINITY else []
         given = (*problem.hypotheses, ("between", tuple(between))) if between else problem.hypotheses
         sides += [replace(problem, claim=each) for each in needed]
-        sides.append(replace(problem, claim=node("=", body, form), hypotheses=given))
+        valued = [each for each in domain(body, divisors=True) if t in letters(each)]
+        sides += [replace(problem, claim=each, hypotheses=given) for each in (*valued, node("=", body, form))]
 
     def put(tree: T) -> T:
         if tree in values:
@@ -68,8 +69,10 @@ def _positive(body: Term, t: str) -> tuple[Expr, Symbol, dict[Symbol, Symbol]]:
     import sympy
 
     expr = to_sympy(body)
+    if (x := sympy.Symbol(t, real=True)) not in expr.free_symbols:
+        raise SymcheckError("a constant")
     by = {x: sympy.Symbol(f"{x}_positive", positive=True) for x in expr.free_symbols}
-    return expr.subs(by, simultaneous=True), by[sympy.Symbol(t, real=True)], {new: x for x, new in by.items()}
+    return expr.subs(by, simultaneous=True), by[x], {new: old for old, new in by.items()}
 
 
 def _arctangent(body: Term, t: str, low: Term, high: Term) -> Known:
