@@ -18,7 +18,7 @@ from symcheck.checker.enclosures import ONE, enclosed
 from symcheck.core.calculus import substituted
 from symcheck.core.terms import node
 from symcheck.question.answer import Status
-from symcheck.question.special import FAMILIES, INTEGRALS, NAMED, written
+from symcheck.question.special import FAMILIES, INTEGRALS, JOINED, NAMED, written
 
 TRUTH: dict[str, Callable[[Any, Any], Any]] = {
     "P": mpmath.legendre,
@@ -47,7 +47,8 @@ TRUTH: dict[str, Callable[[Any, Any], Any]] = {
     "K_of_m": lambda n, x: mpmath.ellipk(x),
     "E_of_m": lambda n, x: mpmath.ellipe(x),
 }
-RELATIONS = [text for family in FAMILIES for text in family.relations]
+RELATIONS = [text for family in (*FAMILIES, *JOINED) for text in family.relations]
+SCALED = {text: family.scaled for family in JOINED for text in family.relations}
 DECLARED = {
     "J": "Bessel function of the first kind", "I": "modified Bessel function of the first kind",
     "P": "Legendre polynomial", "H": "Hermite polynomial", "L": "Laguerre polynomial",
@@ -78,10 +79,13 @@ def value(tree: ast.expr, n: Any, x: Any) -> Any:
 
 
 @pytest.mark.parametrize("text", RELATIONS)
-def test_a_relation_of_a_family_holds(text: str) -> None:
+def test_a_relation_of_a_family_holds(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     rng, tree = random.Random(text), ast.parse(text, mode="eval").body
     assert isinstance(tree, ast.Compare)
     whole = re.match(r".*\b(?:P|T|U|H|He|L|Li|j|y)\(", text)
+    for letter in SCALED.get(text, ()):
+        known = TRUTH[letter]
+        monkeypatch.setitem(TRUTH, letter, lambda n, x, known=known: mpmath.pi * known(n, x))
     with mpmath.workdps(30):
         for _ in range(4):
             n = mpmath.mpf(rng.randrange(1, 6)) + (0 if whole else mpmath.mpf(rng.randrange(10)) / 10)
@@ -231,3 +235,70 @@ def test_elliptic_integrals_are_those_of_the_modulus_or_of_the_parameter() -> No
         assert decide(relation, given="0 < k < 1", letters=letters).verdict is verdict
     answer = decide(relation, letters={"E": "complete elliptic integral of the second kind"})
     assert (answer.verdict, "say which" in answer.reason) == (Status.UNREADABLE, True)
+
+
+BESSEL = {"J": "Bessel function of the first kind", "Y": "Bessel function of the second kind"}
+EQUATION = r"x^2\frac{d^2y}{dx^2} + x\frac{dy}{dx} + (a^2x^2-\nu^2)y = 0"
+
+
+@pytest.mark.parametrize("letters", [BESSEL, {}])
+def test_a_member_that_a_letter_is_defined_as_is_known(letters: dict[str, str]) -> None:
+    """The equation was refuted, as if J_\\nu were any function."""
+    assert decide(EQUATION, r"y = J_\nu(ax)", "x > 0", letters).verdict is Status.PROVED
+    wrong = decide(EQUATION.replace("a^2x^2-", "a^2x^2+"), r"y = J_\nu(ax)", "x > 0", letters).verdict
+    assert wrong is (Status.REFUTED if letters else Status.AMBIGUOUS)
+
+
+def test_functions_without_arguments_are_of_the_letter_by_which_they_are_differentiated() -> None:
+    """The first one was refuted, with numbers for K and E."""
+    letters = {
+        x: f"complete elliptic integral of the {which} kind of the modulus"
+        for x, which in (("K", "first"), ("E", "second"))
+    }
+    right = r"\frac{dK}{dk} = \frac{E - (1-k^2)K}{k(1-k^2)}"
+    assert decide(right, given="0 < k < 1", letters=letters).verdict is Status.PROVED
+    wrong = right.replace("(1-k^2)}", "(1+k^2)}")
+    assert decide(wrong, given="0 < k < 1", letters=letters).verdict is Status.REFUTED
+    assert decide(r"E - K = k^2 E", given="0 < k < 1", letters=letters).verdict not in ("proved", "refuted")
+
+
+def test_what_is_said_to_be_a_known_function_is_no_number() -> None:
+    answer = decide("y'' = 0", "y = J_0 x", letters={"J": BESSEL["J"]})
+    assert (answer.verdict, "nothing is known here" in answer.reason) == (Status.AMBIGUOUS, True)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "letters"),
+    [
+        (
+            r"J_{\nu+1}(x)Y_\nu(x) - J_\nu(x)Y_{\nu+1}(x) = \frac{2}{\pi x}",
+            r"J_{\nu+1}(x)Y_\nu(x) - J_\nu(x)Y_{\nu+1}(x) = -\frac{2}{\pi x}",
+            BESSEL,
+        ),
+        (
+            r"J_\nu(x)Y_\nu'(x) - J_\nu'(x)Y_\nu(x) = \frac{2}{\pi x}",
+            r"J_\nu(x)Y_\nu'(x) - J_\nu'(x)Y_\nu(x) = \frac{1}{\pi x}",
+            BESSEL,
+        ),
+        (
+            r"I_\nu(x)K_{\nu+1}(x) + I_{\nu+1}(x)K_\nu(x) = \frac1x",
+            r"I_\nu(x)K_{\nu+1}(x) + I_{\nu+1}(x)K_\nu(x) = \frac2x",
+            {"I": "modified Bessel function of the first kind", "K": "modified Bessel function of the second kind"},
+        ),
+        (
+            r"\frac{d}{dx}J_0(ax) = -aJ_1(ax)",
+            r"\frac{d}{dx}J_0(ax) = aJ_1(ax)",
+            BESSEL,
+        ),
+        (
+            r"He_{n+1}(x) = xHe_n(x) - nHe_{n-1}(x)",
+            r"He_{n+1}(x) = xHe_n(x) - 2nHe_{n-1}(x)",
+            {"He": "probabilist's Hermite polynomial"},
+        ),
+    ],
+)
+def test_functions_of_several_families_and_of_multiples_are_related(
+    right: str, wrong: str, letters: dict[str, str]
+) -> None:
+    assert decide(right, given="x > 0", letters=letters).verdict is Status.PROVED
+    assert decide(wrong, given="x > 0", letters=letters).verdict is Status.REFUTED

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache, partial
@@ -25,7 +25,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import indices, jets, named, power_series, series, special
+from symcheck.question import indices, jets, known_integrals, named, power_series, series, special
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
@@ -46,6 +46,7 @@ from symcheck.question.fields import in_fields
 from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
+from symcheck.question.initial_values import transformed
 from symcheck.question.kronecker import SIGN, is_of_matrices, without_products
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import (
@@ -92,6 +93,7 @@ DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly 
 CORNERS = 3.0  # seconds for one where vectors are units, before a proof is sought: it takes a third if there is one
 TOTAL = 15.0  # seconds for all of them
 ALL_SIZES = 2.0  # seconds for a proof about matrices of all sizes: those that are found take less than one
+KUMMER = "Kummer function"
 REFUSED = "the certificate was not accepted"
 DEFINITION = "it says what something is that occurs nowhere else: a definition, which is neither true nor false"
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
@@ -198,11 +200,35 @@ def answered(
     something else is said of them, it is not asked whether a relation holds for others. Of what is refuted it is asked
     whether it holds for symmetric matrices, if that is open.
     """
+    question = (relation, where, given, letters)
+    answer = _answered(*question, wanted=wanted, claimed=claimed, all_sizes=all_sizes, square=square, symmetry=symmetry)
+    if answer.verdict not in (Status.PROVED, Status.REFUTED):
+        return answer
+    said = {**special.said((letters or {}).items()), **dict.fromkeys(power_series.said(letters or {}), KUMMER)}
+    if reason := special.passed_over(answer.letters, said, _several(where), refuted=answer.verdict is Status.REFUTED):
+        return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), counterexample={}, values=(), reason=reason)
+    return answer
+
+
+def _answered(
+    relation: str,
+    where: Iterable[str] | str,
+    given: Iterable[str] | str,
+    letters: Mapping[str, str] | None,
+    *,
+    wanted: bool,
+    claimed: bool,
+    all_sizes: bool,
+    square: bool,
+    symmetry: bool,
+) -> Answer:
+    """The same before it is asked whether known functions were taken for unknown ones."""
     started = time.perf_counter()
     asked = None
     try:
         by_others = named.said(letters or {})
-        others = [(x, phrase) for x, phrase in (letters or {}).items() if x not in by_others]
+        kummer = power_series.said(letters or {})
+        others = [(x, phrase) for x, phrase in (letters or {}).items() if x not in {*by_others, *kummer}]
         declared = special.said(others)
         plain_letters = tuple((x, phrase) for x, phrase in others if x.partition("_")[0] not in declared)
         printed = Asked(relation, _several(where), tuple(apart(_several(given))), plain_letters)
@@ -213,7 +239,7 @@ def answered(
         asked = with_scopes(asked)
         if (of_named := _of_named(asked, by_others)) is not None:
             return replace(of_named, seconds=time.perf_counter() - started)
-        if (of_powers := _of_power_series(asked)) is not None:
+        if (of_powers := _of_power_series(asked, kummer)) is not None:
             return replace(of_powers, seconds=time.perf_counter() - started)
         if (whole := with_whole_numbers(asked)) is not None:
             return replace(_of_whole_numbers(asked, whole), seconds=time.perf_counter() - started)
@@ -313,10 +339,16 @@ def _of_named(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
     return replace(answer, letters=answer.letters | {**found.told}) if known else None
 
 
-def _of_power_series(asked: Asked) -> Answer | None:
+def _of_power_series(asked: Asked, kummer: set[str]) -> Answer | None:
     """The answer about hypergeometric functions; None where there are none, or they have no such arguments."""
-    if (found := power_series.with_letters(asked)) is None:
+    if (found := power_series.with_letters(asked, kummer)) is None:
         return None
+    answer = _of_hypergeometric(found)
+    sure = kummer or answer is None or answer.verdict is Status.PROVED or power_series.HEAD[0] in asked.relation
+    return answer if sure else None
+
+
+def _of_hypergeometric(found: power_series.Series) -> Answer | None:
     with suppress(SymcheckError, Understood, OutOfTime), limited(TOTAL):
         (reading, *others) = readings(found.asked)
         if others or len(reading.problems) != 1:
@@ -329,6 +361,16 @@ def _of_power_series(asked: Asked) -> Answer | None:
             made = [made for verdict, made, _ in answers if made is not None and verdict is Verdict.PROVED]
             if len(made) == len(cases):
                 return _proved_in_cases(base, reading, cases, made)
+        if (equal := transformed(problem, found.of, decided_one)) is not None:
+            return _proved_in_cases(base, reading, equal.cases, equal.certificates)
+        if (valued := power_series.with_values(problem, found.of)) is not None:
+            there, conditions = valued
+            answers = [decided_one(case) for case in conditions]
+            made = [made for verdict, made, _ in answers if made is not None and verdict is Verdict.PROVED]
+            if len(made) == len(conditions):
+                answer = _decided(replace(reading, problems=(there,)), found.asked, wanted=False)
+                if answer.verdict is not Status.UNDECIDED:
+                    return replace(answer, letters=base.letters, certificate=(*answer.certificate, *made))
         if (sums := power_series.as_sums(problem, found.of)) is not None:
             answer = _decided(replace(reading, problems=(sums,)), found.asked, wanted=False)
             if answer.verdict is not Status.UNDECIDED:
@@ -341,6 +383,11 @@ def _of_power_series(asked: Asked) -> Answer | None:
                 point = {x: str(n) for x, n in at.items()}
                 point |= {x: term(value) for x, value in one["point"]["values"].items()}
                 return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(one,))
+        for at, there in power_series.at_numbers(problem, found.of):
+            answer = _decided(replace(reading, problems=(there,)), found.asked, wanted=False)
+            if answer.verdict is Status.REFUTED:
+                point = {x: str(n) for x, n in at.items()} | answer.counterexample
+                return replace(answer, letters=base.letters, counterexample=point)
         return replace(base, reason=UNSETTLED)
     return None
 
@@ -615,6 +662,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             )
     if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
         return shown
+    if status is Status.UNDECIDED and any(values := [known_integrals.with_values(each) for each in reading.problems]):
+        shown = _with_values(values, reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is not Status.UNDECIDED:
+            return shown
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
@@ -623,10 +674,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
 
 def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
     """The answer about members of a family of special functions; None where there are none, or nothing is found."""
-    if asked.where or not special.may_have((asked.relation,), declared):
+    if not special.may_have((asked.relation, *asked.where), declared):
         return None
+    asked = special.with_arguments(special.with_names(asked, declared), declared)
     with suppress(SymcheckError, Understood):
         (reading, *others) = readings(special.with_whole_orders(asked, declared))
+        reading = replace(reading, problems=tuple(map(special.inlined, reading.problems)))
         if others or len(reading.problems) != 1 or (found := special.members(reading, declared)) is None:
             return None
         if not declared and not special.is_telling(found):
@@ -685,7 +738,7 @@ def _proved_of_family(base: Answer, reading: Reading, found: special.Members) ->
 
 def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, declared: bool) -> Answer | None:
     """Refuted by members that are written out, if somebody says what they are; otherwise it is in doubt."""
-    for number in special.tried(found):
+    for number in special.tried(found, _whole_letters(reading)):
         if (problem := special.written_out(reading.problems[0], found, number)) is None:
             continue
         by_digits = _refuted_by_digits(jets.without(problem))
@@ -698,7 +751,7 @@ def _refuted_of_family(base: Answer, reading: Reading, found: special.Members, d
             names = ", ".join(sorted({x.partition("_")[0] for x in found.latex.values()}))
             kinds = " and ".join(found.family.names.values())
             return replace(base, verdict=Status.AMBIGUOUS, reason=f"it is false of the {kinds}: say what {names} is")
-        if reason := _doubt_of_points(reading):
+        if reason := _doubt_of_points(reading, (found.base, f"\\{found.base}")):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         order = {} if number is None else {found.base: str(number)}
         point = order | {x: term(value) for x, value in made["point"]["values"].items()}
@@ -739,7 +792,13 @@ def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
 
 def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
     """The answer with the values of endless sums in their places, if what shows these values is proved."""
-    found = [series.with_values(problem) for problem in reading.problems]
+    return _with_values([series.with_values(problem) for problem in reading.problems], reading, asked, wanted, claimed)
+
+
+def _with_values(
+    found: Sequence[series.Series | None], reading: Reading, asked: Asked, wanted: bool, claimed: bool
+) -> Answer | None:
+    """The answer with values in the places of what has them, if what shows these values is proved."""
     if not any(found):
         return None
     made = list[Certificate]()
@@ -815,9 +874,9 @@ def _says_otherwise(problem: Problem, reading: Reading, explained_by_slip: Calla
     return EQUATION if is_condition(problem, reading) else ""
 
 
-def _doubt_of_points(reading: Reading) -> str:
+def _doubt_of_points(reading: Reading, orders: Collection[str] = ()) -> str:
     """Why what fails somewhere may be meant in another way, in which it does not; the empty text if nothing is seen."""
-    if reason := doubt(reading):
+    if reason := doubt(reading, orders):
         return reason
     others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles))
     return next((why for why, meant in others if _perhaps_otherwise(reading, meant(reading.tree))), "")

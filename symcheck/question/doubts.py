@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -166,8 +166,8 @@ def _calls(tree: Term, function: str) -> Iterator[Applied]:
     return (part for part in nodes(tree) if isinstance(part, Applied) and part.function == function)
 
 
-def doubt(reading: Reading) -> str:
-    """The convention on which a relation may rely; the empty text if none is seen."""
+def doubt(reading: Reading, orders: Collection[str] = ()) -> str:
+    """The convention on which a relation may rely; "" if none is seen. Orders of functions are no indices."""
     asked = reading.source[0]
     said = {letter for letter, _ in asked.letters}
     unit = next((each for each in _UNIT.finditer(asked.relation) if each[1].strip() not in CONNECTIVES), None)
@@ -214,7 +214,7 @@ def doubt(reading: Reading) -> str:
         return f"does the limit say what {name} is? give another equation for it"
     if polynomial := _order_of_polynomials(reading):
         return f"{polynomial} where its letter goes to 0, or to infinity? compare coefficients"
-    if index := next(_repeated(reading.tree), ""):
+    if index := next((x for x in _repeated(reading.tree) if x not in orders), ""):
         return f"is {index} summed over, as it is repeated in a product? write the sum"
     return ""
 

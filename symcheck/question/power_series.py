@@ -9,13 +9,14 @@ continuously on their parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import product
 from math import factorial
 
-from symcheck.core.calculus import Unknown, derivative, letters, substituted
+from symcheck.core.calculus import Unknown, derivative, letters, nodes, substituted
 from symcheck.core.problems import Problem
 from symcheck.core.terms import INFINITY, PI, Binder, Call, Malformed, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
@@ -23,14 +24,18 @@ from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.question.logarithms import tokens_of
 from symcheck.question.named import arguments
 from symcheck.question.prepare import Asked
+from symcheck.question.special import term_of
 from symcheck.reading import from_sympy, to_sympy
 
 HEAD = ("\\prescript", "{", "}", "{", "p", "}", "{", "F", "}", "_", "{", "q", "}")
 LETTERS = "FGHKQMNXYZ"
+USUAL = "M"  # the letter of Kummer's function
+PHRASES = ("Kummer function", "Kummer's function", "confluent hypergeometric function of the first kind")
 MOST = 6  # the largest difference of parameters, order of a derivative or power of the argument
 CONTINUED = "positive parameters"  # of a condition that holds by continuation where it does not
 PLACE, ARGUMENT = "place", "argument_of_series"
 FAULTS = (SymcheckError, Malformed, Unknown, Unsupported, ArithmeticError, ValueError, TypeError)
+NUMBERS = ((1, 1, 2), (1, 2, 2), (1, 2, 1))  # for parameters in the order of their letters: these have known sums
 DEGREES = (1, 2)  # of polynomials that false relations are tried with
 
 
@@ -43,11 +48,22 @@ class Series:
     told: Mapping[str, str]
 
 
-def with_letters(asked: Asked) -> Series | None:
-    """The same with letters for hypergeometric functions; None where there are none, or one has other arguments."""
-    if r"\prescript" not in asked.relation or any(r"\prescript" in text for text in (*asked.where, *asked.given)):
-        return None
+def said(letters_: Mapping[str, str]) -> set[str]:
+    """The letters that are said to be Kummer's function."""
+    plain = {x: phrase.strip().removeprefix("the ").removeprefix("a ") for x, phrase in letters_.items()}
+    return {x for x, phrase in plain.items() if phrase in PHRASES}
+
+
+def with_letters(asked: Asked, kummer: Iterable[str] = ()) -> Series | None:
+    """The same with letters for hypergeometric functions; None where there are none, or one has other arguments.
+
+    M of three arguments is taken for Kummer's function, beside the letters that are said to be it.
+    """
     row, every = tokens_of(asked.relation), " ".join((asked.relation, *asked.where, *asked.given))
+    own = {USUAL, *kummer} - {x for x, _ in asked.letters}
+    row = [x for k, text in enumerate(row) for x in _with_head(row, k, text, own)]
+    if HEAD[0] not in row or any(r"\prescript" in text for text in (*asked.where, *asked.given)):
+        return None
     free = iter([x for x in LETTERS if x not in every.replace("{F}", "")])
     named: dict[tuple[int, int], str] = {}
     for k in reversed(range(len(row))):
@@ -60,6 +76,7 @@ def with_letters(asked: Asked) -> Series | None:
         if call is None or not (head[4].isdigit() and head[11].isdigit()):
             return None
         (end, parts, signs), above, below = call, int(head[4]), int(head[11])
+        signs = [";", ";"] if (above, below, signs) == (1, 1, [",", ","]) else signs
         if signs != [*[","] * (above - 1), ";", *[","] * (below - 1), ";"] or above > below + 1 or not above * below:
             return None
         if (above, below) not in named:
@@ -74,8 +91,15 @@ def with_letters(asked: Asked) -> Series | None:
     )
 
 
+def _with_head(row: Sequence[str], k: int, text: str, kummer: set[str]) -> Sequence[str]:
+    """A token, or in the place of a letter for Kummer's function of three arguments the head of that."""
+    if text in kummer and (call := arguments(row, k + 1)) is not None and call[2] == [",", ","]:
+        return [{"p": "1", "q": "1"}.get(x, x) for x in HEAD]
+    return [text]
+
+
 @dataclass(frozen=True)
-class _Member:
+class Member:
     """A hypergeometric function or a derivative of it: parameters above and below, argument, order."""
 
     above: tuple[Term, ...]
@@ -90,7 +114,7 @@ class _Member:
         return node("/", node("*", 1, *top), node("*", factorial(k), *bottom))
 
 
-def _members(tree: Term, of: Mapping[str, tuple[int, int]]) -> Iterator[tuple[Node, _Member]]:
+def members_in(tree: Term, of: Mapping[str, tuple[int, int]]) -> Iterator[tuple[Node, Member]]:
     """The functions and derivatives in a term, each with what it is."""
     if not isinstance(tree, Node):
         return
@@ -100,16 +124,16 @@ def _members(tree: Term, of: Mapping[str, tuple[int, int]]) -> Iterator[tuple[No
             if any(tree.orders[:-1]):
                 raise SymcheckError("a derivative by a parameter")
             *parameters, at = tree.terms
-            yield tree, _Member(tuple(parameters[:above]), tuple(parameters[above:]), at, tree.orders[-1])
+            yield tree, Member(tuple(parameters[:above]), tuple(parameters[above:]), at, tree.orders[-1])
         case Binder(tag="diff", body=Call(function=name) as inner) if name in of:
-            ((_, member),) = _members(inner, of)
+            ((_, member),) = members_in(inner, of)
             order, place = tree.outside
             if place != tree.letter or member.at != tree.letter or not isinstance(order, int):
                 raise SymcheckError("a derivative of a function of a function")
             yield tree, replace(member, order=member.order + order)
         case _:
             for part in (*tree.inside, *tree.outside):
-                yield from _members(part, of)
+                yield from members_in(part, of)
 
 
 def by_coefficients(problem: Problem, of: Mapping[str, tuple[int, int]]) -> tuple[Problem, ...] | None:
@@ -124,7 +148,7 @@ def _linear(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Iterator[Pro
 
     if problem.claim.tag != "=" or problem.definitions:
         raise SymcheckError("no equation")
-    found = dict(_members(problem.claim, of))
+    found = dict(members_in(problem.claim, of))
     members = [*dict.fromkeys(found.values())]
     places = {each.at for each in members}
     if len(places) != 1 or len({(len(each.above), len(each.below)) for each in members}) != 1:
@@ -149,7 +173,7 @@ def _linear(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Iterator[Pro
         whole = sympy.Poly(sympy.expand(above.subs(argument, sign * argument)), *symbols, argument)
     except sympy.PolynomialError as error:
         raise SymcheckError("not linear with polynomials for coefficients") from error
-    terms = list[tuple[Term, int, _Member]]()  # coefficient, power of the argument, function
+    terms = list[tuple[Term, int, Member]]()  # coefficient, power of the argument, function
     for powers, c in whole.terms():
         if sum(powers[:-1]) != 1 or powers[-1] > MOST:
             raise SymcheckError("not linear")
@@ -157,13 +181,13 @@ def _linear(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Iterator[Pro
     yield from _said_of_coefficients(problem, terms)
 
 
-def _with_names(tree: T, found: Mapping[Node, _Member], names: Mapping[_Member, str]) -> T:
+def _with_names(tree: T, found: Mapping[Node, Member], names: Mapping[Member, str]) -> T:
     if tree in found:
         return names[found[tree]]  # type: ignore[index, return-value]
     return mapped(tree, lambda part: _with_names(part, found, names)) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 
 
-def _said_of_coefficients(problem: Problem, terms: Sequence[tuple[Term, int, _Member]]) -> Iterator[Problem]:
+def _said_of_coefficients(problem: Problem, terms: Sequence[tuple[Term, int, Member]]) -> Iterator[Problem]:
     """That the sum of multiples of powers times functions has no coefficient but zero."""
     reference = terms[0][2]
     terms = [
@@ -239,6 +263,63 @@ def _free(stem: str, problem: Problem) -> str:
     return next(x for x in (stem, *(f"{stem}_{k}" for k in range(1, len(taken) + 2))) if x not in taken)
 
 
+# --- values at numbers
+
+
+@dataclass(frozen=True)
+class Value:
+    """The value of {}_2F_1(a, b; c; z) at a number, where the arguments of gamma functions are positive.
+
+    Parameters
+    ----------
+    at
+        The number.
+    below
+        What c has to be.
+    value
+        The value.
+    """
+
+    at: Fraction
+    below: str
+    value: str
+
+
+VALUES = (  # of Gauss, Kummer, and Gauss: DLMF 15.4.20, 15.4.26, 15.4.28
+    Value(Fraction(1), "c", "gamma(c)*gamma(c - a - b)/(gamma(c - a)*gamma(c - b))"),
+    Value(Fraction(-1), "a - b + 1", "gamma(a - b + 1)*gamma(a/2 + 1)/(gamma(a + 1)*gamma(a/2 - b + 1))"),
+    Value(Fraction(1, 2), "(a + b + 1)/2", "sqrt(pi)*gamma((a + b + 1)/2)/(gamma((a + 1)/2)*gamma((b + 1)/2))"),
+)
+
+
+def with_values(problem: Problem, of: Mapping[str, tuple[int, int]]) -> tuple[Problem, tuple[Problem, ...]] | None:
+    """The problem with known values, and the claims that gamma functions have positive arguments; None without one."""
+    with suppress(*FAULTS):
+        found = {part: each for part, each in members_in(problem.claim, of) if of[part.function] == (2, 1)}  # type: ignore[attr-defined]
+        known = {part: value for part, each in found.items() if (value := _value(each)) is not None}
+        if not known:
+            return None
+
+        def put(tree: T) -> T:
+            if tree in known:
+                return known[tree]  # type: ignore[return-value]
+            return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
+
+        gammas = dict.fromkeys(part.outside[0] for part in nodes(*known.values()) if part.tag == "gamma")
+        conditions = tuple(replace(problem, claim=node(">", argument, 0)) for argument in gammas)
+        return replace(problem, claim=put(problem.claim)), conditions
+    return None
+
+
+def _value(member: Member) -> Term | None:
+    (a, b), (c,), at = member.above, member.below, number_of(member.at)
+    for each, by in product(VALUES, ({"a": a, "b": b, "c": c}, {"a": b, "b": a, "c": c})):
+        gap = node("+", c, node("-", substituted(term_of(each.below), by)))
+        if member.order == 0 and at == each.at and number_of(gap) == 0:
+            return substituted(term_of(each.value), by)
+    return None
+
+
 # --- sums
 
 
@@ -246,7 +327,7 @@ def as_sums(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Problem | No
     """The problem with endless sums for functions, or with polynomials where the sums end."""
     with suppress(*FAULTS):
         parameters = {
-            x for _, each in _members(problem.claim, of) for a in (*each.above, *each.below) for x in letters(a)
+            x for _, each in members_in(problem.claim, of) for a in (*each.above, *each.below) for x in letters(a)
         }
         claim = _with_terms(problem.claim, of, _sum(_free(PLACE, problem)))
         positive = tuple(node(">", x, 0) for x in sorted(parameters)) if _is_analytic(problem.claim, parameters) else ()
@@ -267,7 +348,7 @@ def _is_analytic(tree: Term, of: set[str]) -> bool:
 
 def _with_terms(tree: T, of: Mapping[str, tuple[int, int]], made: object) -> T:
     if isinstance(tree, Call) and tree.function in of:
-        ((_, member),) = _members(tree, of)
+        ((_, member),) = members_in(tree, of)
         assert callable(made)
         whole: Term = made(member)
         for _ in range(member.order):
@@ -277,7 +358,7 @@ def _with_terms(tree: T, of: Mapping[str, tuple[int, int]], made: object) -> T:
 
 
 def _sum(k: str) -> object:
-    def made(member: _Member) -> Term:
+    def made(member: Member) -> Term:
         if member.order:
             raise SymcheckError("a derivative of a sum")
         ends = [n for a in member.above if (n := number_of(a)) is not None and n <= 0 and n.denominator == 1]
@@ -320,12 +401,26 @@ def _power(base: Term, k: str) -> Iterator[Term]:
             yield node("pow", base, k)
 
 
-def _polynomial(member: _Member, degree: int) -> Term:
+def _polynomial(member: Member, degree: int) -> Term:
     """A function whose series ends there."""
     if degree > MOST:
         raise SymcheckError("a polynomial of a high degree")
     addends = (node("*", member.coefficient(k), node("^", ARGUMENT, k)) for k in range(1, degree + 1))
     return node("+", 1, *addends)
+
+
+def at_numbers(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Iterator[tuple[dict[str, int], Problem]]:
+    """The problem at small numbers for all parameters, with endless sums for functions, and these numbers."""
+    with suppress(*FAULTS):
+        names = sorted(
+            {x for _, each in members_in(problem.claim, of) for a in (*each.above, *each.below) for x in letters(a)}
+        )
+        for numbers in NUMBERS if names else ():
+            at = dict(zip(names, numbers, strict=False))
+            given = tuple((name, tuple(substituted(f, at) for f in fs)) for name, fs in problem.hypotheses)
+            there = replace(problem, claim=substituted(problem.claim, at), hypotheses=given)
+            if len(at) == len(names) and (sums := as_sums(there, of)) is not None:
+                yield at, sums
 
 
 # --- polynomials
@@ -334,7 +429,7 @@ def _polynomial(member: _Member, degree: int) -> Term:
 def terminated(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Iterator[tuple[dict[str, int], Problem]]:
     """The problem at numbers for a letter with which all functions are polynomials, and these numbers."""
     with suppress(*FAULTS):
-        members = [each for _, each in _members(problem.claim, of)]
+        members = [each for _, each in members_in(problem.claim, of)]
         common = set.intersection(*({x for a in each.above for x in letters(a)} for each in members))
         for x in sorted(common):
             for degree in DEGREES:
@@ -342,7 +437,7 @@ def terminated(problem: Problem, of: Mapping[str, tuple[int, int]]) -> Iterator[
                     yield {x: (n := _number(members, x, degree))}, _at(problem, of, members, {x: n})
 
 
-def _number(members: Sequence[_Member], x: str, degree: int) -> int:
+def _number(members: Sequence[Member], x: str, degree: int) -> int:
     """The number for a letter with which all series end, that with the least degree there."""
     values = list[Fraction]()
     for each in members:
@@ -354,9 +449,9 @@ def _number(members: Sequence[_Member], x: str, degree: int) -> int:
 
 
 def _at(
-    problem: Problem, of: Mapping[str, tuple[int, int]], members: Sequence[_Member], at: Mapping[str, Term]
+    problem: Problem, of: Mapping[str, tuple[int, int]], members: Sequence[Member], at: Mapping[str, Term]
 ) -> Problem:
-    def made(member: _Member) -> Term:
+    def made(member: Member) -> Term:
         numbers = [number_of(a) for a in member.above]
         ends = [int(-n) for n in numbers if n is not None and n <= 0 and n.denominator == 1]
         if not ends:

@@ -23,8 +23,16 @@ from symcheck.core.verdicts import SymcheckError
 from symcheck.question.prepare import DEFINED, Asked, Reading
 
 ORDER, ARGUMENT = "n", "x"  # in the relations below
+ARGUMENT_OF_MEMBERS = "argument_of_members"  # where it is no letter
 MOST = 8  # the order up to which members are written out
-TRIED = (2, 1, 3, 0)  # orders at which a claim is looked at: of low ones some false claims hold
+TRIED = (
+    2,
+    1,
+    3,
+    0,
+    Fraction(1, 2),
+    Fraction(3, 2),
+)  # orders at which a claim is looked at: of low ones some false claims hold
 
 
 @dataclass(frozen=True)
@@ -47,6 +55,8 @@ class Family:
         The derivative of some order that is known by others and by lower ones, by letter.
     ordered
         Whether members have an order, which is printed below; otherwise it counts as 0.
+    scaled
+        What members are multiplied by in the relations, by letter: these are so of rational numbers then.
     """
 
     names: Mapping[str, str]
@@ -56,6 +66,7 @@ class Family:
     mirrored: Mapping[str, int]
     slopes: Mapping[str, tuple[int, str]] = field(default_factory=dict)
     ordered: bool = True
+    scaled: Mapping[str, Term] = field(default_factory=dict)
 
 
 def _polynomials(letter: str, name: str, first: str, second: str, step: str, *relations: str) -> Family:
@@ -177,6 +188,23 @@ FAMILIES = (
         )
     ),
 )  # fmt: skip
+
+
+def _joined(one: str, other: str, *relations: str, scaled: Mapping[str, Term] | None = None) -> Family:
+    """Two families with relations between them; those within each are linear, so that they hold of multiples too."""
+    a, b = (next(family for family in FAMILIES if x in family.names) for x in (one, other))
+    return Family(
+        {**a.names, **b.names}, (*a.relations, *b.relations, *relations), {**a.first, **b.first}, {**a.step, **b.step},
+        {**a.mirrored, **b.mirrored}, scaled=scaled or {},
+    )  # fmt: skip
+
+
+USUAL = {x: family for family in FAMILIES for x in family.names if x not in ("j", "y")}
+JOINED = (  # DLMF 10.5.2, 10.28.2, 10.50.1
+    _joined("J", "Y", "J(n + 1)*Y(n) - J(n)*Y(n + 1) == 2/x", scaled={"Y": PI}),
+    _joined("I", "K", "I(n)*K(n + 1) + I(n + 1)*K(n) == 1/x"),
+    _joined("j", "y", "j(n + 1)*y(n) - j(n)*y(n + 1) == 1/x**2"),
+)
 INTEGRALS = {  # members of whole order, as integrals over half a turn, divided by pi
     "J": "cos(n*t - x*sin(t))",
     "I": "exp(x*cos(t))*cos(n*t)",
@@ -185,8 +213,8 @@ INTEGRALS = {  # members of whole order, as integrals over half a turn, divided 
     "K_of_m": "pi/(2*sqrt(1 - x*sin(t)**2))",
     "E_of_m": "pi*sqrt(1 - x*sin(t)**2)/2",
 }
-USUAL = {x: family for family in FAMILIES for x in family.names if x not in ("j", "y")}
 NAMED = {name: (x, family) for family in FAMILIES for x, name in family.names.items()}
+SAID_SO, ITS_USUAL = "(said so)", "(its usual letter)"
 UPRIGHT = ("Ai", "Bi", "Si", "Ci", "Shi", "Chi", "Ei", "Li")  # names that are printed so say what they are
 # a letter, perhaps upright
 _BARE = re.compile(r"(?:\\(?:text|mathrm)\s*\{\s*)?(?P<stem>[A-Za-z]+)\s*\}?")
@@ -194,7 +222,7 @@ _BARE = re.compile(r"(?:\\(?:text|mathrm)\s*\{\s*)?(?P<stem>[A-Za-z]+)\s*\}?")
 _MEMBER = re.compile(
     r"(?:\\(?:text|mathrm)\s*\{\s*)?(?P<stem>[A-Za-z]+)\s*\}?\s*_\s*(?:\{(?P<group>.*)\}|(?P<one>\S+))"
 )
-_MOVED = re.compile(r"(?P<base>\\?[A-Za-z]+)(?P<shift>[+-]\d+)?")  # n, n+1, \nu-1
+_MOVED = re.compile(r"(?P<base>\\?[A-Za-z]+)(?P<shift>[+-]\d+(?:/\d+)?)?")  # n, n+1, \nu-1, n+1/2
 
 
 def said(letters_: Iterable[tuple[str, str]]) -> dict[str, str]:
@@ -260,7 +288,7 @@ def _order(text: str) -> Order | None:
         if r"\frac" in plain and fraction[3] is None and len(fraction[2]) == 2:
             return Order("", Fraction(int(fraction[2][0]), int(fraction[2][1])) * (-1 if fraction[1] else 1))
         return Order("", Fraction(int(fraction[2]), int(fraction[3] or 1)) * (-1 if fraction[1] else 1))
-    moved = _MOVED.fullmatch(plain)
+    moved = _MOVED.fullmatch(re.sub(r"\\[dt]?frac(\d)(\d)", r"\1/\2", plain))
     return Order(moved["base"].lstrip("\\"), Fraction(moved["shift"] or 0)) if moved else None
 
 
@@ -316,8 +344,10 @@ def members(reading: Reading, declared: Mapping[str, str]) -> Members | None:
         families.append(family)
         found[str(letter.name or letter.stem)], latex[str(letter.name or letter.stem)] = (usual, order), letter.latex
     bases = {order.base for _, order in found.values()}
-    one = found.keys() == called and len({id(family) for family in families}) == 1
-    return Members(families[0], found, latex) if one and len(bases) == 1 else None
+    letters_ = {usual for usual, _ in found.values()}
+    family = next((each for each in (*families[:1], *JOINED) if letters_ <= each.names.keys()), None)
+    known = found.keys() == called and family is not None and len(bases) == 1
+    return Members(family, found, latex) if family is not None and known else None
 
 
 def is_upright(found: Members) -> bool:
@@ -345,16 +375,23 @@ def _calls(tree: Term) -> Iterator[Call]:
 
 def related(problem: Problem, found: Members, more: int) -> Problem | None:
     """The problem with the relations of the members that occur, and of so many before and behind them."""
-    calls = [*_calls(problem.claim)]
+    claim = problem.claim
+    if any(not isinstance(call.terms[0], str) for call in _calls(claim)):  # by the chain rule
+        try:
+            claim = _without_derivatives(claim)
+        except Unknown:
+            return None
+    scaled = {name: found.family.scaled[x] for name, (x, _) in found.of.items() if x in found.family.scaled}
+    calls = [*_calls(claim)]
+    claim = _over(claim, scaled)
     arguments = {call.terms for call in calls}
     if not found.family.relations or len(arguments) != 1 or any(len(terms) != 1 for terms in arguments):
         return None
     ((at,),) = arguments
     slopes = max(sum(call.orders) for call in calls) + sum(
-        int(part.outside[0]) for part in nodes(problem.claim) if part.tag == "diff" and isinstance(part.outside[0], int)
+        int(part.outside[0]) for part in nodes(claim) if part.tag == "diff" and isinstance(part.outside[0], int)
     )
-    if slopes and not isinstance(at, str):
-        return None
+    own = at if isinstance(at, str) else ARGUMENT_OF_MEMBERS
     base: Term = found.base or 0
     shifts = [order.shift for _, order in found.of.values()]
     low, high = min(shifts) - more, max(shifts) + more
@@ -376,15 +413,33 @@ def related(problem: Problem, found: Members, more: int) -> Problem | None:
     for text in found.family.relations:
         for k in range(int(high - low) + 1):
             with suppress(Malformed, Unknown):
-                formula = _read(text, _Place(base, low + k, at, member))
+                formula = _read(text, _Place(base, low + k, own, member))
                 formulas.append(formula)
                 for _ in range(slopes - _steepest(formula)):
                     left, right = formula.outside
-                    assert isinstance(at, str)
-                    formula = node("=", derivative(left, at), derivative(right, at))
+                    formula = node("=", derivative(left, own), derivative(right, own))
                     formulas.append(formula)
-    name = next(iter(found.family.names.values()))
-    return replace(problem, hypotheses=(*problem.hypotheses, (f"relations of the {name}", tuple(formulas))))
+    formulas = [substituted(formula, {own: at}) for formula in formulas]
+    name = " and the ".join(
+        found.family.names[usual] for usual in dict.fromkeys(usual for usual, _ in found.of.values())
+    )
+    return replace(
+        problem, claim=claim, hypotheses=(*problem.hypotheses, (f"relations of the {name}", tuple(formulas)))
+    )
+
+
+def _over(tree: T, scaled: Mapping[str, Term]) -> T:
+    """The same with members divided by what is said."""
+    if isinstance(tree, Call) and tree.function in scaled:
+        return node("/", tree, scaled[tree.function])  # type: ignore[return-value]
+    return mapped(tree, lambda part: _over(part, scaled)) if isinstance(tree, Node) and scaled else tree  # type: ignore[return-value]
+
+
+def _without_derivatives(tree: T) -> T:
+    """The same with the derivatives of terms with members worked out."""
+    if isinstance(tree, Binder) and tree.tag == "diff" and any(_calls(tree)):
+        return _without_derivatives(differentiated(tree))  # type: ignore[return-value]
+    return mapped(tree, _without_derivatives) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 
 
 def _steepest(formula: Formula) -> int:
@@ -438,7 +493,7 @@ def _part(tree: ast.expr, place: _Place, order: int) -> Term:
             return node(_SIGNS[type(op)], _part(left, place, order), _part(right, place, order))
         case ast.Call(func=ast.Name(id="d"), args=[inner]):
             return _part(inner, place, order + 1)
-        case ast.Call(func=ast.Name(id=("sqrt" | "sin" | "cos" | "exp" | "log") as name), args=[inner]):
+        case ast.Call(func=ast.Name(id=("sqrt" | "sin" | "cos" | "exp" | "log" | "gamma") as name), args=[inner]):
             return node(name, _part(inner, place, order))
         case ast.Call(func=ast.Name(id=usual), args=[index]):
             return place.member(usual, place.shift + _ahead(index), order, place.at)
@@ -484,12 +539,19 @@ def _no_member(*_: object) -> Term:
     raise Malformed("no member stands there")
 
 
-def written_out(problem: Problem, found: Members, number: int | None = None, *, partly: bool = False) -> Problem | None:
+def term_of(text: str) -> Term:
+    """A term of a declaration without members, such as "gamma(a + 1/2)/sqrt(pi)"."""
+    return _part(_parsed(text), _Place(0, Fraction(0), ARGUMENT, _no_member), 0)
+
+
+def written_out(
+    problem: Problem, found: Members, number: Fraction | int | None = None, *, partly: bool = False
+) -> Problem | None:
     """The problem with members written out, at a whole number for the letter in their orders.
 
     Partly: known derivatives alone, in which other members may stand.
     """
-    family, by = found.family, {} if number is None else {found.base: number}
+    family, by = found.family, {} if number is None else {found.base: _number(Fraction(number))}
     places = {name: (usual, order.shift + (number or 0)) for name, (usual, order) in found.of.items()}
 
     def member(usual: str, order: Fraction, slopes: int, argument: Term) -> Term:
@@ -579,13 +641,70 @@ def with_whole_orders(asked: Asked, declared: Mapping[str, str]) -> Asked:
     return replace(asked, letters=(*asked.letters, *((x, "integer") for x in whole if x not in known)))
 
 
+_BY = re.compile(r"\{d([a-z])(?:\^\{?\d\}?)?\}")  # the letter by which something is differentiated, behind a line
+
+
+def with_arguments(asked: Asked, declared: Mapping[str, str]) -> Asked:
+    """The same where functions without an order stand without arguments: they are functions of the letter in d/dk."""
+    text = re.sub(r"\s", "", asked.relation)
+    by = {*_BY.findall(text)}
+    plain = [x for x, name in declared.items() if not NAMED[name][1].ordered]
+    if len(by) != 1 or not plain or any(re.search(rf"(?<![A-Za-z\\]){x}'*(?:\\left)?\(", text) for x in plain):
+        return asked
+    return replace(asked, letters=(*asked.letters, *((x, f"function of {next(iter(by))}") for x in plain)))
+
+
+def with_names(asked: Asked, declared: Mapping[str, str]) -> Asked:
+    """The same with names of several letters as such, He_n for example, which else are products."""
+    several = [x for x in declared if len(x) > 1 and x.isalpha()]
+    if not several:
+        return asked
+    spelled = "|".join(r"\s*".join(x) for x in several)
+    bare = re.compile(rf"\\[A-Za-z]+|({spelled})(?=\s*_)")  # a command, which is passed over, or such a name
+    relation, *where = (
+        bare.sub(lambda found: rf"\mathrm{{{found[1].replace(' ', '')}}}" if found[1] else found[0], text)
+        for text in (asked.relation, *asked.where)
+    )
+    return replace(asked, relation=relation, where=tuple(where))
+
+
+def inlined(problem: Problem) -> Problem:
+    """The problem with what letters are defined as in their places, also where they are differentiated."""
+    by = dict(problem.definitions)
+
+    def put(tree: T) -> T:
+        if isinstance(tree, str):
+            return put(by[tree]) if tree in by else tree  # type: ignore[return-value]
+        return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
+
+    return replace(problem, claim=put(problem.claim), definitions=())
+
+
+def passed_over(taken: Mapping[str, str], declared: Mapping[str, str], where: Sequence[str], *, refuted: bool) -> str:
+    """Why a verdict does not hold that took a function that is known for any function, or for a number; or "".
+
+    What holds of all functions holds of it. What is defined is what is defined.
+    """
+    defined = {re.split(r"[(=]", re.sub(r"\s|\\left", "", text))[0] for text in where}
+    for letter, what in taken.items():
+        plain = re.sub(r"\\mathrm\{(\w+)\}", r"\1", letter).replace(" ", "")
+        stem, _, below = plain.partition("_")
+        if {plain, letter} & defined or what.endswith((SAID_SO, ITS_USUAL)):
+            continue
+        if stem in declared and (refuted or not what.startswith("a function")):
+            return f"{letter} is said to be a {declared[stem]}, of which nothing is known here"
+        if refuted and below and stem in USUAL and what.startswith("a function"):
+            return f"is {letter} a {USUAL[stem].names[stem]}? say what it is"
+    return ""
+
+
 def shown(found: Members, declared: Mapping[str, str]) -> dict[str, str]:
     """What the members are taken for."""
     names = {name: found.family.names[usual] for name, (usual, _) in found.of.items()}
-    why = "said so" if declared else "its usual letter"
-    return {found.latex[name]: f"a {names[name]} ({why})" for name in found.of}
+    why = SAID_SO if declared else ITS_USUAL
+    return {found.latex[name]: f"a {names[name]} {why}" for name in found.of}
 
 
-def tried(found: Members) -> Sequence[int | None]:
+def tried(found: Members, whole: Iterable[str]) -> Sequence[int | Fraction | None]:
     """The numbers for the letter in orders at which a claim is looked at."""
-    return TRIED if found.base else (None,)
+    return [n for n in TRIED if found.base not in {*whole} or isinstance(n, int)] if found.base else (None,)

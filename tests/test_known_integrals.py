@@ -1,0 +1,76 @@
+"""Integrals by their known values: the densities of Weibull and Cauchy, their moments and distribution functions."""
+
+from __future__ import annotations
+
+import pytest
+
+from symcheck import decide
+from symcheck.core.problems import Problem
+from symcheck.core.terms import INFINITY, MINUS_INFINITY, node
+from symcheck.question.known_integrals import with_values
+
+WEIBULL = r"\frac{k}{\lambda}\left(\frac{x}{\lambda}\right)^{k-1} e^{-(x/\lambda)^k}"
+CAUCHY = r"\frac{1}{\pi}\frac{\gamma}{(t-x_0)^2+\gamma^2}"
+SHAPE, WIDTH = "k > 0, \\lambda > 0", r"\gamma > 0"
+PAIRS = [
+    (rf"\int_0^\infty {WEIBULL}\,dx = 1", rf"\int_0^\infty x {WEIBULL}\,dx = 1", SHAPE),
+    (
+        rf"\int_0^\infty x {WEIBULL}\,dx = \lambda\Gamma\left(1+\frac1k\right)",
+        rf"\int_0^\infty x {WEIBULL}\,dx = \lambda\Gamma\left(1+\frac2k\right)",
+        SHAPE,
+    ),
+    (
+        rf"\int_0^\infty x^2 {WEIBULL}\,dx = \lambda^2\Gamma\left(1+\frac2k\right)",
+        rf"\int_0^\infty x^2 {WEIBULL}\,dx = \lambda\Gamma\left(1+\frac2k\right)",
+        SHAPE,
+    ),
+    (
+        rf"\int_0^s {WEIBULL}\,dx = 1 - e^{{-(s/\lambda)^k}}",
+        rf"\int_0^s {WEIBULL}\,dx = e^{{-(s/\lambda)^k}}",
+        SHAPE + ", s > 0",
+    ),
+    (
+        r"\int_0^\infty e^{-x^p}dx = \Gamma\left(1+\frac1p\right)",
+        r"\int_0^\infty e^{-x^p}dx = \Gamma\left(\frac1p\right)",
+        "p > 0",
+    ),
+    (
+        rf"\int_{{-\infty}}^x {CAUCHY}\,dt = \frac12 + \frac1\pi\arctan\frac{{x-x_0}}{{\gamma}}",
+        rf"\int_{{-\infty}}^x {CAUCHY}\,dt = \frac1\pi\arctan\frac{{x-x_0}}{{\gamma}}",
+        WIDTH,
+    ),
+    (rf"\int_{{-\infty}}^{{x_0}} {CAUCHY}\,dt = \frac12", rf"\int_{{-\infty}}^{{x_0}} {CAUCHY}\,dt = 1", WIDTH),
+    (
+        r"\int_0^\infty \frac{2}{\pi\gamma}\frac{1}{1+x^2/\gamma^2}\,dx = 1",
+        r"\int_0^\infty \frac{1}{\pi\gamma}\frac{1}{1+x^2/\gamma^2}\,dx = 1",
+        WIDTH,
+    ),
+]
+
+
+@pytest.mark.parametrize(("right", "wrong", "given"), PAIRS)
+def test_a_known_integral_is_proved_and_its_slip_refuted(right: str, wrong: str, given: str) -> None:
+    assert decide(right, given=given).verdict == "proved"
+    assert decide(wrong, given=given).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("relation", "given"),
+    [
+        (r"\int_0^\infty k x^{k-1} e^{-x^k}\,dx = 1", "k < 0"),
+        (r"\int_0^\infty x^{-u} e^{-x^k}\,dx = \frac1k\Gamma\left(\frac{1-u}{k}\right)", "k > 0, u > 1"),  # it diverges
+        (r"\int_0^\infty e^{x^k}\,dx = \Gamma\left(1+\frac1k\right)", "k > 0"),
+        (rf"\int_{{-\infty}}^{{x_0}} {CAUCHY}\,dt = \frac12", r"\gamma < 0"),
+        (r"\int_{-\infty}^{\infty} \left(\sqrt{x} - \sqrt{x} + \frac{1}{1+x^2}\right) dx = \pi", ""),  # no value
+        (r"\int_{-\infty}^x \frac{1}{t^2-1}\,dt = \arctan x + \frac\pi2", "x < -1"),
+    ],
+)
+def test_where_an_integral_diverges_or_has_another_sign_nothing_is_proved(relation: str, given: str) -> None:
+    assert decide(relation, given=given).verdict != "proved"
+
+
+def test_the_conditions_of_a_value_are_claims_of_their_own() -> None:
+    body = node("/", 1, node("+", node("^", "t", 2), node("^", "s", 2)))
+    found = with_values(Problem("x", node("=", node("integral", body, "t", MINUS_INFINITY, INFINITY), "y")))
+    assert found is not None
+    assert node(">", "s", 0) in [side.claim for side in found.sides]
