@@ -2,10 +2,11 @@
 against C. Run by `make bench`.
 
 Prints a table of the kernels that `by_hand.c` has, in one thread: the medians of the times of the thread in many
-interleaved runs; least times compare one kernel with another in a moment when the processor was faster. All write to arrays that exist. The limit is the longer of two
-times: to copy as many bytes as a kernel reads and writes, and to compute its divisions, roots and functions, each in a
-loop of its own. Beside it, memory is a loop that reads and writes the same arrays, which are more than two, and only
-adds up what it reads. What is a call is as `kernels.load` gives it; $BENCH_LONG is the seconds for each row.
+interleaved runs; least times are those of moments when the processor was faster, which one of the kernels had alone.
+All write to arrays that exist. The limit is the longer of two times: to copy as many bytes as a kernel reads and
+writes, and to compute its divisions, roots and functions, each in a loop of its own. Beside it, memory is a loop that
+reads and writes the same arrays, which are more than two, and only adds up what it reads. What is a call is as
+`kernels.load` gives it; $BENCH_LONG is the seconds for each row.
 """
 
 from __future__ import annotations
