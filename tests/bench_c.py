@@ -1,7 +1,8 @@
 """Generated C against `lambdify(cse=True)`, against C by hand, and against what limits it. Run by `make bench`.
 
 The limit is the longer of two times: to copy as many bytes as a kernel reads and writes, and to compute its divisions,
-roots and functions, each in a loop of its own.
+roots and functions, each in a loop of its own. Copying has two arrays, a kernel many; a loop that only reads and writes
+the same arrays says what they take.
 
 Times are the least of many interleaved runs. The results of C are arrays that exist; lambdify makes its own.
 """
@@ -15,8 +16,9 @@ import shutil
 import statistics
 import time
 import warnings
-from collections.abc import Callable, Iterator, Mapping
-from functools import partial
+from collections.abc import Callable, Collection, Iterator, Mapping
+from fractions import Fraction
+from functools import partial, reduce
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -30,13 +32,13 @@ from rich.table import Table
 
 from symcheck.kernels.codegen import c_target
 from symcheck.kernels.codegen.kernel import Argument, Kernel, Output
-from symcheck.kernels.codegen.program import UNARY, Operation, Program
+from symcheck.kernels.codegen.program import OF_HALF, UNARY, Operation, Program, Ref, of_half
 from symcheck.kernels.codegen.special import RUNTIME
 from symcheck.kernels.codegen.target import CompiledKernel
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 COLUMNS = ((10_000, 1), (1_000_000, 1), (1_000_000, CORES))  # points and threads
-SLOW = ("divide", *UNARY, *RUNTIME, "power")
+SLOW = ("divide", *UNARY, *RUNTIME, OF_HALF, "power")
 ROUNDS, MOST, LONG = 3, 300, 0.4  # runs of each, at least and at most, and seconds from which no more are made
 BY_HAND = (
     "direction_cosines",
@@ -75,7 +77,7 @@ def rows(case: Case, loaded: ctypes.CDLL, hand: ctypes.CDLL, costs: Mapping[str,
     """The figures of each column."""
     own, theirs = getattr(loaded, f"{case.paper}_{case.name}"), lambdified(case)
     other = getattr(hand, case.name) if case.name in BY_HAND else own
-    computing = sum(costs.get(operation.function, 0) for operation in case.compiled.pointwise.operations)
+    computing = arithmetic(case, costs)
     for size, threads in COLUMNS:
         points = [np.ascontiguousarray(x) for x in values(case, size)]
         arrays = [*points, *(np.zeros(size) for _ in case.kernel.outputs)]
@@ -102,9 +104,31 @@ def costs() -> dict[str, float]:
     return {name: found / size for name, found in zip(SLOW, least(*calls), strict=True)}
 
 
+def arithmetic(case: Case, costs: Mapping[str, float]) -> float:
+    """Seconds of all divisions, roots and functions of a point."""
+    return sum(costs.get(of_half(operation).function, 0) for operation in case.compiled.pointwise.operations)
+
+
+def streams(names: Collection[str]) -> ctypes.CDLL:
+    """Kernels of these names that read and write the same arrays, and only add up what they read."""
+    compiled = {}
+    for case in cases().values():
+        if case.name in names:
+            program = Program(case.compiled.pointwise.inputs)
+            total = reduce(partial(program.apply, "add"), program.inputs)
+            program.outputs.update(dict.fromkeys(case.compiled.pointwise.outputs, total))
+            compiled[case.name] = CompiledKernel(case.kernel, program, program)
+    for name, text in c_target.TARGET.files("streams", compiled).items():
+        (folder() / name).write_text(text)
+    return library(("streams.c",), "gcc")
+
+
 def _alone(function: str) -> CompiledKernel:
-    operands = ("x", "y") if function in ("divide", "power", "gamma_ratio") else ("x",)
-    program = Program(("x", "y"), operations=[Operation("t1", function, operands)], outputs={"z": "t1"})
+    operands: tuple[Ref, ...] = ("x", "y") if function in ("divide", "power", "gamma_ratio") else ("x",)
+    operation = Operation("t1", function, operands)
+    if function == OF_HALF:
+        operation = Operation("t1", "gamma_ratio", ("x", Fraction(1, 2)))
+    program = Program(("x", "y"), operations=[operation], outputs={"z": "t1"})
     kernel = Kernel(
         says="One operation.",
         arguments=(Argument("x", "a number"), Argument("y", "a number")),

@@ -6,17 +6,17 @@
 #include <stddef.h>
 
 #if defined(__x86_64__) && !defined(__clang__) && (__GLIBC__ > 2 || (__GLIBC__ == 2 && __GLIBC_MINOR__ >= 35))
-__attribute__((simd("notinbranch"))) double vcos(double) __asm__("cos");
-__attribute__((simd("notinbranch"))) double vsin(double) __asm__("sin");
-__attribute__((simd("notinbranch"))) double vtan(double) __asm__("tan");
+__attribute__((simd("notinbranch"), const)) double vcos(double) __asm__("cos");
+__attribute__((simd("notinbranch"), const)) double vsin(double) __asm__("sin");
+__attribute__((simd("notinbranch"), const)) double vtan(double) __asm__("tan");
 #else
 #define vcos cos
 #define vsin sin
 #define vtan tan
 #endif
 #if defined(__x86_64__) && !defined(__clang__) && (__GLIBC__ > 2 || (__GLIBC__ == 2 && __GLIBC_MINOR__ >= 35))
-__attribute__((simd("notinbranch"))) double vexp(double) __asm__("exp");
-__attribute__((simd("notinbranch"))) double vlog1p(double) __asm__("log1p");
+__attribute__((simd("notinbranch"), const)) double vexp(double) __asm__("exp");
+__attribute__((simd("notinbranch"), const)) double vlog1p(double) __asm__("log1p");
 #else
 #define vexp exp
 #define vlog1p log1p
@@ -98,21 +98,21 @@ void drift_coefficients(size_t n, const double *restrict a, const double *restri
     }
 }
 
-/* Gamma(x + 1/2)/(Gamma(x) sqrt(x)) by Stirling's series, after nine steps up. */
+/* Gamma(x + 1/2)/(Gamma(x) sqrt(x)) by Stirling's series, after nine steps up; it is 1 for x as large as 2^100. */
 void density_of_frequency(size_t n, const double *restrict omega, const double *restrict k, const double *restrict g13,
                           const double *restrict g23, const double *restrict d33, double *restrict p)
 {
     LOOP {
-        const double g = g13[i] * g13[i], x = d33[i] / g, b = g23[i] * k[i], bb = b * b, ww = omega[i] * omega[i];
-        double above = x, under = x + 0.5, z = x + 9.0;
-        for (int j = 1; j < 9; ++j) {
-            above *= x + j;
-            under *= x + j + 0.5;
-        }
+        const double g = g13[i] * g13[i], b = g23[i] * k[i], bb = b * b, ww = omega[i] * omega[i];
+        const double x = d33[i] / g, y = x + 0.5, z = x + 9.0;
+        const double s = x * z, t = y * (y + 9.0); /* (x + k)(x + 9 - k) = s + k (9 - k) */
+        const double above = (s + 8.0) * (s + 14.0) * ((s + 18.0) * (s + 20.0));
+        const double under = (t + 8.0) * (t + 14.0) * ((t + 18.0) * (t + 20.0)) * y;
         const double r = 1.0 / z, rr = r * r;
         const double log_ratio = r * (-1.0 / 8 + rr * (1.0 / 192 + rr * (-1.0 / 640 + rr * (17.0 / 14336
             + rr * (-31.0 / 18432 + rr * (691.0 / 180224 + rr * (-5461.0 / 425984)))))));
         const double power = vexp(log_ratio - x * vlog1p(ww * g / bb));
-        p[i] = power * above / under * g13[i] * sqrt(z / (3.14159265358979324 * (ww * g + bb)));
+        const double steps = x > 0x1p100 ? 1.0 : sqrt(s) * above / under;
+        p[i] = power * steps * sqrt(d33[i] / (3.14159265358979324 * (ww * g + bb)));
     }
 }

@@ -4,19 +4,48 @@ libm's sin, cos and tan do not become vector instructions, and those of glibc's 
 the last place, which a fourth power makes twelve. These err by 0.8, the tangent by 1.3, and have no branch; sine and
 cosine of one angle take no longer than there. They are for angles up to REACH; where a point has another, its kernel
 asks libm. The functions below use those above them.
+
+Processors divide and take roots in one unit, which kernels keep busy: there the inverse of a tangent is a few products
+of its own instead. A choice between two numbers that depends on an earlier choice is avoided: GCC computes all that
+lies between them twice.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from symcheck.kernels.ratios import HALF, SHIFT, STIRLING
+from symcheck.kernels.ratios import SHIFT, STIRLING
 
 CIRCULAR = ("sin", "cos", "tan")
 REACH = 1e6  # a multiple of pi/2 up to here has 20 bits, and the product with a part of 33 bits is exact
 _HORNER = "\n    ".join(f"total = total * square + {x!r};" for x in STIRLING[-2::-1])
-_HORNER_OF_HALF = "\n    ".join(f"total = total * square + {x!r};" for x in HALF[-2::-1])
+# (tan(r)/r - 1)/z at Chebyshev's points of z = r^2: tan(r) errs by 2^-55 at most by that
+_TANGENT = (
+    *(0.3333333333333333, 0.13333333333333, 0.05396825396865546, 0.021869488517074376, 0.00886323600348583),
+    *(0.003592120980561423, 0.0014559027390518477, 0.0005895756061451823, 0.00024122635355143795),
+    *(8.998520286965796e-05, 5.558784733950443e-05, -1.1013613551066105e-05, 3.651618223875854e-05),
+    *(-1.831534296558283e-05, 8.483347292046082e-06),
+)
+# of f(x), where the square of Gamma(x + 1/2)/(Gamma(x) sqrt x) is x/(x + f(x)), from 0 to infinity
+HALF_ABOVE = (
+    *(0.3183098861837907, 1.3519171431967776, 2.538802307797305, 2.728160920260253),
+    *(1.833535267581526, 0.7918618164397344, 0.21585978492972566, 0.0342268451382369),
+    *(0.002442505603793217,),
+)
+HALF_UNDER = (
+    *(1.0, 4.616176896679106, 9.1255141241255, 10.142846059823302),
+    *(6.9785765330055405, 3.0659349068524526, 0.8467836869479071, 0.13568612775108652),
+    *(0.009770022415172702,),
+)
+
+
+def _polynomial(name: str, of: str, coefficients: Sequence[float]) -> str:
+    """A polynomial by Horner's scheme; the first coefficient is that of the power 0."""
+    last, *others = reversed(coefficients)
+    steps = [f"{name} = MULTIPLY_ADD({of}, {name}, {x!r});" for x in others]
+    return "\n    ".join([f"double {name} = {last!r};", *steps])
+
 
 FUNCTIONS = {
     "MULTIPLY_ADD": """\
@@ -26,25 +55,45 @@ FUNCTIONS = {
 #define MULTIPLY_ADD(x, y, z) ((x) * (y) + (z))
 #endif
 """,
-    "turns": """\
-/* The whole number nearest to x y, up to 2^51: there a double has no digits left behind the point. */
-static INLINE double turns(double x, double y)
-{
-    return MULTIPLY_ADD(x, y, 0x1.8p52) - 0x1.8p52;
-}
-""",
     "pair": """\
 /* A number as a sum of which the second term is far smaller than the first. */
 typedef struct { double high, low; } pair;
 """,
-    "turned": """\
-/* x - n pi/2: of the parts of pi/2 the first three have 33 bits, so that their products with n are exact. */
-static INLINE pair turned(double x, double n)
+    "bits_of": """\
+static INLINE uint64_t bits_of(double x)
 {
-    const double a = MULTIPLY_ADD(-n, 0x1.921fb544p+0, x);
-    const double b = MULTIPLY_ADD(-n, 0x1.0b4611a6p-34, a), b_rest = MULTIPLY_ADD(-n, 0x1.0b4611a6p-34, a - b);
-    const double c = MULTIPLY_ADD(-n, 0x1.3198a2ep-69, b), c_rest = MULTIPLY_ADD(-n, 0x1.3198a2ep-69, b - c);
-    const pair result = {c, MULTIPLY_ADD(-n, 0x1.b839a252049c1p-104, b_rest) + c_rest};
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+""",
+    "double_of": """\
+static INLINE double double_of(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+""",
+    "turn": """\
+/* An angle as n pi/2 and a rest between -pi/4 and pi/4; the last bits of the first number are those of n. */
+typedef struct { uint64_t quarters; pair rest; } turn;
+""",
+    "turned": """\
+/* Parts of pi/2 with 33 bits have exact products with n; fused ones are exact with 53 bits where x is near n pi/2. */
+static INLINE turn turned(double x)
+{
+    const double shifted = MULTIPLY_ADD(x, 0x1.45f306dc9c883p-1, 0x1.8p52), n = shifted - 0x1.8p52;
+#ifdef FP_FAST_FMA
+    const double a = fma(-n, 0x1.921fb54442d18p+0, x);
+    const double b = fma(-n, 0x1.1a626331p-54, a), b_rest = fma(-n, 0x1.1a626331p-54, a - b);
+    const turn result = {bits_of(shifted), {b, fma(-n, 0x1.1701b839a252p-88, b_rest)}};
+#else
+    const double a = x - n * 0x1.921fb544p+0;
+    const double b = a - n * 0x1.0b4611a6p-34, b_rest = (a - b) - n * 0x1.0b4611a6p-34;
+    const double c = b - n * 0x1.3198a2ep-69, c_rest = (b - c) - n * 0x1.3198a2ep-69;
+    const turn result = {bits_of(shifted), {c, (b_rest - n * 0x1.b839a252049c1p-104) + c_rest}};
+#endif
     return result;
 }
 """,
@@ -76,23 +125,28 @@ static INLINE pair near_cos(pair x)
     return result;
 }
 """,
+    "negated": """\
+/* x, or -x where a number has the bit before its last. */
+static INLINE double negated(double x, uint64_t number)
+{
+    return double_of(bits_of(x) ^ (number & 2) << 62);
+}
+""",
     "vector_sin": """\
 static INLINE double vector_sin(double x)
 {
-    const double n = turns(x, 0x1.45f306dc9c883p-1), quarter = MULTIPLY_ADD(-4.0, turns(n, 0.25), n); /* -2 to 2 */
-    const pair turn = turned(x, n), s = near_sin(turn), c = near_cos(turn);
-    const double size = fabs(quarter) == 1.0 ? c.high + c.low : s.high + s.low;
-    const double value = fabs(quarter) == 2.0 || quarter == -1.0 ? -size : size;
+    const turn t = turned(x);
+    const pair s = near_sin(t.rest), c = near_cos(t.rest);
+    const double value = negated(t.quarters & 1 ? c.high + c.low : s.high + s.low, t.quarters);
     return x == 0.0 ? x : value; /* -0 stays -0 */
 }
 """,
     "vector_cos": """\
 static INLINE double vector_cos(double x)
 {
-    const double n = turns(x, 0x1.45f306dc9c883p-1), quarter = MULTIPLY_ADD(-4.0, turns(n, 0.25), n);
-    const pair turn = turned(x, n), s = near_sin(turn), c = near_cos(turn);
-    const double size = fabs(quarter) == 1.0 ? s.high + s.low : c.high + c.low;
-    return fabs(quarter) == 2.0 || quarter == 1.0 ? -size : size;
+    const turn t = turned(x);
+    const pair s = near_sin(t.rest), c = near_cos(t.rest);
+    return negated(t.quarters & 1 ? s.high + s.low : c.high + c.low, t.quarters + 1);
 }
 """,
     "remainder_of": """\
@@ -108,34 +162,31 @@ static INLINE double remainder_of(double x, double q, double y)
 #endif
 }
 """,
-    "vector_tan": """\
-/* That of the angle from the nearest multiple of pi/2; from an odd multiple minus its inverse, corrected. The
-   polynomial interpolates (tan(r)/r - 1)/z, z = r^2, at Chebyshev's points; tan(r) errs by 2^-55 at most by that. */
-static INLINE double vector_tan(double x)
+    "near_inverse": """\
+/* 1/x with 38 bits, of x far from the ends of the range: the bits of x taken from a constant give 1/x within 5 %, and
+   each step the cube of that. */
+static INLINE double near_inverse(double x)
 {
-    const double n = turns(x, 0x1.45f306dc9c883p-1);
-    const pair turn = turned(x, n);
-    const double z = turn.high * turn.high;
-    double p = MULTIPLY_ADD(z, 8.483347292046082e-06, -1.831534296558283e-05);
-    p = MULTIPLY_ADD(z, p, 3.651618223875854e-05);
-    p = MULTIPLY_ADD(z, p, -1.1013613551066105e-05);
-    p = MULTIPLY_ADD(z, p, 5.558784733950443e-05);
-    p = MULTIPLY_ADD(z, p, 8.998520286965796e-05);
-    p = MULTIPLY_ADD(z, p, 0.00024122635355143795);
-    p = MULTIPLY_ADD(z, p, 0.0005895756061451823);
-    p = MULTIPLY_ADD(z, p, 0.0014559027390518477);
-    p = MULTIPLY_ADD(z, p, 0.003592120980561423);
-    p = MULTIPLY_ADD(z, p, 0.00886323600348583);
-    p = MULTIPLY_ADD(z, p, 0.021869488517074376);
-    p = MULTIPLY_ADD(z, p, 0.05396825396865546);
-    p = MULTIPLY_ADD(z, p, 0.13333333333333);
-    p = MULTIPLY_ADD(z, p, 0.3333333333333333);
-    const double low = MULTIPLY_ADD(z * turn.high, p, MULTIPLY_ADD(turn.low, z, turn.low));
-    const double tangent = turn.high + low, rest = (turn.high - tangent) + low, inverse = -1.0 / tangent;
-    const double wrong = MULTIPLY_ADD(inverse, rest, remainder_of(1.0, -inverse, tangent));
-    const double value = n == 2.0 * turns(n, 0.5) ? tangent : MULTIPLY_ADD(inverse, wrong, inverse);
-    return x == 0.0 ? x : value;
+    const double first = double_of(0x7fde623822fc16e6 - bits_of(x)), e = MULTIPLY_ADD(-x, first, 1.0);
+    const double second = MULTIPLY_ADD(first, MULTIPLY_ADD(e, e, e), first), f = MULTIPLY_ADD(-x, second, 1.0);
+    return MULTIPLY_ADD(second, MULTIPLY_ADD(f, f, f), second);
 }
+""",
+    "vector_tan": f"""\
+/* That of the angle from the nearest multiple of pi/2; from an odd multiple minus its inverse, corrected. Of the
+   polynomial even and odd powers are apart, so that neither waits for the other. */
+static INLINE double vector_tan(double x)
+{{
+    const turn t = turned(x);
+    const double r = t.rest.high, z = r * r, square = z * z;
+    {_polynomial("even", "square", _TANGENT[::2])}
+    {_polynomial("odd", "square", _TANGENT[1::2])}
+    const double low = MULTIPLY_ADD(z * r, MULTIPLY_ADD(z, odd, even), MULTIPLY_ADD(t.rest.low, z, t.rest.low));
+    const double tangent = r + low, rest = (r - tangent) + low, inverse = -near_inverse(tangent);
+    const double wrong = MULTIPLY_ADD(inverse, rest, remainder_of(1.0, -inverse, tangent));
+    const double value = t.quarters & 1 ? MULTIPLY_ADD(inverse, wrong, inverse) : tangent;
+    return x == 0.0 ? x : value;
+}}
 """,
     "log1p_ratio": """\
 /* log(1 + x)/x for x > -1, continued by 1 at 0 and by a number that is not 0 at infinity. */
@@ -184,23 +235,15 @@ static INLINE double gamma_ratio(double x, double h)
 }}
 """,
     "gamma_ratio_of_half": f"""\
-/* Gamma(x + 1/2)/(Gamma(x) sqrt x), likewise: the difference of two series is one itself; of exp, as what it is of is
-   1/72 at most, eight terms are enough. The factors are of pairs, (x + k)(x + 8 - k) = x (x + 8) + k (8 - k). */
+/* Gamma(x + 1/2)/(Gamma(x) sqrt x), likewise. Its square is x/(x + f), where f falls from 1/pi to 1/4; here f is a
+   quotient of polynomials, by which the ratio errs by 2^-54 at most. */
 static INLINE double gamma_ratio_of_half(double x)
 {{
-    const double y = x > 0x1p100 ? 0x1p100 : x >= 4.0 * DBL_MIN ? x : NAN, z = y + 0.5;
-    const double moved = y < {SHIFT}.0 ? y + {SHIFT}.0 : y, p = y * (y + 8.0), q = z * (z + 8.0);
-    const double above = (p + 7.0) * ((p + 12.0) * (p + 15.0)) * ((y + 4.0) * (y + 8.0)); /* less the factor y */
-    const double under = q * (q + 7.0) * ((q + 12.0) * (q + 15.0)) * (z + 4.0), both = 1.0 / (moved * under);
-    const double inverse = both * under, square = inverse * inverse;
-    double total = {HALF[-1]!r}, value = 1.0 / 40320.0;
-    {_HORNER_OF_HALF}
-    total *= inverse;
-    value = ((value * total + 1.0 / 5040.0) * total + 1.0 / 720.0) * total + 1.0 / 120.0;
-    value = ((value * total + 1.0 / 24.0) * total + 1.0 / 6.0) * total + 0.5;
-    value = (value * total + 1.0) * total + 1.0;
-    const double lifted = value * (sqrt(moved * y) * above) * (both * moved);
-    return y < {SHIFT}.0 ? lifted : value;
+    const double y = x > 0x1p100 ? 0x1p100 : x;
+    {_polynomial("above", "y", HALF_ABOVE)}
+    {_polynomial("under", "y", HALF_UNDER)}
+    under *= y;
+    return x >= 4.0 * DBL_MIN ? sqrt(under / (under + above)) : NAN;
 }}
 """,
 }

@@ -111,7 +111,7 @@ def source(key: str, name: str, program: Program, uniform: Collection[str] = ())
     needed = {x for o in varying for x in o.operands} | {*program.outputs.values()}
     more = [x for x in (o.result for o in program.operations) if x in fixed and x in needed]
     parameters = [*_parameters(program, "restrict", uniform), *(f"double {x}" for x in more)]
-    point = _wrapped(f"static INLINE int {name}_at(", ["size_t i", "int libm", *parameters])
+    point = _wrapped(f"static INLINE int64_t {name}_at(", ["size_t i", "int libm", *parameters])
     near, far = (_call(name, libm, program, more) for libm in (0, 1))
     loop = LOOP_AND_REST.format(parallel=PARALLEL, near=near, far=far)
     return f"{point}\n{{\n{_indented(lines, 4)}\n}}\n\n{head}{loop}}}\n"

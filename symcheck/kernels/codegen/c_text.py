@@ -55,6 +55,8 @@ SOURCE = """\
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
 
 #ifdef __GNUC__
 #define INLINE inline __attribute__((always_inline)) /* a call would keep a loop from becoming vector instructions */
@@ -78,7 +80,7 @@ LOOP = """\
 """
 
 LOOP_AND_REST = """\
-    int far = 0; /* whether an angle is too large for the functions above */
+    int64_t far = 0; /* whether an angle is too large for the functions above */
 #pragma omp parallel for simd if(parallel: n >= {parallel}) reduction(| : far)
     for (size_t i = 0; i < n; ++i)
         far |= {near};

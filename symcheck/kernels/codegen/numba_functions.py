@@ -17,6 +17,7 @@ FAR = 1000.0  # angles up to here are reduced with 137 bits of pi/2, in three pa
 # three parts; products of the first two with n < 2^11 are exact
 QUARTER, QUARTER_2, QUARTER_3 = 1.570796326794607, 2.8960739716218175e-13, 1.6446256936324258e-26
 LOG2, LOG2_REST = 0.6931471803691238, 1.9082149292705877e-10  # log 2 in two parts, the first with 32 bits
+INVERSE = 0x7FDE623822FC16E6  # less the bits of a number it is nearly the bits of its inverse
 EXPONENT = 0x3FF0000000000000  # the bits of 1.0
 ROOT_HALF = 0x3FE6A09E667F3BCD  # the bits of sqrt(1/2)
 TINY = 2.0**-100  # below it log(1 + x) and exp(x) - 1 are x
@@ -71,26 +72,32 @@ def cos(x: float) -> float:
     return -value if (n + 1) & 2 else value
 
 
-def exchanged(one: float, other: float, mask: np.int64) -> tuple[float, float]:
-    """Both in this order where the mask has no bits, in the other where it has all."""
-    first, second = np.float64(one).view(np.int64), np.float64(other).view(np.int64)
-    different = (first ^ second) & mask
-    return np.int64(first ^ different).view(np.float64), np.int64(second ^ different).view(np.float64)
+def near_inverse(x: float) -> float:
+    """1/x with 38 bits, in less time than a division takes: its bits taken from a constant give 1/x within 5 %."""
+    first = np.uint64(np.uint64(INVERSE) - np.float64(x).view(np.uint64)).view(np.float64)
+    error = 1.0 - x * first
+    second = first + first * (error + error * error)
+    error = 1.0 - x * second
+    return second + second * (error + error * error)
 
 
 def tan(x: float) -> float:
-    """The tangent: a quotient of two sums, whose remainder corrects it."""
+    """The tangent from the nearest multiple of pi/2, (tan(sqrt t)/sqrt t - 1)/t; from an odd one minus its inverse."""
     n, y, z = quarters(x)
-    more = sine(y, z)
-    large, small = cosine(y, z)
-    s, c = y + more, large + small
-    s_rest, c_rest = more - (s - y), small - (c - large)
-    above, below = exchanged(s, c, -(n & 1))
-    above_rest, below_rest = exchanged(s_rest, c_rest, -(n & 1))
-    inverse = 1.0 / below
-    t = above * inverse
-    value = t + ((above - t * below) + (above_rest - t * below_rest)) * inverse
-    return -value if n & 1 else value
+    t = y * y
+    s = t * t  # even and odd powers are apart, so that neither waits for the other
+    even = (8.483347292046082e-06 * s + 3.651618223875854e-05) * s + 5.558784733950443e-05
+    even = ((even * s + 0.00024122635355143795) * s + 0.0014559027390518477) * s + 0.00886323600348583
+    even = (even * s + 0.05396825396865546) * s + 0.3333333333333333
+    odd = (-1.831534296558283e-05 * s - 1.1013613551066105e-05) * s + 8.998520286965796e-05
+    odd = ((odd * s + 0.0005895756061451823) * s + 0.003592120980561423) * s + 0.021869488517074376
+    odd = odd * s + 0.13333333333333
+    low = (odd * t + even) * (t * y) + (z * t + z)
+    value = y + low
+    rest = (y - value) + low
+    inverse = -near_inverse(value)
+    corrected = inverse + inverse * ((1.0 + inverse * value) + inverse * rest)
+    return corrected if n & 1 else value
 
 
 def arctan(x: float) -> float:
@@ -206,30 +213,13 @@ def stirling(x: float) -> float:
 
 
 def gamma_ratio_of_half(x: float) -> float:
-    """Gamma(x + 1/2)/(Gamma(x) sqrt x): the difference of two of Stirling's series is one itself.
-
-    Of exp, as what it is of is 1/72 at most, eight terms are enough.
-    """
-    x = 1 / TINY if x > 1 / TINY else x if x >= 4 * SMALLEST else math.nan
-    small = x < SHIFT
-    moved = x + SHIFT if small else x
-    z = x + 0.5
-    p, q = x * (x + 8.0), z * (z + 8.0)  # of pairs: (x + k)(x + 8 - k) = x (x + 8) + k (8 - k)
-    above = (p + 7.0) * ((p + 12.0) * (p + 15.0)) * ((x + 4.0) * (x + 8.0))  # less the factor x
-    under = q * (q + 7.0) * ((q + 12.0) * (q + 15.0)) * (z + 4.0)
-    both = 1.0 / (moved * under)  # one division takes as long as ten products
-    inverse = both * under
-    square, total = inverse * inverse, 929569.0 / 15728640.0
-    total = total * square - 5461.0 / 425984.0
-    total = total * square + 691.0 / 180224.0
-    total = total * square - 31.0 / 18432.0
-    total = total * square + 17.0 / 14336.0
-    total = total * square - 1.0 / 640.0
-    total = total * square + 1.0 / 192.0
-    total = (total * square - 1.0 / 8.0) * inverse
-    value = 1.0 / 40320.0
-    value = ((value * total + 1.0 / 5040.0) * total + 1.0 / 720.0) * total + 1.0 / 120.0
-    value = ((value * total + 1.0 / 24.0) * total + 1.0 / 6.0) * total + 0.5
-    value = (value * total + 1.0) * total + 1.0
-    lifted = value * (math.sqrt(moved * x) * above) * (both * moved)
-    return lifted if small else value
+    """Gamma(x + 1/2)/(Gamma(x) sqrt x): its square is x/(x + f), where f, a quotient here, falls from 1/pi to 1/4."""
+    y = 1 / TINY if x > 1 / TINY else x
+    above = ((0.002442505603793217 * y + 0.0342268451382369) * y + 0.21585978492972566) * y + 0.7918618164397344
+    above = ((above * y + 1.833535267581526) * y + 2.728160920260253) * y + 2.538802307797305
+    above = (above * y + 1.3519171431967776) * y + 0.3183098861837907
+    under = ((0.009770022415172702 * y + 0.13568612775108652) * y + 0.8467836869479071) * y + 3.0659349068524526
+    under = ((under * y + 6.9785765330055405) * y + 10.142846059823302) * y + 9.1255141241255
+    under = (under * y + 4.616176896679106) * y + 1.0
+    under = under * y
+    return math.sqrt(under / (under + above)) if x >= 4 * SMALLEST else math.nan
