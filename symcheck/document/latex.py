@@ -10,6 +10,7 @@ from itertools import chain
 from symcheck.document.macros import MISSING, Expander, Tok, argument, optional, tokens, written
 from symcheck.document.printed import Fault, Printed, place
 from symcheck.document.units import LISTS, Told, stated
+from symcheck.document.written_out import bare
 from symcheck.reading import split_tag
 
 ROWS = frozenset(
@@ -94,6 +95,11 @@ EQUALS = re.compile(r"\$\s*=\s*$")  # words between two formulas within a line, 
 # words before letters that may be anything, and perhaps others of these between
 ANEW = re.compile(r"\b(?:any|all|every|each|arbitrary|two|let)\b[\w\s-]*(?:\$(?:\s|,|and|or)*)*$", re.IGNORECASE)
 
+# words beside a letter that call it the identity matrix
+IDENTITY = re.compile(
+    r"\b[Ii]dentity(?: matrix)? \$([^$]+)\$|\$([^$]+)\$ (?:is|denotes|being) (?:the|an) (?:[\w$-]+ )?identity\b"
+)
+
 
 @dataclass
 class Scanner:
@@ -113,6 +119,7 @@ class Scanner:
     local: list[int] = field(default_factory=list)
     places: int = 0  # environments of their own so far
     told: list[Told] = field(default_factory=list)
+    units: set[str] = field(default_factory=set)  # the letters that words call identity matrices, bare
     paragraph: list[str] = field(default_factory=list)  # its words, inline formulas between dollars
     lines: list[tuple[str, int]] = field(default_factory=list)  # these formulas
     chapter: int = 0
@@ -143,6 +150,7 @@ class Scanner:
         """A paragraph ends, or a display parts it: what is said in it of letters."""
         self.prose.append(" ")
         text = "".join(self.paragraph)
+        self.units |= {bare(each) for found in IDENTITY.finditer(text) for each in found.groups() if each}
         if self.titled and text.strip():
             self.titled, self.listed = False, LISTS.match(text) is not None
         scope = None if self.listed else (self.section, self.local[-1] if self.local else 0)

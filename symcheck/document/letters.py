@@ -11,7 +11,8 @@ from functools import cache
 from symcheck.document.macros import tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
-from symcheck.document.survey import SKEW, Role, Said, Seen, is_sayable
+from symcheck.document.survey import SKEW, UNNAMED, Role, Said, Seen, is_sayable
+from symcheck.document.written_out import bare, partial_rules
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
@@ -159,7 +160,7 @@ def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
         phrase = known[role.letter].phrase if role.letter in known else ""
         phrase = phrase if depends_on(phrase) <= own else ""
         open_ = not role.sure or not role.phrase or phrase.startswith(SKEW)
-        if open_ and role.kind not in ("index", "differential", "number") and is_sayable(phrase):
+        if open_ and role.kind not in UNNAMED and is_sayable(phrase):
             found[role.letter] = phrase
     return found
 
@@ -182,7 +183,7 @@ def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequen
 
     So is what is printed in two ways else.
     """
-    formulas = by_rules(formulas, rules(seen, every))
+    formulas = by_rules(formulas, rules(formulas, seen, every))
     kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
     plain = {bold: face(bold).removesuffix("}") for bold in kinds}
     sizes: dict[str, set[tuple[int, ...]]] = {}
@@ -205,12 +206,24 @@ def by_rules(formulas: Sequence[Printed], texts: Sequence[str]) -> list[Printed]
     return [replace(each, latex=rewritten(each.latex, own)[0]) for each in formulas]
 
 
-def rules(seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
-    """Rules of rewriting that make one letter of what a document means by one, where it prints it in two ways.
+def rules(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
+    """Rules of rewriting that make one of what a document prints in two ways.
 
-    These are labels in different type below a name, where both types are used, and nowhere beside each other; and the
-    frame at the left of vectors, if there is one frame alone, and they stand without it, too.
+    These are labels in different type below a name, where both types are used, and nowhere beside each other; the
+    frame at the left of vectors, if there is one frame alone, and they stand without it, too; and derivatives by what
+    is written out elsewhere.
     """
+    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every))]
+
+
+def _lists(seen: Sequence[Seen], every: Sequence[Letter]) -> set[str]:
+    """The letters that are vectors or matrices somewhere, or in bold type, bare."""
+    lists = {each.letter for each in every if each.phrase in _VALUES or face(each.letter) or each.others}
+    lists |= {role.letter for each in seen for role in each.roles if role.size or role.kind in _VALUES}
+    return {*map(bare, lists)}
+
+
+def _rules_of_names(seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
     names = {shown(each.letter): each.letter for each in every}
     typed = {name: plain for name in names if (plain := _TYPED.sub(_untyped, name)) != name}
     alike = {_BARE.sub("", name): name for name in names if name not in typed}
