@@ -177,6 +177,13 @@ $$\frac{\partial \mathcal{L}}{\partial q}
         "2",
         6,
     ),
+    "a derivative in another section": Planted(
+        "# Springs\n\n## Energy\n\nThe energy is\n$$V = \\frac{1}{2} k x^2 + c x y^3 + m g y$$\n\n## Forces\n\n"
+        "Its slope is\n$$\\frac{\\partial V}{\\partial x} = k x + SLIP y^3$$\n",
+        "c",
+        "2 c",
+        11,
+    ),
     "the entry of a printed matrix": Planted(
         "# Stability\n\nThe matrix is\n"
         r"$$A = \begin{bmatrix} 0 & 1 \\ \frac{(M + m) g}{l M} & -\frac{d}{l^2} \end{bmatrix}$$"
@@ -240,6 +247,8 @@ SOUND = {
     "$$V = \\frac{1}{2} k r^2$$\nwith the gradient\n"
     r"$$\begin{bmatrix} \frac{\partial V}{\partial x} \\ \frac{\partial V}{\partial y} \end{bmatrix}"
     r" = \begin{bmatrix} k x \\ k y \end{bmatrix}$$",
+    "a row counted from zero": "The matrix is\n$$A = \\begin{bmatrix} a & b + c \\\\ 2 b & 3 c \\end{bmatrix}$$\nwith\n"
+    "$$A_{01} = b + c$$\nand\n$$A_{11} = 3 c$$\nand\n$$A_{00} = a$$\n",
     "constants of springs beside their matrix": "The stiffness is\n"
     r"$$K = \begin{bmatrix} k_{11} + k_{12} & -k_{12} \\ -k_{12} & k_{22} + k_{12} \end{bmatrix}$$"
     "\nwith\n$$k_{11} = \\frac{a b}{c}$$\nand\n$$k_{12} = \\frac{a}{b + c}$$\n",

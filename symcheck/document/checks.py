@@ -12,6 +12,7 @@ from itertools import chain
 
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
+from symcheck.document.macros import bare
 from symcheck.document.points import compared, slips
 from symcheck.document.printed import Printed
 from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, Link, Seen, is_open, is_sayable, surveyed
@@ -261,7 +262,7 @@ class Checks:
                 if (lists := gradient(link)) is None:
                     continue
                 source = self.definitions(k, agreed, wide=True).get(lists.of)
-                if source is None or said & source.names - {lists.of, *lists.by}:
+                if source is None or said & source.names - {lists.of, *lists.by} or source.names.isdisjoint(lists.by):
                     continue
                 slope = {lists.of: f"depends on {', '.join(lists.by)}"}
                 letters_ = tuple((dict(self.said(seen, self.seen[source.number])) | slope).items())
@@ -460,11 +461,11 @@ class Checks:
 
     def _conditions(self, k: int, names: frozenset[str], used: Sequence[int]) -> tuple[str, ...]:
         """What else the document says of the letters: all before, and what follows at once."""
-        own = _bare(self.formulas[k].latex)
+        own = bare(self.formulas[k].latex)
         found: list[str] = []
         for m in nearest(k, len(self.seen)):
             seen = self.seen[m]
-            if m in used or seen.reason or not seen.names & names or _bare(self.formulas[m].latex) == own:
+            if m in used or seen.reason or not seen.names & names or bare(self.formulas[m].latex) == own:
                 continue
             if not seen.names <= names:
                 continue
@@ -519,7 +520,3 @@ def _goes_on(before: str) -> bool:
 def nearest(k: int, count: int) -> list[int]:
     """The formulas that may say for what one holds: those that follow at once, then all before, the nearest first."""
     return [*range(k + 1, min(k + 1 + NEAR, count)), *range(k - 1, -1, -1)]
-
-
-def _bare(latex: str) -> str:
-    return re.sub(r"\s|[{}]", "", latex)

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 
-from symcheck.document.macros import MISSING, Expander, Tok, argument, optional, tokens, written
+from symcheck.document.macros import MISSING, Expander, Tok, argument, bare, optional, tokens, written
 from symcheck.document.printed import Fault, Printed, place
 from symcheck.document.units import LISTS, Told, stated
-from symcheck.document.written_out import bare
 from symcheck.reading import split_tag
 
 ROWS = frozenset(
@@ -161,15 +160,15 @@ class Scanner:
         self.lines.clear()
 
     def _environment(self, toks: list[Tok], k: int, which: str, name: str) -> int:
-        bare = name.rstrip("*")
-        if bare in ROWS | WHOLE and which == "begin":
+        plain = name.rstrip("*")
+        if plain in ROWS | WHOLE and which == "begin":
             end = _end(toks, k, name)
             if end < 0:
                 self._fault(toks[k], rf"\begin{{{name}}} is never closed")
                 return k + 1
             self.display(toks[k + 1 : end], name)
             return end + 1
-        if bare in ROWS | WHOLE:
+        if plain in ROWS | WHOLE:
             self._fault(toks[k], rf"\end{{{name}}} closes nothing")
         elif name == "subequations":
             if which == "begin":
@@ -256,15 +255,15 @@ class Scanner:
         body = _without_arguments(body, name)
         self._brackets(body)
         counts = name in NUMBERED
-        bare = name.rstrip("*")
-        rows = _rows(body) if bare in ROWS else [[*body]]
+        plain = name.rstrip("*")
+        rows = _rows(body) if plain in ROWS else [[*body]]
         numbered = [_numbered(row) for row in rows]
         numbers = [self._number(row, counts) for row in numbered]
         parts: list[tuple[Row, list[str], list[str]]] = []
         for row, number in zip(numbered, numbers, strict=True):
             if not _trimmed(row.toks):
                 continue
-            for inner in [row.toks] if bare == "multline" else self._inner(row):
+            for inner in [row.toks] if plain == "multline" else self._inner(row):
                 if parts and _continues(parts[-1][0].toks, inner):
                     last, labels, shown = parts[-1]
                     parts[-1] = Row(_joined(last.toks, inner)), [*labels, row.label], [*shown, number]

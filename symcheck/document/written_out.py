@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
+from symcheck.document.macros import bare
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import WILD
 from symcheck.document.survey import Link, Seen
@@ -29,16 +30,10 @@ _PRINTED = re.compile(r"\\begin\{(?:[pbBvV]|small)?matrix\*?\}(.*?)\\end\{(?:[pb
 # what stands beside a term, and beside no factor
 _BEFORE = re.compile(r"(?:^|[=+\-&,(]|\\left\s*[(\[]|\\q?quad)\s*$")
 _BEHIND = re.compile(r"\s*(?:$|[=+\-&,.;)\]]|\\right|\\\\|\\q?quad)")
-_BARE = re.compile(r"[\s{}]")
 # two numbers below a letter that tell a row and a column
 _ENTRY = re.compile(r"(\\[a-zA-Z]+\{\\?[a-zA-Z]+\}|\\?[a-zA-Z]+)\s*_\s*\{\s*(\d)\s*(?:,|\\[,;: ])?\s*(\d)\s*\}")
 UNIT = "the identity"  # what letters are taken for
 LARGEST = 9  # rows, or columns: of larger matrices one digit does not tell a row
-
-
-def bare(text: str) -> str:
-    """A text without what may be left out between its tokens."""
-    return _BARE.sub("", text)
 
 
 def partial_rules(formulas: Sequence[Printed], seen: Sequence[Seen], lists: Set[str]) -> list[str]:
@@ -107,7 +102,12 @@ class Gradient:
 
 
 def gradient(link: Link) -> Gradient | None:
-    """An equation between lists of which one is a gradient, entry by entry; rows are compared with columns alike."""
+    """An equation between lists of which one is a gradient, entry by entry; rows are compared with columns alike.
+
+    Or one that says what a single derivative is.
+    """
+    if (alone := _SLOPE.fullmatch(link.left.strip())) and not _SLOPE.fullmatch(link.right.strip()):
+        return Gradient((link.latex,), alone[1], (_undotted(alone[2]),))
     lists = [match[1] for match in _PRINTED.finditer(link.latex)]
     rows = [[row for row in ROWS.split(each) if row.strip()] for each in lists]
     if not lists or any(len(each) > 1 and "&" in text for each, text in zip(rows, lists, strict=True)):
@@ -198,7 +198,7 @@ def entries(seen: Sequence[Seen]) -> Iterator[Entry]:
         small = base.lower() if base.isalpha() and base.isupper() and base.lower() not in heads else base
         for own in (names.get(x, {}) for x in dict.fromkeys((base, small))):
             inside = {x for several in own.values() for x in several}
-            if inside & link.names[1]:
+            if inside & link.names[1] or any(0 in place for place in own):  # rows that are counted from zero
                 continue
             for (n, m), spelled in own.items():
                 if 1 <= n <= len(rows) and 1 <= m <= len(rows[0]):
