@@ -387,3 +387,10 @@ def test_a_projection_is_one_for_all_sizes_as_a_reading_with_a_row_for_a_matrix_
         assert answer.verdict == "proved"
         assert all("matrices" in each for each in answer.certificate)
     assert decide("P A = 2 A", where=projection).verdict == "refuted"
+
+
+def test_a_letter_that_is_said_to_be_the_identity_is() -> None:
+    said = {"A": "matrix", "B": "matrix", "E": "identity matrix"}
+    assert decide("(A + E) B = A B + B", letters=said).verdict is Status.PROVED
+    assert decide("(A + E) B = A B + A", letters=said).verdict is Status.REFUTED
+    assert decide("(A + E) B = A B + B", letters=said | {"E": "matrix"}).verdict is not Status.PROVED

@@ -142,6 +142,71 @@ $$\frac{\partial f}{\partial\sigma_i}
         "3 c + d",
         12,
     ),
+    "a gradient by a letter that is written out": Planted(
+        r"""# Motion
+
+With the coordinates
+$$q = \begin{bmatrix} x \\ \varphi \end{bmatrix}$$
+the Lagrangian is
+$$\mathcal{L} = T - V$$
+with
+$$T = \frac{1}{2} m \dot{x}^2 + c \dot{x} \dot{\varphi} \cos\varphi$$
+and
+$$V = g \cos\varphi$$
+which gives
+$$\mathcal{L} = \frac{1}{2} m \dot{x}^2 + c \dot{x} \dot{\varphi} \cos\varphi - g \cos\varphi$$
+
+## Equations
+
+Its derivatives are
+$$\frac{\partial \mathcal{L}}{\partial \dot{q}} = \begin{bmatrix} m \dot{x} + c \dot{\varphi} \cos\varphi \\
+c \dot{x} \cos\varphi \end{bmatrix}$$
+and
+$$\frac{\partial \mathcal{L}}{\partial q}
+= \begin{bmatrix} 0 \\ -c \dot{x} \dot{\varphi} \sin\varphi SLIP g \sin\varphi \end{bmatrix}$$
+""",
+        "+",
+        "-",
+        20,
+    ),
+    "a row of derivatives beside a column": Planted(
+        "# Forces\n\nThe energy is\n$$V = \\frac{1}{2} k x^2 + c x y^3$$\nand its gradient is\n"
+        r"$$\nabla V = \begin{bmatrix} \frac{\partial V}{\partial x} & \frac{\partial V}{\partial y} \end{bmatrix} = "
+        r"\begin{bmatrix} k x + c y^3 \\ SLIP c x y^2 \end{bmatrix}$$",
+        "3",
+        "2",
+        6,
+    ),
+    "a derivative in another section": Planted(
+        "# Springs\n\n## Energy\n\nThe energy is\n$$V = \\frac{1}{2} k x^2 + c x y^3 + m g y$$\n\n## Forces\n\n"
+        "Its slope is\n$$\\frac{\\partial V}{\\partial x} = k x + SLIP y^3$$\n",
+        "c",
+        "2 c",
+        11,
+    ),
+    "the entry of a printed matrix": Planted(
+        "# Stability\n\nThe matrix is\n"
+        r"$$A = \begin{bmatrix} 0 & 1 \\ \frac{(M + m) g}{l M} & -\frac{d}{l^2} \end{bmatrix}$$"
+        "\nNote the entry $A_{2,1} = \\frac{(M SLIP m) g}{l M}$, which is positive.\n",
+        "+",
+        "-",
+        5,
+    ),
+    "an entry by a small letter": Planted(
+        "# Stability\n\nThe matrix is\n"
+        r"$$A = \begin{pmatrix} 0 & 1 \\ \frac{(M + m) g}{l M} & -\frac{d}{l^2} \end{pmatrix}$$"
+        "\nwith the frequency\n$$w^2 = a_{2 1}$$\nthat is\n$$w^2 = SLIP \\frac{(M + m) g}{l M}$$\n",
+        "",
+        "2",
+        8,
+    ),
+    "an identity matrix": Planted(
+        "# Steps\n\nIn one step the state changes by\n$$\\frac{q_{k+1} - q_k}{h} = A q_k + B u_k$$\n"
+        "or, with the identity matrix $I$,\n$$q_{k+1} = (I SLIP A \\cdot h) q_k + (B \\cdot h) u_k$$\n",
+        "+",
+        "-",
+        6,
+    ),
     "a difference turned around": Planted(
         "The axes are\n$$b = a \\sqrt{e^2 - 1}$$\nand\n$$c = a e$$\nso that\n$$b = \\sqrt{SLIP}$$\n",
         "c^2 - a^2",
@@ -178,6 +243,18 @@ SOUND = {
     r"$$\sin\frac{\theta}{2} = \mathrm{sgn}(\sin\theta) \sqrt{\frac{1 - \cos\theta}{2}}$$",
     "negative numbers": r"For $x < 0$ we have $$y = \sqrt{x^2} + 3 x = -x + 3 x$$",
     "a naive implication": r"It is wrong to say that $$a^2 = b^2 \Rightarrow a = b$$",
+    "a gradient of what depends on others": "The distance is\n$$r = \\sqrt{x^2 + y^2}$$\nand the energy\n"
+    "$$V = \\frac{1}{2} k r^2$$\nwith the gradient\n"
+    r"$$\begin{bmatrix} \frac{\partial V}{\partial x} \\ \frac{\partial V}{\partial y} \end{bmatrix}"
+    r" = \begin{bmatrix} k x \\ k y \end{bmatrix}$$",
+    "a row counted from zero": "The matrix is\n$$A = \\begin{bmatrix} a & b + c \\\\ 2 b & 3 c \\end{bmatrix}$$\nwith\n"
+    "$$A_{01} = b + c$$\nand\n$$A_{11} = 3 c$$\nand\n$$A_{00} = a$$\n",
+    "constants of springs beside their matrix": "The stiffness is\n"
+    r"$$K = \begin{bmatrix} k_{11} + k_{12} & -k_{12} \\ -k_{12} & k_{22} + k_{12} \end{bmatrix}$$"
+    "\nwith\n$$k_{11} = \\frac{a b}{c}$$\nand\n$$k_{12} = \\frac{a}{b + c}$$\n",
+    "a moment of inertia": "The energy is\n$$T = \\frac{1}{2} (I + m l^2) w^2$$\nwhere $J$ is the identity, and\n"
+    "$$T = \\frac{1}{2} I w^2 + \\frac{1}{2} m l^2 w^2$$\nwith\n$$I = \\frac{1}{12} m l^2$$\nso that\n"
+    "$$T = \\frac{13}{24} m l^2 w^2$$\n",
     "other sections": "# Orbits\n\n## Circles\n\n$$v = \\sqrt{\\frac{m}{r}}$$\n\n$$h = r v$$\n\n$$h = \\sqrt{m r}$$\n\n"
     "## Escape\n\nThe speed is\n\n$$v = \\sqrt{\\frac{2 m}{r}}$$\n",
 }

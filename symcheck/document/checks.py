@@ -12,9 +12,11 @@ from itertools import chain
 
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
+from symcheck.document.macros import bare
 from symcheck.document.points import compared, slips
 from symcheck.document.printed import Printed
-from symcheck.document.survey import SMALLEST, Link, Seen, is_open, is_sayable
+from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, Link, Seen, is_open, is_sayable, surveyed
+from symcheck.document.written_out import gradient
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.question import Answer, Status
 from symcheck.question.ask import REFUSED, answered
@@ -75,6 +77,8 @@ DEFINED = re.compile(r"\b(?:defined|given|written|expressed)\b[^.,;]*\b(?:as|by)
 # to a label, or to a number in brackets
 REFERENCE = re.compile(r"ref\{([^{}]+)\}|\{([^{}\s]+)\}|\(([\w.]+)\)|@(eq-[\w-]+)")
 ROUNDED = re.compile(r"\d[.,]\d")  # a number that may be so, so that sides are equal to some digits only
+LISTS = frozenset({"vector", "matrix"})  # kinds of letters beside which an identity is a matrix
+ONE = "the number 1"  # which it is beside numbers
 MOST_CONNECTING = 10  # words; longer sentences bring something new
 SENTENCES = 2  # before a formula in which such a word counts
 MOST_CONDITIONS = 8  # relations that share letters with one that fails, the nearest ones, which must not save it
@@ -206,6 +210,10 @@ class Checks:
             found |= said(each, self.letters) | dict(each.said)
             if each.apart:  # its links are as they are read in the whole
                 found |= {role.letter: role.phrase for role in each.roles if is_sayable(role.phrase)}
+        roles = [role for each in seen for role in each.roles]
+        lists = any(role.kind in LISTS for role in roles) or not LISTS.isdisjoint(found.values())
+        units = (role.letter for role in roles if role.kind == IDENTITY_MATRIX)
+        found |= dict.fromkeys(units, IDENTITY_MATRIX if lists else ONE)
         return tuple(found.items())
 
     def is_statement(self, k: int) -> bool:
@@ -216,8 +224,11 @@ class Checks:
 
     def is_said(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         """Is a formula printed as something that holds, by the words before it? Some of these may be set aside."""
+        return self.seen[k].is_sayable and self._is_worded(k, aside)
+
+    def _is_worded(self, k: int, aside: re.Pattern[str] | None = None) -> bool:
         words = IDLE.sub("", aside.sub("", self._words(k)) if aside else self._words(k))
-        return self.seen[k].plain and self.seen[k].is_sayable and not CONDITIONAL.search(words)
+        return self.seen[k].plain and not CONDITIONAL.search(words)
 
     def _words(self, k: int) -> str:
         """The last words before a formula; of displays below each other those before the first.
@@ -241,6 +252,26 @@ class Checks:
                 question = self._chained(k, link) or (self._defined(k, link) if stated else None)
                 if question is not None:
                     yield question
+
+    def gradients(self, agreed: Container[int]) -> Iterator[Question]:
+        """The entries of lists of derivatives of a number that is said before; in what agrees it is said again."""
+        said = {x for seen in self.seen for x in seen.heads}  # what may depend on the letters of a gradient
+        for k, seen in enumerate(self.seen):
+            stated = self.formulas[k].display and self._is_worded(k) and not PURPOSE.search(self._words(k))
+            for link in seen.links if stated else ():
+                if (lists := gradient(link)) is None:
+                    continue
+                source = self.definitions(k, agreed, wide=True).get(lists.of)
+                if source is None or said & source.names - {lists.of, *lists.by} or source.names.isdisjoint(lists.by):
+                    continue
+                slope = {lists.of: f"depends on {', '.join(lists.by)}"}
+                letters_ = tuple((dict(self.said(seen, self.seen[source.number])) | slope).items())
+                where, places = (source.link.latex,), (source.number,)
+                for text in lists.equations:
+                    alone = surveyed(text, tuple(slope.items()))
+                    names = frozenset[str]().union(*(x for link in alone.links for x in link.names))
+                    if alone.links and alone.is_sayable and names <= source.names | {*lists.by}:
+                        yield Question(k, text, "defined", where, places, letters=letters_, sure=True)
 
     def _is_bounded(self, k: int) -> bool:
         """Is a display said to hold within bounds, as it then does for some positive numbers?"""
@@ -405,30 +436,36 @@ class Checks:
             sure=True,
         )
 
-    def definitions(self, k: int) -> dict[str, Definition]:
-        """The letters that are defined before a formula, once, in the same part of the document."""
+    def definitions(self, k: int, agreed: Container[int] = (), *, wide: bool = False) -> dict[str, Definition]:
+        """The letters that are defined before a formula, once, in the same part of the document.
+
+        Or again in a formula that agrees with those before it. A wide part is a chapter.
+        """
         section, local = self.formulas[k].scope
         found: dict[str, Definition] = {}
         twice = set()
         for m in range(k):
             theirs = self.formulas[m].scope
-            if theirs[0] != section or theirs[1] not in (0, local) or not self.is_statement(m):
+            beside = theirs[0] == section or (wide and self.formulas[m].chapter == self.formulas[k].chapter)
+            if not beside or theirs[1] not in (0, local) or not self.is_statement(m):
                 continue
             for head, link in self.seen[m].heads.items():
                 if not link.names[1]:
                     continue  # a value in one case
-                if head in found and found[head].link.latex != link.latex:
+                if head in found and m in agreed:
+                    found[head] = Definition(m, link)
+                elif head in found and found[head].link.latex != link.latex:
                     twice.add(head)
                 found.setdefault(head, Definition(m, link))
         return {letter: each for letter, each in found.items() if letter not in twice}
 
     def _conditions(self, k: int, names: frozenset[str], used: Sequence[int]) -> tuple[str, ...]:
         """What else the document says of the letters: all before, and what follows at once."""
-        own = _bare(self.formulas[k].latex)
+        own = bare(self.formulas[k].latex)
         found: list[str] = []
         for m in nearest(k, len(self.seen)):
             seen = self.seen[m]
-            if m in used or seen.reason or not seen.names & names or _bare(self.formulas[m].latex) == own:
+            if m in used or seen.reason or not seen.names & names or bare(self.formulas[m].latex) == own:
                 continue
             if not seen.names <= names:
                 continue
@@ -483,7 +520,3 @@ def _goes_on(before: str) -> bool:
 def nearest(k: int, count: int) -> list[int]:
     """The formulas that may say for what one holds: those that follow at once, then all before, the nearest first."""
     return [*range(k + 1, min(k + 1 + NEAR, count)), *range(k - 1, -1, -1)]
-
-
-def _bare(latex: str) -> str:
-    return re.sub(r"\s|[{}]", "", latex)

@@ -10,11 +10,12 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import permutations
 
-from symcheck.document.checks import REFERRING, Checks, Definition, Place, Question
+from symcheck.document.checks import ONE, REFERRING, Checks, Definition, Place, Question
 from symcheck.document.points import Found, compared, idle, is_source, slips, slips_of_source
 from symcheck.document.roles import OF_KNOWN, Roles
-from symcheck.document.survey import SMALLEST
+from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, surveyed
 from symcheck.document.work import Work
+from symcheck.document.written_out import entries
 from symcheck.question import Status
 from symcheck.question.ask import answered
 from symcheck.question.limit import OutOfTime, limited
@@ -46,6 +47,7 @@ NEARLY = re.compile(
 )
 NEAR = re.compile(r"[A-Za-z].*\\(?:approx|simeq)(?![A-Za-z])")  # a sign of it, behind letters
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
+AS_NUMBERS = {"vector": "scalar", "matrix": "scalar", IDENTITY_MATRIX: ONE}  # matrices of one row and one column
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
 FOLLOWING = 1.2  # for all sets of a relation
 SLIPS = 4.0  # seconds for the slips in one relation
@@ -170,7 +172,7 @@ def _of_numbers(question: Question) -> Question | None:
     """
     if any(WRITTEN_OUT.search(text) for text in (question.relation, *question.where)):
         return None
-    letters = tuple((x, "scalar" if phrase in ("vector", "matrix") else phrase) for x, phrase in question.letters)
+    letters = tuple((x, AS_NUMBERS.get(phrase, phrase)) for x, phrase in question.letters)
     return replace(question, letters=letters) if letters != question.letters else None
 
 
@@ -260,6 +262,14 @@ class Derived:
         self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
         self.stated = {k for k, every in self.usable.items() if every and self.is_said(k)}
+        self.entries: dict[int, list[Definition]] = {}  # of printed matrices, by the formula that prints them
+        for each in entries(checks.seen):
+            numbers = (r for r in checks.seen[each.number].roles if r.kind == "scalar" and r.letter in each.latex)
+            read = surveyed(each.latex, tuple((role.letter, role.phrase or "scalar") for role in numbers))
+            link = next((x for x in read.links if x.head), None)
+            if link is not None and self.usable[each.number]:
+                own = replace(link, place=each.place)
+                self.entries.setdefault(each.number, []).append(Definition(each.number, own))
 
     def _usable(self, k: int) -> Iterator[Definition]:
         """The equations of a formula that says something for good: more than the value of a letter in one case."""
@@ -279,7 +289,12 @@ class Derived:
         if later:
             places = [m for m in (*range(k + 1, k + 1 + FAR), *places[:FAR]) if m in self.usable]
         stated = self.stated | self.named[k]
-        pool = [each for m in places if m in stated and self._serves(m, k) for each in self.usable[m]]
+        pool = [
+            each
+            for m in places
+            if m in stated and self._serves(m, k)
+            for each in (*self.usable[m], *self.entries.get(m, ()))
+        ]
         found = []
         for each in self.usable[k]:
             sets = sorted(
@@ -325,9 +340,16 @@ class Derived:
     def is_telling(self, question: Question, linked: Set[tuple[int, int]] = frozenset()) -> bool:
         """Is it something wrong if a relation fails, where letters mean the same in sections that are linked?"""
         return (
-            self.checks.formulas[question.number].display
+            (self.checks.formulas[question.number].display or self._is_entry(question))
             and self.is_said(question.number)
             and not self.may_differ(question, linked)
+        )
+
+    def _is_entry(self, question: Question) -> bool:
+        """Does a relation say what the entry of a printed matrix is from which it does not follow?"""
+        left = {each.link.head for m in question.sources for each in self.entries.get(m, ())}
+        return any(
+            link.latex == question.relation and link.head in left for link in self.checks.seen[question.number].links
         )
 
     def linked(self, holding: Iterable[tuple[Place, ...]]) -> set[tuple[int, int]]:

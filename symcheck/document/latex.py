@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 
-from symcheck.document.macros import MISSING, Expander, Tok, argument, optional, tokens, written
+from symcheck.document.macros import MISSING, Expander, Tok, argument, bare, optional, tokens, written
 from symcheck.document.printed import Fault, Printed, place
 from symcheck.document.units import LISTS, Told, stated
 from symcheck.reading import split_tag
@@ -94,6 +94,11 @@ EQUALS = re.compile(r"\$\s*=\s*$")  # words between two formulas within a line, 
 # words before letters that may be anything, and perhaps others of these between
 ANEW = re.compile(r"\b(?:any|all|every|each|arbitrary|two|let)\b[\w\s-]*(?:\$(?:\s|,|and|or)*)*$", re.IGNORECASE)
 
+# words beside a letter that call it the identity matrix
+IDENTITY = re.compile(
+    r"\b[Ii]dentity(?: matrix)? \$([^$]+)\$|\$([^$]+)\$ (?:is|denotes|being) (?:the|an) (?:[\w$-]+ )?identity\b"
+)
+
 
 @dataclass
 class Scanner:
@@ -113,6 +118,7 @@ class Scanner:
     local: list[int] = field(default_factory=list)
     places: int = 0  # environments of their own so far
     told: list[Told] = field(default_factory=list)
+    units: set[str] = field(default_factory=set)  # the letters that words call identity matrices, bare
     paragraph: list[str] = field(default_factory=list)  # its words, inline formulas between dollars
     lines: list[tuple[str, int]] = field(default_factory=list)  # these formulas
     chapter: int = 0
@@ -143,6 +149,7 @@ class Scanner:
         """A paragraph ends, or a display parts it: what is said in it of letters."""
         self.prose.append(" ")
         text = "".join(self.paragraph)
+        self.units |= {bare(each) for found in IDENTITY.finditer(text) for each in found.groups() if each}
         if self.titled and text.strip():
             self.titled, self.listed = False, LISTS.match(text) is not None
         scope = None if self.listed else (self.section, self.local[-1] if self.local else 0)
@@ -153,15 +160,15 @@ class Scanner:
         self.lines.clear()
 
     def _environment(self, toks: list[Tok], k: int, which: str, name: str) -> int:
-        bare = name.rstrip("*")
-        if bare in ROWS | WHOLE and which == "begin":
+        plain = name.rstrip("*")
+        if plain in ROWS | WHOLE and which == "begin":
             end = _end(toks, k, name)
             if end < 0:
                 self._fault(toks[k], rf"\begin{{{name}}} is never closed")
                 return k + 1
             self.display(toks[k + 1 : end], name)
             return end + 1
-        if bare in ROWS | WHOLE:
+        if plain in ROWS | WHOLE:
             self._fault(toks[k], rf"\end{{{name}}} closes nothing")
         elif name == "subequations":
             if which == "begin":
@@ -248,15 +255,15 @@ class Scanner:
         body = _without_arguments(body, name)
         self._brackets(body)
         counts = name in NUMBERED
-        bare = name.rstrip("*")
-        rows = _rows(body) if bare in ROWS else [[*body]]
+        plain = name.rstrip("*")
+        rows = _rows(body) if plain in ROWS else [[*body]]
         numbered = [_numbered(row) for row in rows]
         numbers = [self._number(row, counts) for row in numbered]
         parts: list[tuple[Row, list[str], list[str]]] = []
         for row, number in zip(numbered, numbers, strict=True):
             if not _trimmed(row.toks):
                 continue
-            for inner in [row.toks] if bare == "multline" else self._inner(row):
+            for inner in [row.toks] if plain == "multline" else self._inner(row):
                 if parts and _continues(parts[-1][0].toks, inner):
                     last, labels, shown = parts[-1]
                     parts[-1] = Row(_joined(last.toks, inner)), [*labels, row.label], [*shown, number]

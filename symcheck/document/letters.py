@@ -8,10 +8,11 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cache
 
-from symcheck.document.macros import tokens, written
+from symcheck.document.macros import bare, tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
-from symcheck.document.survey import SKEW, Role, Said, Seen, is_sayable
+from symcheck.document.survey import SKEW, UNNAMED, Role, Said, Seen, is_sayable
+from symcheck.document.written_out import partial_rules
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
@@ -30,7 +31,6 @@ _TYPED = re.compile(r"_\{\s*\\(?:text|mathrm|mathbf|boldsymbol|bm|mathit)\s*(?:\
 _FRAMED = re.compile(r"\\prescript(\\?\w)((?:\\hat)?\\(?:bm|boldsymbol|mathbf|vec).+)")
 _HATTED = re.compile(r"\\hat\{[a-z]\}")  # a letter in plain type with a hat: a unit vector, or an estimate
 _WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
-_BARE = re.compile(r"[\s{}]")  # what may be left out between the tokens of a name
 # a name with a tilde in brackets, and what stands below it
 _TILDE = re.compile(r"\[\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}(_.+)?\]")
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
@@ -85,14 +85,14 @@ def letters(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Letter]:
     every = {letter: Counter(role.phrase for role, _ in roles if _tells(role)) for letter, roles in places.items()}
     found = [_letter(letter, roles, _common(every[letter], every)) for letter, roles in places.items()]
     vectors = {each.letter: shown(each.letter) for each in found if each.phrase.startswith("vector")}
-    named = {_BARE.sub("", face(v)): v for v in vectors.values()} | {_BARE.sub("", x): v for x, v in vectors.items()}
+    named = {bare(face(v)): v for v in vectors.values()} | {bare(x): v for x, v in vectors.items()}
     return [_of_vector(each, named) for each in found]
 
 
 def _of_vector(letter: Letter, named: Mapping[str, str]) -> Letter:
     r"""The same, but `[\tilde{\omega}]` is made of omega, where that is a vector in the document."""
     below = _TILDE.fullmatch(shown(letter.letter)) if letter.phrase == "matrix" else None
-    if below is None or not (vector := named.get(_BARE.sub("", "".join(filter(None, below.groups()))))):
+    if below is None or not (vector := named.get(bare("".join(filter(None, below.groups()))))):
         return letter
     return replace(letter, taken=f"the skew matrix of {vector}", why="it stands in brackets", phrase=f"{SKEW} {vector}")
 
@@ -159,7 +159,7 @@ def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
         phrase = known[role.letter].phrase if role.letter in known else ""
         phrase = phrase if depends_on(phrase) <= own else ""
         open_ = not role.sure or not role.phrase or phrase.startswith(SKEW)
-        if open_ and role.kind not in ("index", "differential", "number") and is_sayable(phrase):
+        if open_ and role.kind not in UNNAMED and is_sayable(phrase):
             found[role.letter] = phrase
     return found
 
@@ -182,7 +182,7 @@ def in_one_face(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequen
 
     So is what is printed in two ways else.
     """
-    formulas = by_rules(formulas, rules(seen, every))
+    formulas = by_rules(formulas, rules(formulas, seen, every))
     kinds = {shown(each.letter): each.phrase for each in every if each.phrase in ("vector", "matrix")}
     plain = {bold: face(bold).removesuffix("}") for bold in kinds}
     sizes: dict[str, set[tuple[int, ...]]] = {}
@@ -205,16 +205,28 @@ def by_rules(formulas: Sequence[Printed], texts: Sequence[str]) -> list[Printed]
     return [replace(each, latex=rewritten(each.latex, own)[0]) for each in formulas]
 
 
-def rules(seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
-    """Rules of rewriting that make one letter of what a document means by one, where it prints it in two ways.
+def rules(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
+    """Rules of rewriting that make one of what a document prints in two ways.
 
-    These are labels in different type below a name, where both types are used, and nowhere beside each other; and the
-    frame at the left of vectors, if there is one frame alone, and they stand without it, too.
+    These are labels in different type below a name, where both types are used, and nowhere beside each other; the
+    frame at the left of vectors, if there is one frame alone, and they stand without it, too; and derivatives by what
+    is written out elsewhere.
     """
+    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every))]
+
+
+def _lists(seen: Sequence[Seen], every: Sequence[Letter]) -> set[str]:
+    """The letters that are vectors or matrices somewhere, or in bold type, bare."""
+    lists = {each.letter for each in every if each.phrase in _VALUES or face(each.letter) or each.others}
+    lists |= {role.letter for each in seen for role in each.roles if role.size or role.kind in _VALUES}
+    return {*map(bare, lists)}
+
+
+def _rules_of_names(seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
     names = {shown(each.letter): each.letter for each in every}
     typed = {name: plain for name in names if (plain := _TYPED.sub(_untyped, name)) != name}
-    alike = {_BARE.sub("", name): name for name in names if name not in typed}
-    both = {name: alike[key] for name, plain in typed.items() if (key := _BARE.sub("", plain)) in alike}
+    alike = {bare(name): name for name in names if name not in typed}
+    both = {name: alike[key] for name, plain in typed.items() if (key := bare(plain)) in alike}
     beside = [{role.letter for role in each.roles} for each in seen]
     labels = {
         label[0]: label[0].startswith(_WORDS) or not any({names[name], names[other]} <= letters for letters in beside)
@@ -222,10 +234,10 @@ def rules(seen: Sequence[Seen], every: Sequence[Letter]) -> list[str]:
         for label in _TYPED.finditer(name)
     }
     found = [f"{label} -> {_TYPED.sub(_untyped, label)}" for label, alone in labels.items() if alone]
-    bare = {_BARE.sub("", shown(role.letter)) for each in seen if each.read for role in each.roles}
-    framed = [_FRAMED.fullmatch(name) for name in bare if name.startswith(r"\prescript")]
+    unstyled = {bare(shown(role.letter)) for each in seen if each.read for role in each.roles}
+    framed = [_FRAMED.fullmatch(name) for name in unstyled if name.startswith(r"\prescript")]
     vectors = [each for each in framed if each is not None]
-    if len(vectors) == len(framed) and len({x[1] for x in vectors}) == 1 and any(x[2] in bare for x in vectors):
+    if len(vectors) == len(framed) and len({x[1] for x in vectors}) == 1 and any(x[2] in unstyled for x in vectors):
         found.append(f"{{}}^{{{vectors[0][1]}}} -> ")
     return found
 

@@ -26,6 +26,7 @@ from symcheck.document.structure import Mark, marks
 from symcheck.document.survey import READING, Seen, surveyed, surveyed_with
 from symcheck.document.units import Told
 from symcheck.document.work import Progress, Work, proved_of, undecided
+from symcheck.document.written_out import with_units
 from symcheck.question import Answer, Status
 from symcheck.question.measured import LIMIT
 from symcheck.reading.lowering import SHAPES_DIFFER
@@ -201,6 +202,7 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     seen, every = known(printed.formulas, work)
     if (formulas := in_one_face(printed.formulas, seen, every)) != [*printed.formulas]:
         seen, every = known(formulas, work)
+    seen = with_units(formulas, seen, printed.units)
     checks = Checks(formulas, seen, every)
     alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
     answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
@@ -223,6 +225,9 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     told = {q.number for q in failing if sure[q].verdict is Status.REFUTED}
     more, disagreeing, left = _derived(checks, holding, following, shown, told, work)
     found += disagreeing
+    entries, slopes = _gradients(checks, following | more | holding, told, work)
+    found += slopes
+    more |= entries
     follows = [formulas[k].place for k in sorted(following | more)]
     return Look(
         file,
@@ -308,6 +313,20 @@ def _derived(
         last = checks.formulas[those[-1]]
         found.append((those[-1], Finding(last.place, last.latex, UNLIKE, definitions=others)))
     return follows, found, [left] if rest else []
+
+
+def _gradients(
+    checks: Checks, agreed: Set[int], told: Set[int], work: Work
+) -> tuple[set[int], list[tuple[int, Finding]]]:
+    """The lists of derivatives that are right in each entry, and findings of the entries that are wrong."""
+    asked = [*dict.fromkeys(q for q in checks.gradients(agreed) if q.number not in agreed)]
+    answers = work.all(decided, asked, SECONDS, undecided)
+    failing = [q for q in asked if q.number not in told and fails(answers[q])]
+    sure = work.all(confirmed, failing, SEARCH, undecided)
+    wrong = [q for q in failing if sure[q].verdict is Status.REFUTED]
+    proved = proved_of(answers)
+    right = {q.number for q in asked} - {q.number for q in asked if q not in proved}
+    return right, [(q.number, _finding(checks.formulas, q, sure[q])) for q in wrong]
 
 
 def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Letter]]:

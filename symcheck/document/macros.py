@@ -10,6 +10,7 @@ import re
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -55,6 +56,12 @@ def tokens(text: str, file: str = "", line: int = 1) -> list[Tok]:
             found.append(Tok("\n", line, file))
         line += match[0].count("\n")
     return found
+
+
+@lru_cache(4096)
+def bare(text: str) -> str:
+    """A text without what may be left out between its tokens."""
+    return re.sub(r"[\s{}]", "", text)
 
 
 def written(toks: Sequence[Tok]) -> str:

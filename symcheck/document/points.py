@@ -5,7 +5,6 @@ Nothing is proved or refuted by these points: they tell which questions are wort
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
@@ -18,6 +17,7 @@ import numpy as np
 from symcheck.core.calculus import letters as letters_of
 from symcheck.core.verdicts import SymcheckError
 from symcheck.document.letters import depends_on
+from symcheck.document.macros import bare
 from symcheck.document.survey import Said
 from symcheck.question.antiderivatives import FAULTS
 from symcheck.question.cases import CASE
@@ -87,7 +87,7 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
 def _symmetric(texts: Sequence[str], letters: Said) -> list[str]:
     """That the matrices are symmetric of which no equation says what they are."""
     every = dict.fromkeys(x for text in texts for x in _matrices(text, letters))
-    return [f"{x}^T = {x}" for x in every if not any(_bare(text).startswith(f"{_bare(x)}=") for text in texts)]
+    return [f"{x}^T = {x}" for x in every if not any(bare(text).startswith(f"{bare(x)}=") for text in texts)]
 
 
 @lru_cache(4096)
@@ -358,16 +358,10 @@ def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
 
 def _own(text: str, letters: Said) -> Said:
     """What is said of the letters of a text."""
-    bare = _bare(text)
+    whole = bare(text)
     return tuple(
-        (x, phrase) for x, phrase in letters if _bare(x) in bare and all(_bare(y) in bare for y in depends_on(phrase))
+        (x, phrase) for x, phrase in letters if bare(x) in whole and all(bare(y) in whole for y in depends_on(phrase))
     )
-
-
-@lru_cache(4096)
-def _bare(text: str) -> str:
-    """A text without what may be left out between its tokens."""
-    return re.sub(r"[\s{}]", "", text)
 
 
 @lru_cache(4096)

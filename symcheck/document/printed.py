@@ -88,3 +88,4 @@ class Source:
     notes: tuple[str, ...] = ()
     mentions: tuple[tuple[str, int], ...] = ()  # letters that stand alone in the text, with the next formula's number
     told: tuple[Told, ...] = ()  # what letters measure, by the words
+    units: frozenset[str] = frozenset()  # the letters that words call identity matrices, bare

@@ -77,7 +77,11 @@ def _items(latex: str) -> tuple[Item, ...]:
 
 
 def _written(items: Sequence[Item]) -> str:
-    return " ".join(f"{{{_written(each)}}}" if isinstance(each, tuple) else each for each in items)
+    texts = [f"{{{_written(each)}}}" if isinstance(each, tuple) else each for each in items]
+    for k, before in enumerate(texts[:-1]):
+        if before in (r"\begin", r"\end"):
+            texts[k : k + 2] = ["", before + texts[k + 1].replace(" ", "")]
+    return " ".join(filter(None, texts))
 
 
 def _flat(items: Sequence[Item]) -> Iterator[str]:

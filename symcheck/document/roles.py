@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from symcheck.document.checks import AGAIN, NEAR, Checks, Definition
 from symcheck.document.letters import shown
 from symcheck.document.survey import SMALLEST, Link
+from symcheck.document.written_out import COMPONENTS, SEPARATORS
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face
 
@@ -19,11 +20,8 @@ LAWS = re.compile(
 
 # words before a relation within the text that make it a definition
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
-# a list of components, and what stands between two of them
-COMPONENTS = re.compile(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}(?:\^T)?|[(\[](.*)[)\]](?:\^T)?", re.DOTALL)
 # bars of a length, and spaces
 BARS = re.compile(r"\\(?:left|right)(?![a-zA-Z])|\\[lr][vV]ert(?![a-zA-Z])|\\?\||\s")
-SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")  # no comma of a subscript
 # words before a relation within the text that make it a place or a case
 AT = re.compile(r"\b(?:at|for|if|when|near|until|unless|on|from|to|as|in)\W*$", re.I)
 BEHIND = re.compile(r"\W*(?:where|with|for|in which)\b", re.I)  # words behind a display that go on with it

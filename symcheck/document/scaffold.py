@@ -76,7 +76,7 @@ def drafted(file: Path, work: Work) -> Draft:
     """A source, read, with what each relation is taken for."""
     printed = source(file)
     seen, every = known(printed.formulas, work)
-    rewriting = rules(seen, every)
+    rewriting = rules(printed.formulas, seen, every)
     if (formulas := by_rules(printed.formulas, rewriting)) != [*printed.formulas]:
         seen, every = known(formulas, work)
     every = without_parts_of_names(every, seen)

@@ -39,7 +39,14 @@ def source(file: Path) -> Source:
         more = f" ({'; '.join(expander.notes[:3])})" if expander.notes else ""
         raise SymcheckError(f"{file} has no formula{more}; displays, and relations between $ and $, are looked for")
     told = () if SCALED.search(text) else tuple(scanner.told)
-    return Source(tuple(scanner.found), tuple(scanner.faults), tuple(expander.notes), tuple(scanner.mentions), told)
+    return Source(
+        tuple(scanner.found),
+        tuple(scanner.faults),
+        tuple(expander.notes),
+        tuple(scanner.mentions),
+        told,
+        frozenset(scanner.units),
+    )
 
 
 def _markup(file: Path, text: str) -> str:

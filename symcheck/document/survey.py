@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -19,6 +19,8 @@ from symcheck.reading.tree import Chain, Derivative, Implies, Integral, Name, ch
 
 UNSAID = "write it out"  # ends the reason why a derivative has no value as long as nothing says what its function is
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
+IDENTITY_MATRIX = "identity matrix"  # a kind of letters, and what is said of them
+UNNAMED = ("index", "differential", "number", IDENTITY_MATRIX)  # kinds of letters that stand for nothing of their own
 Said = tuple[tuple[str, str], ...]  # letters with what they are, as `decide` takes it
 OPENING, CLOSING = (
     frozenset({"{", "(", "[", r"\{", r"\left", r"\begin"}),
@@ -98,6 +100,17 @@ class Seen:
 
         return replace(self, skew=skew, links=tuple(map(named, self.links)))
 
+    def with_units(self, units: Set[str]) -> Seen:
+        """The same, in which letters are identity matrices, and so no letters of which something is said."""
+        if not (own := {role.letter for role in self.roles if role.letter in units}):
+            return self
+
+        def named(link: Link) -> Link:
+            return replace(link, names=(link.names[0] - own, link.names[1] - own))
+
+        roles = (replace(r, kind=IDENTITY_MATRIX, phrase="") if r.letter in own else r for r in self.roles)
+        return replace(self, roles=tuple(roles), links=tuple(map(named, self.links)))
+
     @property
     def read(self) -> bool:
         return not self.reason or self.partly
@@ -136,7 +149,7 @@ class Seen:
     def names(self) -> frozenset[str]:
         """The letters that stand for something."""
         own = dict(self.skew)
-        letters = (role.letter for role in self.roles if role.kind not in ("index", "differential", "number"))
+        letters = (role.letter for role in self.roles if role.kind not in UNNAMED)
         return frozenset(own.get(letter, letter) for letter in letters)
 
 
@@ -252,7 +265,7 @@ def is_sayable(phrase: str) -> bool:
 
 SKEW = "skew matrix of"  # a vector
 # first words of phrases that `decide` takes
-_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar", "constant", "skew"})
+_SAYABLE = frozenset({"vector", "matrix", "function", "depends", "scalar", "constant", "skew", "identity"})
 
 
 def _names(tree: Tree) -> Iterator[str]:

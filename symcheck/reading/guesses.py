@@ -604,6 +604,9 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
         if not any(place.before == r"\partial" for place in of.places):
             on = ", ".join(dict.fromkeys(y for x in on.split(", ") for y in _at_last(x, every, {of.spelling})))
         return Guess(_letter(of, kind="scalar", depends=on), f"a function of {on}", why)
+    if phrase == "identity matrix":
+        rows = _matrix_size(every)
+        return Guess(_letter(of, kind="matrix", size=(rows, rows) if rows else (), identity=True), "the identity", why)
     if phrase == "rotation":
         return Guess(_letter(of, kind="matrix", depends=depends), "a rotation matrix", why)
     if match := re.fullmatch(r"skew matrix of (.+)", phrase):
@@ -615,7 +618,7 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     raise SymcheckError(
         f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, constant, complex, vector, "
         "constant vector, vector that depends on t, matrix, integer, index, function of x, depends on t, differential, "
-        "imaginary unit or skew matrix of a vector"
+        "imaginary unit, identity matrix or skew matrix of a vector"
     )
 
 

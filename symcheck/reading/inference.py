@@ -83,7 +83,7 @@ def inferred(
     said
         Phrases about letters: "scalar", "constant", "vector", "constant vector", "vector that depends on t", "matrix",
         "function of x, y", "depends on t", "integer", "index", "differential", "imaginary unit",
-        "skew matrix of \omega", "real^3", "real^{m \times n}", "SO(3)".
+        "identity matrix", "skew matrix of \omega", "real^3", "real^{m \times n}", "SO(3)".
     defined
         Letters that an equation defines, with the letters of which they are functions there: ("x", "y") where it is
         printed as f(x, y) = ..., nothing where it is f = ....
