@@ -773,7 +773,7 @@ OF_SAID: dict[str, list[tuple[str, list[str]]]] = {
         (r"\det A = a_{11} a_{22} + a_{12} a_{21}", [OF_TWO]),
         (r"(A^{-1})_{11} = \frac{a_{11}}{a_{11} a_{22} - a_{12} a_{21}}", [OF_TWO]),
     ],
-    "undecided": [  # components under other names, those of something else, and numbers below brackets that may be labels
+    "undecided": [  # other names of components, and numbers below brackets that may be labels
         (r"\mathbf{r} \cdot \mathbf{r} = x^2 + y^2 + z^2", [r"\mathbf{r} \in \mathbb{R}^3"]),
         (r"\mathbf{x} \cdot \mathbf{x} = x^2 + y^2 + z^2", [r"\mathbf{x} \in \mathbb{R}^3"]),
         (r"\mathbf{v}^2 = u^2 + v^2 + w^2", [r"\mathbf{v} \in \mathbb{R}^3"]),
