@@ -796,3 +796,28 @@ def test_what_an_equation_defines_is_no_component() -> None:
     given = [r"\mathbf{v} \in \mathbb{R}^3", r"\mathbf{u} \in \mathbb{R}^3"]
     answer = decide(r"\|\mathbf{v}\|^2 \ge v_1^2", where=[r"v_1 = \mathbf{v} \cdot \mathbf{u}"], given=given)
     assert answer.verdict == "refuted"
+
+
+UNIT_RATE = r"\mathbf{n} \cdot \dot{\mathbf{n}} = 0"
+LASTING: dict[str, list[tuple[str, str, dict[str, str]]]] = {
+    "proved": [
+        (UNIT_RATE, r"|\mathbf{n}| = 1", {}),
+        (UNIT_RATE, r"\mathbf{n} \cdot \mathbf{n} = 1", {}),
+        (r"\dot P^T = \dot P", r"P^T = P", {"P": "matrix that depends on t"}),
+        (r"\dot R^T R + R^T \dot R = 0", r"R \in SO(3)", {"R": "matrix that depends on t"}),
+    ],
+    "undecided": [  # what may be so at one moment
+        (UNIT_RATE, r"\mathbf{n} \cdot \mathbf{m} = 1", {}),
+        (r"\mathbf{r} \cdot \dot{\mathbf{r}} = 0", r"\mathbf{r} \cdot \mathbf{r} = a^2", {}),
+        (r"\mathbf{n} \cdot \dot{\mathbf{n}} = 1", r"|\mathbf{n}| = 1", {}),
+    ],
+}
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "given", "letters"), [(v, *each) for v, several in LASTING.items() for each in several]
+)
+def test_the_length_of_a_vector_and_the_symmetry_of_a_matrix_last(
+    verdict: str, relation: str, given: str, letters: dict[str, str]
+) -> None:
+    assert decide(relation, given=[given], letters=letters).verdict == verdict

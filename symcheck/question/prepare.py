@@ -449,7 +449,12 @@ def _reading(
                 if rate is not None:  # an earlier equation holds at all times
                     hypotheses.append((_named(stated, f"the derivative of {text}"), (rate,)))
     for text in conditions:
-        hypotheses.append((_named(stated, text), algebraic(read(text, notation), notation, meant)))
+        condition = read(text, notation)
+        formulas = algebraic(condition, notation, meant)
+        hypotheses.append((_named(stated, text), formulas))
+        if _has_rates(claims) and _is_lasting(condition, notation):
+            rates = tuple(rate for formula in formulas if (rate := _rate(formula)) is not None)
+            hypotheses += [(_named(stated, f"the derivative of {text}"), rates)] if rates else []
     lambdas = {function: term for several in families.values() for function, term in several.items()}
     stating = [(name, f) for name, fs in hypotheses for f in fs]
     lambdas |= {f[1].function: (f[1].terms, f[2]) for _, f in stating if _says_function(f, notation)}  # type: ignore[union-attr, misc]
@@ -602,6 +607,19 @@ def _rate(equation: Formula) -> Formula | None:
     with suppress(Unknown):
         return node("=", derivative(node("+", equation[1], node("-", equation[2])), place), 0)
     return None
+
+
+def _is_lasting(tree: Tree, notation: Notation) -> bool:
+    """Is it an equation of one vector or matrix with numbers alone, but not with its values: a length, or a symmetry?
+
+    Others, such as that two vectors are perpendicular, may hold at one moment.
+    """
+    if not isinstance(tree, Chain) or tree.signs != ("=",) or any(isinstance(side, Name) for side in tree.members[:1]):
+        return False
+    found = {part for _, part in walk(tree) if isinstance(part, Name)}
+    letters_ = [notation.find(name.letter, len(name.subscripts)) for name in found if not (name.dots or name.primes)]
+    own = [x for x in letters_ if x is not None and not x.identity]
+    return len(letters_) == len(found) and len(own) == 1 and own[0].kind in ("vector", "matrix")
 
 
 def _restricts(claim: Formula, free: Iterable[str]) -> bool:
