@@ -821,3 +821,20 @@ def test_the_length_of_a_vector_and_the_symmetry_of_a_matrix_last(
     verdict: str, relation: str, given: str, letters: dict[str, str]
 ) -> None:
     assert decide(relation, given=[given], letters=letters).verdict == verdict
+
+
+@pytest.mark.parametrize(("speed", "verdict"), [("c^2", "proved"), ("c", "refuted")])
+def test_a_partial_derivative_goes_through_the_argument_of_a_function(speed: str, verdict: str) -> None:
+    wave, letters = "u(x, t) = f(x - c t) + g(x + c t)", {"f": "function of x", "g": "function of x"}
+    relation = rf"\frac{{\partial^2 u}}{{\partial t^2}} = {speed} \frac{{\partial^2 u}}{{\partial x^2}}"
+    assert decide(relation, where=[wave], letters=letters).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("verdict", "right"), [("proved", r"\dot{\varphi} \times a"), ("refuted", r"a \times \dot{\varphi}")]
+)
+def test_the_skew_matrix_of_a_vector_changes_with_it(verdict: str, right: str) -> None:
+    letters = {r"\hat{\varphi}": r"skew matrix of \varphi", "S": "matrix", "a": "constant vector"}
+    given = [r"\varphi, a \in \mathbb{R}^3"]
+    answer = decide(rf"\dot{{S}} a = {right}", where=[r"S = \hat{\varphi}"], given=given, letters=letters)
+    assert answer.verdict == verdict

@@ -332,7 +332,7 @@ def _unchanging(reading: Reading) -> str:
         inside = [own[x] for x in _said_by(name, known) if x in own and x not in known]
         places = {*variables.split(", ")}
         places |= {x for place in places & known.keys() for x in _said_by(place, known)}  # components
-        varying = [x for x in inside if x.depends or x.latex in places]
+        varying = [x for x in inside if x.depends or x.latex in places or (x.skew in own and own[x.skew].depends)]
         if inside and not varying and not all(x.latex in constant for x in inside):
             shown = ", ".join(x.latex for x in inside)
             return f"{name} is differentiated; which of {shown} changes? say what depends on what"

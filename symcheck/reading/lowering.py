@@ -1644,12 +1644,8 @@ def _free_names(term: Term, *, held: bool) -> Iterator[str]:
 
 
 def _through(term: Term, by: str) -> bool:
-    """Does a function have an argument that depends on the variable without being it?"""
-    if not isinstance(term, Node):
-        return False
-    if isinstance(term, Applied) and any(part != by and by in _names(part) for part in term.terms):
-        return True
-    return any(_through(part, by) for part in term.inside + term.outside)
+    """Does a function have an argument with a function of the variable in it?"""
+    return any(by in _names(inner) for call in _calls(term) for part in call.terms for inner in _calls(part))
 
 
 def _calls(term: Term) -> Iterator[Applied]:
