@@ -838,3 +838,27 @@ def test_the_skew_matrix_of_a_vector_changes_with_it(verdict: str, right: str) -
     given = [r"\varphi, a \in \mathbb{R}^3"]
     answer = decide(rf"\dot{{S}} a = {right}", where=[r"S = \hat{\varphi}"], given=given, letters=letters)
     assert answer.verdict == verdict
+
+
+ON_X, ON_XYZ = {"f": "function of x", "g": "function of x"}, {"f": "function of x, y, z"}
+OF_SAID_FUNCTIONS: dict[str, list[tuple[str, dict[str, str]]]] = {
+    "proved": [
+        (r"(f g)' = f' g + f g'", ON_X),
+        (r"\left(\frac{f}{g}\right)' = \frac{f' g - f g'}{g^2}", ON_X),
+        (r"\nabla \cdot (f \mathbf{F}) = f \nabla \cdot \mathbf{F} + \mathbf{F} \cdot \nabla f", ON_XYZ),
+    ],
+    "refuted": [
+        (r"(f g)' = f' g - f g'", ON_X),
+        (r"\nabla \cdot (f \mathbf{F}) = f \nabla \cdot \mathbf{F} - \mathbf{F} \cdot \nabla f", ON_XYZ),
+    ],
+    "undecided": [(r"(f g)' = f' g + f g'", {**ON_X, "g": "function of y"})],
+}
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "letters"), [(v, *each) for v, several in OF_SAID_FUNCTIONS.items() for each in several]
+)
+def test_letters_that_others_are_said_to_depend_on_need_not_be_printed(
+    verdict: str, relation: str, letters: dict[str, str]
+) -> None:
+    assert decide(relation, letters=letters).verdict == verdict

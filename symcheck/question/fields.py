@@ -40,6 +40,7 @@ FEW = 3  # letters of which each may be constant, or not
 # an operator on fields
 _PRINTED = re.compile(r"\\nabla|\\operatorname\{(?:grad|div|curl|rot)\}")
 _HAT = re.compile(r"\\(?:hat|widehat)\{")  # the accent of unit vectors
+FIELDS_SAID = frozenset({"function of x, y, z", "depends on x, y, z"})
 FIELD, CONSTANT, PLACE = "a smooth field in x, y, z", "constant", "the position (x, y, z)"
 
 
@@ -47,12 +48,14 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
     """The answer to a question about fields; None where there is none, or something else stands in it."""
     if not _PRINTED.search(asked.relation):
         return None
+    varying = {x for x, phrase in asked.letters if phrase in FIELDS_SAID}
+    asked = replace(asked, letters=tuple((x, phrase) for x, phrase in asked.letters if x not in varying))
     try:
         reading = _read(asked)
         constant = {x for x, phrase in asked.letters if phrase in ("constant", "scalar")}
         stated = _Stated.of(reading, _under_operators(reading) - constant)
         verdict, made, names = _verdict(stated.problems(), decide)
-        perhaps = stated.fields - _alone(reading.tree)  # of what stands alone under an operator it is certain
+        perhaps = stated.fields - varying - _alone(reading.tree)  # what stands alone under an operator varies
         others = [_Stated.of(reading, each) for each in _fewer(stated.fields, perhaps) if verdict is not Status.PROVED]
         answers = [_verdict(each.problems(), decide)[0] for each in others]
     except SymcheckError:

@@ -102,6 +102,8 @@ def inferred(
     """
     formulas = [*map(tex.spaced, formulas)]
     evidence = gathered(formulas, said)
+    for name in _depended_on(said.values()):
+        evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or each.derived)}
     bold = {key for key in evidence if key in defined and not defined[key] and STYLED.match(key)}
@@ -127,6 +129,13 @@ def inferred(
         *(replace(each, remote=True) for each in loose),
     ]
     return _sized(found, sizes)
+
+
+def _depended_on(phrases: Iterable[str]) -> Iterator[str]:
+    """The letters on which others are said to depend, printed or not."""
+    for phrase in phrases:
+        if found := re.search(r"(?:function of|depends on) (.+)", phrase):
+            yield from filter(tex.is_letter, found[1].split(", "))
 
 
 def _is_plain(of: Evidence) -> bool:

@@ -794,6 +794,11 @@ class Lowering:
     def of_marked(self, tree: Marked, env: Env) -> Value:
         """The component of a vector or the entry of a matrix in brackets, by numbers or axes below them."""
         value = self.value(tree.value, env)
+        variables = {call.terms for call in _calls(value)} if isinstance(value, Node) else set()
+        if tree.mark.strip("'") == "" and len(variables) == 1:
+            (variable, *more) = variables.pop()
+            if not more and isinstance(variable, str):
+                return self.derived(value, variable, len(tree.mark), tree)
         found = _PLACES.fullmatch("".join(tree.mark.split()))
         places = ["123456789xyz".index(x) % 9 for x in (found[1] or found[2]).replace(",", "")] if found else []
         if not isinstance(value, list) or len(places) != len(shape(value)):
