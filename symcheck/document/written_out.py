@@ -21,14 +21,17 @@ COMPONENTS = re.compile(r"\\begin\{pmatrix\}(.*)\\end\{pmatrix\}(?:\^T)?|[(\[](.
 SEPARATORS = re.compile(r"&|\\\\|,(?![^{]*\})")  # no comma of a subscript
 ROWS = re.compile(r"\\\\(?:\[[^\]]*\])?")  # the end of a row, with a space behind it
 _NAME = r"(?:\\[a-zA-Z]+\s*\{[^{}]*\}|\\?[a-zA-Z]+)(?:\s*_\s*(?:\w|\{[^{}]*\}))?"
+# the partial derivative of a letter by another one, or by its rate
 _PARTIAL = re.compile(
     rf"\\[dt]?frac\s*\{{\s*\\partial\s*({_NAME})\s*\}}\s*\{{\s*\\partial\s*(\\dot\s*(?:\{{{_NAME}\}}|{_NAME})|{_NAME})\s*\}}"
 )
+# a letter with a dot
 _DOT = re.compile(r"\\dot\s*(?:\{(.*)\}|(.+))", re.DOTALL)
 # a matrix that is printed in a formula
 _PRINTED = re.compile(r"\\begin\{(?:[pbBvV]|small)?matrix\*?\}(.*?)\\end\{(?:[pbBvV]|small)?matrix\*?\}", re.DOTALL)
 # what stands beside a term, and beside no factor
 _BEFORE = re.compile(r"(?:^|[=+\-&,(]|\\left\s*[(\[]|\\q?quad)\s*$")
+# and behind one
 _BEHIND = re.compile(r"\s*(?:$|[=+\-&,.;)\]]|\\right|\\\\|\\q?quad)")
 # two numbers below a letter that tell a row and a column
 _ENTRY = re.compile(r"(\\[a-zA-Z]+\{\\?[a-zA-Z]+\}|\\?[a-zA-Z]+)\s*_\s*\{\s*(\d)\s*(?:,|\\[,;: ])?\s*(\d)\s*\}")
@@ -88,7 +91,9 @@ def _letters(link: Link) -> tuple[str, ...]:
 
 # a term that is a list, its rate, or the brackets around one, where the sign \0 stands for a list
 _TERM = r"(?:\\frac\{d\}\{d ?t\} ?)?(?:\\left\( ?)?\0(?: ?\\right\))?"
+# terms with signs between them
 _TERMS = re.compile(rf"[+-]? ?{_TERM}(?: [+-] {_TERM})*")
+# the partial derivative of a name by a name or by its rate, in normal form
 _SLOPE = re.compile(rf"\\frac\{{\\partial ({_NAME})\}}\{{\\partial (\\dot\{{{_NAME}\}}|{_NAME})\}}")
 
 

@@ -205,9 +205,22 @@ def answered(
     if answer.verdict not in (Status.PROVED, Status.REFUTED):
         return answer
     said = {**special.said((letters or {}).items()), **dict.fromkeys(power_series.said(letters or {}), KUMMER)}
-    if reason := special.passed_over(answer.letters, said, _several(where), refuted=answer.verdict is Status.REFUTED):
+    reason = special.passed_over(answer.letters, said, _several(where), refuted=answer.verdict is Status.REFUTED)
+    if reason := reason or _of_other_functions(_several(where)):
         return replace(answer, verdict=Status.AMBIGUOUS, certificate=(), counterexample={}, values=(), reason=reason)
     return answer
+
+
+# what an equation says a function of a known name is
+_SAID_OF_KNOWN = re.compile(r"\s*(\\operatorname\s*\{\s*erfc?\s*\}|\\Gamma|\\zeta)\s*(?:\\left\s*)?\([^()=]*\)\s*=")
+
+
+def _of_other_functions(where: Iterable[str]) -> str:
+    """The doubt whether a function is the one of its name, where what is said of it is false of that; or ""."""
+    for text in where:
+        if (found := _SAID_OF_KNOWN.match(text)) and answered(text, wanted=False).verdict is Status.REFUTED:
+            return f"{text} is false of the function that is usually called {found[1]}; give it another name"
+    return ""
 
 
 def _answered(
@@ -682,7 +695,7 @@ def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer |
         reading = replace(reading, problems=tuple(map(special.inlined, reading.problems)))
         if others or len(reading.problems) != 1 or (found := special.members(reading, declared)) is None:
             return None
-        if not declared and not special.is_telling(found):
+        if not declared and (not special.is_telling(found) or special.is_said(found, asked.where)):
             return None
         latex, taken = _shown(reading.tree, reading.inference)
         base = Answer(Status.UNDECIDED, latex, taken | special.shown(found, declared))

@@ -60,7 +60,8 @@ def with_letters(asked: Asked, kummer: Iterable[str] = ()) -> Series | None:
     M of three arguments is taken for Kummer's function, beside the letters that are said to be it.
     """
     row, every = tokens_of(asked.relation), " ".join((asked.relation, *asked.where, *asked.given))
-    own = {USUAL, *kummer} - {x for x, _ in asked.letters}
+    elsewhere = {x for text in (*asked.where, *asked.given) for x in tokens_of(text)}
+    own = ({USUAL} - elsewhere | {*kummer}) - {x for x, _ in asked.letters}
     row = [x for k, text in enumerate(row) for x in _with_head(row, k, text, own)]
     if HEAD[0] not in row or any(r"\prescript" in text for text in (*asked.where, *asked.given)):
         return None

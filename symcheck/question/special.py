@@ -21,6 +21,7 @@ from symcheck.core.problems import Problem
 from symcheck.core.terms import PI, Binder, Call, Formula, Malformed, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.prepare import DEFINED, Asked, Reading
+from symcheck.reading.occurrences import occurrences
 
 ORDER, ARGUMENT = "n", "x"  # in the relations below
 ARGUMENT_OF_MEMBERS = "argument_of_members"  # where it is no letter
@@ -360,6 +361,12 @@ def is_telling(found: Members) -> bool:
     orders = [order for _, order in found.of.values()]
     several = len(orders) > 1 or bool(orders[0].base)
     return is_upright(found) or several or orders[0].shift >= 2 or orders[0].shift.denominator > 1
+
+
+def is_said(found: Members, where: Iterable[str]) -> bool:
+    """Does an equation say what members are? Then they are not those that the letter usually stands for."""
+    own = {latex.partition("_")[0].strip() for latex in found.latex.values()}
+    return any(place.word in own for text in where for place in occurrences(text.partition("=")[0]))
 
 
 # --- relations

@@ -267,8 +267,9 @@ _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
 _LABELS = "derivatives, or letters with a label? write them as fractions"
 _RUN = r"(?:[i-n]|\\(?:alpha|beta|mu|nu|lambda|rho|sigma|ell))"
-# two indices with a comma between them, and without one
+# two indices with a comma between them
 _PARTED = re.compile(rf"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+(?: \{{ \w \}})?) _ \{{ ({_RUN}) , ({_RUN}) \}}")
+# two indices without a comma
 _UNPARTED = re.compile(rf"_ \{{ ({_RUN}) ({_RUN}) \}}")
 _UNIT_DOUBT = "the imaginary unit, or the index that stands below? say what it is"
 _COMMA = "a derivative by what the comma parts, or another index? write the derivative as a fraction"

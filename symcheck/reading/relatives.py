@@ -95,6 +95,7 @@ def relatives(
         Letters, bold or not, that are said to be vectors or matrices, with their sizes; 0 for what is left open.
     """
     found = Relatives({}, {}, {}, [], {})
+    bases = {match[1] for each in letters if (match := _BOLD.fullmatch(each))}
     for bold in letters:
         if _UNIT.match(bold) and bold in free:
             found.units.append(bold)
@@ -105,7 +106,8 @@ def relatives(
         listed = [right for each in formulas if (right := _listed(each, bold))] if bold in solved else []
         plain = f"{base}_{match[2]}" if match and match[2] else base
         axis = next((names for names in _COORDINATES if plain in names), "")  # x beside y is a component
-        length = match and len(size) < 2 and plain in varying and not any(x in varying for x in axis if x != plain)
+        beside = any(x in varying and x not in bases for x in axis if x != plain)
+        length = match and len(size) < 2 and plain in varying and not beside
         if length and not any(plain in spellings(right) for right in listed):
             found.lengths[plain] = bold
         if listed or not (size or bold in free or bold in solved) or not (match or _PLAIN.fullmatch(bold)):

@@ -67,6 +67,18 @@ def opposite_signs(known: Knowledge) -> Absurd | None:
     return None
 
 
+def of_one_sign(goal: Formula, known: Knowledge) -> Absurd | None:
+    """That what a relation says not to be zero is manifestly positive, or negative, where it is known to be zero."""
+    left, right = goal.terms
+    for small, large in ((right, left), (left, right)):
+        form = fraction_form(large if small == 0 else node("+", large, node("-", small)), known)
+        level, grounds = (0, frozenset()) if form is None else known.sign(form)
+        if form is not None and level == 2:
+            cofactors = known.ideal().cofactors(known.ring.ratio(form).num)
+            return None if cofactors is None else Absurd((Positive(form, grounds),), combination(cofactors))
+    return None
+
+
 def contrary_signs(goal: Formula, known: Knowledge, products: bool = True) -> Implies | None:
     """An order follows if the signs that are known and its contrary do not go together."""
     then = contradiction(known.assume(contrary(goal)), goal, products)
