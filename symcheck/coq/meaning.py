@@ -206,7 +206,7 @@ class Smooth:
             size, phase, slopes = self.waves[key]
             for slope, order, place in zip(slopes, orders, places, strict=True):
                 phase, size = phase + slope * place + order * mp.pi / 2, size * slope**order
-            total += size * mp.sin(phase)
+            total += size * mp.sin(near(phase))
         return total
 
 
