@@ -23,10 +23,12 @@ MATRIX = (
 LEGENDRE = (r"(n+1) P_{n+1}(x) = (2n+1) x P_n(x) - n P_{n-1}(x)", "P_0(x) = 1", "P_1(x) = x")
 HERMITE = (r"H_{n+1}(x) = 2 x H_n(x) - 2 n H_{n-1}(x)", "H_0(x) = 1", "H_1(x) = 2 x")
 LAGUERRE = (r"(n+1) L_{n+1}(x) = (2n+1-x) L_n(x) - n L_{n-1}(x)", "L_0(x) = 1", "L_1(x) = 1 - x")
+MONIC = ("H_{n+1}(x) = x H_n(x) - n H_{n-1}(x)", "H_0(x) = 1", "H_1(x) = x")  # no Hermite polynomials of physics
 
 TRUE = (
     (r"P_4(x) = \frac{1}{8} (35 x^4 - 30 x^2 + 3)", LEGENDRE, ()),
     ("H_3(x) = 8 x^3 - 12 x", HERMITE, ()),
+    ("H_3(x) = x^3 - 3 x", MONIC, ()),
     (r"L_2(x) = \frac{x^2 - 4 x + 2}{2}", LAGUERRE, ()),
     ("P_n = 1", ("(n+1) P_{n+1} = (2n+1) P_n - n P_{n-1}", "P_0 = 1", "P_1 = 1"), NATURAL),
     ("x[n] = a^n c", GEOMETRIC, (*NATURAL, "a > 0")),

@@ -302,3 +302,19 @@ def test_functions_of_several_families_and_of_multiples_are_related(
 ) -> None:
     assert decide(right, given="x > 0", letters=letters).verdict is Status.PROVED
     assert decide(wrong, given="x > 0", letters=letters).verdict is Status.REFUTED
+
+
+OTHERS = {  # what equations say otherwise than names do
+    r"P_2(x) = \frac{3 x^2 - 1}{2}": r"P_2(x) = \frac{d^2}{dx^2} \frac{(x^2 - 1)^2}{4}",
+    "T_2(x) = 2 x^2 - 1": "T_2(x) = x^2 - 1",
+    "H_3(x) = 8 x^3 - 12 x": "H_{n+1}(x) = x H_n(x) - n H_{n-1}(x); H_0(x) = 1; H_1(x) = x",
+    "J_0(0) = 1": r"J_0(x) = 2 \cos x",
+    "M(a, b, z) = e^z M(b - a, b, -z)": "M(a, b, z) = a + b + z",
+    r"\frac{d}{dx}\operatorname{erf}(x) = \frac{2}{\sqrt\pi} e^{-x^2}": r"\operatorname{erf}(x) = \int_0^x e^{-t^2} dt",
+}
+
+
+@pytest.mark.parametrize(("relation", "where"), OTHERS.items())
+def test_what_an_equation_says_of_a_letter_goes_before_its_usual_meaning(relation: str, where: str) -> None:
+    assert decide(relation).verdict != "refuted"
+    assert decide(relation, where=where.split("; ")).verdict != "proved"
