@@ -950,3 +950,28 @@ def test_a_limit_that_strikes_a_clean_up_is_told_again_and_nothing_is_dropped() 
 def test_what_a_derivative_is_of_is_clear_for_one_value_alone(behind: str) -> None:
     assert decide(rf"\frac{{d}}{{dx}} {behind} = 2").verdict == "unreadable"
     assert decide(r"\frac{d}{dx} f(x) = 2 x", where="f(x) = x^2").verdict == "proved"
+
+
+POSITIVE_BOTH = ["a > 0", "b > 0"]
+OF_ROOTS: dict[str, list[tuple[str, list[str]]]] = {
+    "proved": [
+        (r"\sqrt{a b} \le \frac{a + b}{2}", POSITIVE_BOTH),
+        (r"\sqrt{a^2 + b^2} < a + b", POSITIVE_BOTH),
+        (r"\sqrt{1 + x} \le 1 + \frac{x}{2}", ["x > -1"]),
+        (r"\sqrt{x} \ge x", ["0 < x < 1"]),
+        (r"x < \sqrt{x^2 + 1}", [r"x \in \mathbb{R}"]),
+        (r"(t - a)^2 + b^2 \ne 0", ["b > 0"]),
+    ],
+    "refuted": [
+        (r"\sqrt{a b} < \frac{a + b}{2}", POSITIVE_BOTH),
+        (r"\sqrt{1 + x} \le 1 + \frac{x}{3}", ["x > -1"]),
+        (r"\sqrt{x} \ge x", ["x > 0"]),
+    ],
+}
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "given"), [(v, *each) for v, several in OF_ROOTS.items() for each in several]
+)
+def test_an_order_of_a_root_is_that_of_the_squares(verdict: str, relation: str, given: list[str]) -> None:
+    assert decide(relation, given=given).verdict == verdict

@@ -9,8 +9,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from symcheck.core.calculus import nodes
 from symcheck.core.formulas import contrary
-from symcheck.core.terms import Formula, Term, node
+from symcheck.core.terms import Formula, Node, Term, mapped, node
 from symcheck.proof.algebra.facts import Assumed, Fact, Nonzero, Positive, by_construction
 from symcheck.proof.algebra.flint import Poly, fraction, occurring
 from symcheck.proof.algebra.forms import fraction_form, number_term, term_of
@@ -77,6 +78,38 @@ def of_one_sign(goal: Formula, known: Knowledge) -> Absurd | None:
             cofactors = known.ideal().cofactors(known.ring.ratio(form).num)
             return None if cofactors is None else Absurd((Positive(form, grounds),), combination(cofactors))
     return None
+
+
+def by_conjugates(goal: Formula, known: Knowledge) -> Implies | None:
+    """An order between a root and something else, as that between their squares has a manifest sign."""
+    small, large = goal.terms if goal.tag[0] == "<" else goal.terms[::-1]
+    below = known.assume(contrary(goal))
+    gap: Term = node("+", small, node("-", large))
+    wanted = 1 if goal.tag.endswith("=") else 2
+    divisors = {part for each in nodes(gap) if each.tag == "/" for part in nodes(each.outside[1])}
+    for root in dict.fromkeys(part for part in nodes(gap) if part.tag == "sqrt" and part not in divisors):
+        without: Term = node("*", 2, _with_zero(gap, root))
+        for other in (node("+", without, node("-", gap)), node("+", gap, node("-", without))):
+            conjugate = fraction_form(other, below)
+            if conjugate is None or below.sign(conjugate)[0] < 3 - wanted:
+                continue
+            product = node("*", gap, conjugate)
+            for poly in (below.ring.ratio(product).num, below.ideal().reduce(below.ring.ratio(product).num)):
+                form = fraction_form(node("-", product), below, -poly)
+                if form is None or below.sign(form)[0] < wanted:
+                    continue
+                total = node("+", product, form)
+                (level, grounds), ratio = below.sign(total), below.ring.ratio(total)
+                cofactors = None if ratio.den else below.ideal().cofactors(ratio.num)
+                if level == 2 and cofactors is not None:
+                    return Implies(Absurd((Positive(total, grounds),), combination(cofactors)))
+    return None
+
+
+def _with_zero(tree: Term, root: Term) -> Term:
+    if tree == root:
+        return 0
+    return mapped(tree, lambda part: _with_zero(part, root)) if isinstance(tree, Node) else tree
 
 
 def contrary_signs(goal: Formula, known: Knowledge, products: bool = True) -> Implies | None:

@@ -11,7 +11,7 @@ from symcheck.proof.algebra.knowledge import ORDERS, Knowledge, hints_of, starti
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
 from symcheck.proof.algebra.variables import circle, prime
-from symcheck.proof.rules.absurd import absurd_at, of_one_sign, opposite_signs, vanishing
+from symcheck.proof.rules.absurd import absurd_at, by_conjugates, of_one_sign, opposite_signs, vanishing
 from symcheck.proof.rules.cases_or import split_disjunction
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of
@@ -75,7 +75,8 @@ class _Engine:
             found = by_contrary(goal, known, self.search)
             return found or by_contrary(goal, known, lambda _, below: of_one_sign(goal, below))
         if kind in ORDERS:
-            return self.search(goal, known) or by_contrary(goal, known, lambda _, below: opposite_signs(below))
+            signs = self.search(goal, known) or by_contrary(goal, known, lambda _, below: opposite_signs(below))
+            return signs or by_conjugates(goal, known)
         return self.search(goal, known) if kind in RELATIONS or kind == "or" else None
 
     def search(self, goal: Formula, known: Knowledge, before: Place | None = None) -> Step | None:
