@@ -862,3 +862,23 @@ def test_letters_that_others_are_said_to_depend_on_need_not_be_printed(
     verdict: str, relation: str, letters: dict[str, str]
 ) -> None:
     assert decide(relation, letters=letters).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "where"),
+    [
+        ("proved", "C_{11} = A_{11} B_{11} + A_{12} B_{21}", "C = A B"),
+        ("proved", "y_1 = a_{11} x_1 + a_{12} x_2", "y = A x"),
+        ("refuted", "y_1 = a_{11} x_1 - a_{12} x_2", "y = A x"),
+        (
+            "undecided",
+            "C_{11} = A_{11} B_{11} + A_{21} B_{12}",
+            "C = A B",
+        ),  # A_{12} and A_{21} have letters of their own
+    ],
+)
+def test_entries_of_what_an_equation_defines_are_those_of_its_right_side(
+    verdict: str, relation: str, where: str
+) -> None:
+    given = [r"A, B, C \in \mathbb{R}^{2 \times 2}", r"x, y \in \mathbb{R}^2"]
+    assert decide(relation, where=[where], given=given).verdict == verdict

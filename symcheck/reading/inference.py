@@ -107,8 +107,9 @@ def inferred(
     open_ = {key: each for key, each in evidence.items() if not each.said and key not in defined and _is_plain(each)}
     free = {key for key, each in open_.items() if not (each.dotted or each.derived)}
     bold = {key for key in evidence if key in defined and not defined[key] and STYLED.match(key)}
-    told = {key: size for key, each in evidence.items() if key not in defined and (size := _size_said(each))}
-    related = relatives(evidence.keys(), free, open_.keys() | bold, bold, formulas, told)
+    told = {key: size for key, each in evidence.items() if not defined.get(key) and (size := _size_said(each))}
+    solved = bold | (told.keys() & defined.keys())
+    related = relatives(evidence.keys(), free, open_.keys() | bold, solved, formulas, told)
     for name in related.entries:
         evidence.setdefault(name, Evidence(name, [Occurrence(name)]))
     loose = [
