@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from symcheck.core.calculus import nodes
 from symcheck.core.formulas import contrary
 from symcheck.core.terms import Formula, Node, Term, mapped, node
 from symcheck.proof.algebra.facts import Assumed, Fact, Nonzero, Positive, by_construction
@@ -86,8 +85,7 @@ def by_conjugates(goal: Formula, known: Knowledge) -> Implies | None:
     below = known.assume(contrary(goal))
     gap: Term = node("+", small, node("-", large))
     wanted = 1 if goal.tag.endswith("=") else 2
-    divisors = {part for each in nodes(gap) if each.tag == "/" for part in nodes(each.outside[1])}
-    for root in dict.fromkeys(part for part in nodes(gap) if part.tag == "sqrt" and part not in divisors):
+    for root in dict.fromkeys(_roots(gap)):
         without: Term = node("*", 2, _with_zero(gap, root))
         for other in (node("+", without, node("-", gap)), node("+", gap, node("-", without))):
             conjugate = fraction_form(other, below)
@@ -106,10 +104,24 @@ def by_conjugates(goal: Formula, known: Knowledge) -> Implies | None:
     return None
 
 
-def _with_zero(tree: Term, root: Term) -> Term:
+def _roots(tree: Term) -> Iterator[Node]:
+    """The square roots that are added or multiplied, and stand below no line and in no function."""
+    if isinstance(tree, Node) and tree.tag == "sqrt":
+        yield tree
+    elif isinstance(tree, Node) and tree.tag in ("+", "-", "*", "/"):
+        for part in tree.outside[: 1 if tree.tag == "/" else None]:
+            yield from _roots(part)
+
+
+def _with_zero(tree: Term, root: Node) -> Term:
+    """The term with 0 for such a root."""
     if tree == root:
         return 0
-    return mapped(tree, lambda part: _with_zero(part, root)) if isinstance(tree, Node) else tree
+    if isinstance(tree, Node) and tree.tag == "/":
+        return node("/", _with_zero(tree.outside[0], root), tree.outside[1])
+    if isinstance(tree, Node) and tree.tag in ("+", "-", "*"):
+        return mapped(tree, lambda part: _with_zero(part, root))
+    return tree
 
 
 def contrary_signs(goal: Formula, known: Knowledge, products: bool = True) -> Implies | None:
