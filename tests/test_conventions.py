@@ -755,6 +755,7 @@ OF_SAID: dict[str, list[tuple[str, list[str]]]] = {
         (r"\mathbf{x}^T \mathbf{x} \ge x_1^2", [OF_THREE]),
         (r"(\mathbf{x} \times \mathbf{y})_1 = x_2 y_3 - x_3 y_2", [OF_THREE]),
         (r"\mathbf{r} \cdot \mathbf{r} = r^2", [r"\mathbf{r} \in \mathbb{R}^3"]),
+        (r"\mathbf{x}^T \mathbf{x} - x_{10}^2 \ge x_{1}^2 + x_2^2", [r"\mathbf{x} \in \mathbb{R}^{11}"]),
         (r"\sum_{i=1}^3 x_i^2 = \|x\|^2", [r"x \in \mathbb{R}^3"]),
         (r"q_0^2 + q_1^2 + q_2^2 + q_3^2 = \|q\|^2", [r"q \in \mathbb{R}^4"]),
         (r"\operatorname{tr}\mathbf{A} = A_{11} + A_{22}", [r"\mathbf{A} \in \mathbb{R}^{2 \times 2}"]),
@@ -768,6 +769,8 @@ OF_SAID: dict[str, list[tuple[str, list[str]]]] = {
     ],
     "refuted": [
         (r"\mathbf{x}^T \mathbf{y} = x_1 y_1 + x_2 y_2 - x_3 y_3", [OF_THREE]),
+        (r"\mathbf{x}^T \mathbf{x} = x_1^2 + x_2^2 + x_3^2 + x_4^2 + x_5^2 + x_6^2 + x_7^2 + x_8^2 + x_9^2",
+         [r"\mathbf{x} \in \mathbb{R}^{10}"]),
         (r"\sum_{i=1}^3 x_i y_i = 2 \mathbf{x} \cdot \mathbf{y}", [OF_THREE]),
         (r"(\mathbf{x} \times \mathbf{y})_1 = x_3 y_2 - x_2 y_3", [OF_THREE]),
         (r"\det A = a_{11} a_{22} + a_{12} a_{21}", [OF_TWO]),

@@ -792,7 +792,7 @@ class Lowering:
         return [[entry((k, m)) for m in columns[0]] for k in rows]
 
     def of_marked(self, tree: Marked, env: Env) -> Value:
-        """The component of a vector or the entry of a matrix in brackets, by numbers or axes below them."""
+        """The entry of a vector or matrix in brackets, by numbers below them, or a derivative by primes."""
         value = self.value(tree.value, env)
         variables = {call.terms for call in _calls(value)} if isinstance(value, Node) else set()
         if tree.mark.strip("'") == "" and len(variables) == 1:
@@ -800,7 +800,7 @@ class Lowering:
             if not more and isinstance(variable, str):
                 return self.derived(value, variable, len(tree.mark), tree)
         found = _PLACES.fullmatch("".join(tree.mark.split()))
-        places = ["123456789xyz".index(x) % 9 for x in (found[1] or found[2]).replace(",", "")] if found else []
+        places = [int(x) - 1 for x in found[1] if x != ","] if found else []
         if not isinstance(value, list) or len(places) != len(shape(value)):
             raise NoForm(f"{to_latex(tree)} has no algebraic form; state it formally")
         for k, size in zip(places, shape(value), strict=True):

@@ -149,16 +149,20 @@ def _components(
     """The names of all components of a vector of which so many are printed at least."""
     number = size[0] if size else 0
     from_zero = tuple(map(str, range(number)))
-    if number and all(f"{base}_{name}" in letters for name in from_zero):
-        yield [f"{base}_{name}" for name in from_zero]
+    if number and all(_below(base, name) in letters for name in from_zero):
+        yield [_below(base, name) for name in from_zero]
         return
     for names in (_NAMES[0], tuple(map(str, range(1, number + 1))) or _NAMES[1]):
-        spelled = [f"{base}_{{{script}{name}}}" if script else f"{base}_{name}" for name in names]
+        spelled = [_below(base, script + name) for name in names]
         printed = [k for k, each in enumerate(spelled) if each in letters]
         if f"{base} 1" in letters and names[0] == "1" and not script:
             yield spelled[: number or 3]
         elif len(printed) >= least and len(spelled) >= number:
             yield spelled[: number or max(printed[-1] + 1, 3 if least == 1 else 2)]
+
+
+def _below(base: str, script: str) -> str:
+    return f"{base}_{{{script}}}" if len(script) > 1 else f"{base}_{script}"
 
 
 def _rows(base: str, letters: Collection[str], size: Sequence[int]) -> Iterator[list[list[str]]]:
