@@ -163,6 +163,29 @@ def antiderivative(
     return theorem("antiderivative", given, proofs, then)
 
 
+def rising(
+    of_: str,
+    s: JSON,
+    t: JSON,
+    g: JSON = ("exp", "x"),
+    last: JSON = ("exp", "z"),
+    smooth: JSON = (),
+    ordered: JSON = None,
+    then: JSON = None,
+) -> JSON:
+    """The order of two values of a term in x, the exponential unless another is given, whose derivative is `last`."""
+    body, derived = ([*each] if isinstance(each, tuple) else each for each in (g, last))
+    ends = above(minus(t, s) if ordered is None else ordered)
+    proofs = [ends, *(every(["z"], implies(proof)) for proof in smooth), every(["z"], implies(above(derived)))]
+    gap = minus(put(body, t), put(body, s))
+    return theorem(of_, {"g": of("x", body), "s": s, "t": t}, proofs, above(gap) if then is None else then)
+
+
+def put(tree: JSON, x: JSON) -> JSON:
+    """The term with something in the place of its letter x."""
+    return x if tree == "x" else [tree[0], *(put(part, x) for part in tree[1:])] if isinstance(tree, list) else tree
+
+
 def constant(c: JSON, then: JSON, s: JSON = 0, t: JSON = 1) -> JSON:
     return theorem("constant", {"c": c, "s": s, "t": t}, [], then)
 
@@ -3434,6 +3457,33 @@ THEOREMS: dict[str, Forgery] = {
         NOT_THE_FORM,
         proved(["=", 0, 1], antiderivative(2, 1, by(here()))),
     ),
+    "what rises from the larger end to the smaller one": Forgery(
+        NO_SIGN, proved([">=", 1, ["exp", 1]], rising("rising", 1, 0, ordered=["-", 1]))
+    ),
+    "what falls": Forgery(NO_SIGN, proved([">=", -1, 0], rising("rising", 0, 1, ["-", "x"], -1))),
+    "what does not fall said to rise strictly": Forgery(
+        NO_SIGN, proved([">", 2, 2], rising("rising_strictly", 0, 1, ["+", 2, ["*", 0, "x"]], 0))
+    ),
+    "what rises strictly between equal ends": Forgery(
+        NO_SIGN, proved([">", ["exp", "y"], ["exp", "y"]], rising("rising_strictly", "y", "y"))
+    ),
+    "what rises through a pole": Forgery(
+        NO_CONTRADICTION,
+        proved(
+            [">=", -1, 1],
+            rising("rising", -1, 1, ["-", INVERSE], ["/", 1, sq("z")], [implies(absurd([], [here(2), "1"]))], 2),
+        ),
+    ),
+    "what rises with a pole and nobody says that there is none": Forgery(
+        "2 proofs for 3", proved([">=", -1, 1], rising("rising", -1, 1, ["-", INVERSE], ["/", 1, sq("z")], [], 2))
+    ),
+    "what rises by a letter that a hypothesis fixes": Forgery(
+        NO_SIGN,
+        proved([">=", 1, 0], rising("rising", 0, 1, ["*", "y", "x"], "y"), [["=", "y", -1]], at={"y": -1}),
+    ),
+    "what rises as far as its own letter": Forgery(
+        NO_SIGN, proved([">=", "x", 0], rising("rising", 0, "x", "x", 1, ordered="x"))
+    ),
     "an antiderivative through a pole": Forgery(
         NO_CONTRADICTION,
         proved(
@@ -3807,7 +3857,7 @@ THEOREMS: dict[str, Forgery] = {
         proved(["=", f("x"), f("x", "y")], theorem("congruence", {"s": f("x"), "t": f("x", "y")}, [ID], by(here()))),
     ),
     "equal integrals of what is equal": Forgery(
-        "('integral', 'x', 'x', 0, 1) is no function of values",
+        "are not both functions of values",
         proved(
             ["=", integral("x"), integral("y")],
             theorem("congruence", {"s": integral("x"), "t": integral("y")}, [by(hyp()), ID, ID], by(here())),
@@ -3816,7 +3866,7 @@ THEOREMS: dict[str, Forgery] = {
         ),
     ),
     "equal derivatives of what is equal": Forgery(
-        "('diff', 'x', 'x', 1, 2) is no function of values",
+        "are not both functions of values",
         proved(
             ["=", ["diff", "x", "x", 1, 2], ["diff", 2, "x", 1, 2]],
             theorem(
@@ -3827,21 +3877,21 @@ THEOREMS: dict[str, Forgery] = {
         ),
     ),
     "equal sums of what is equal": Forgery(
-        "('+', 'x', 1) is no function of values",
+        "are not both functions of values",
         proved(
             ["=", ["+", "x", 1], ["+", "y", 1]],
             theorem("congruence", {"s": ["+", "x", 1], "t": ["+", "y", 1]}, [ID, ID], by(here())),
         ),
     ),
     "congruence of a letter": Forgery(
-        "x is no function of values",
+        "are not both functions of values",
         proved(["=", "x", "y"], theorem("congruence", {"s": "x", "t": "y"}, [ID], by(here()))),
     ),
     "congruence of nothing": Forgery(
-        "0 is no function of values", proved(["=", "x", "y"], theorem("congruence", {}, [], by(here())))
+        "are not both functions of values", proved(["=", "x", "y"], theorem("congruence", {}, [], by(here())))
     ),
     "congruence of functions": Forgery(
-        "(('x',), ('sin', 'x')) is no function of values",
+        "are not both functions of values",
         proved(["=", "x", "y"], theorem("congruence", {"s": of("x", SIN), "t": of("x", COS)}, [], by(here()))),
     ),
     "congruence of three": Forgery(

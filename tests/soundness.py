@@ -329,7 +329,7 @@ class Forger:
         if name == "power_rule" and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], ["*", given["c"], ["pow", given["g"]["term"], given["u"]]]
             given["f"] = {"letter": x, "term": self.derived(["diff", body, x, 1, x])}
-        if name in ("antiderivative", "antiderivative_converges"):
+        if name in ("antiderivative", "antiderivative_converges", "rising", "rising_strictly"):
             given["s"], given["t"] = self.rng.choice(((1, 2), (0, 1), (0, "y"), ("x", ["+", "x", 1]), (-1, 1)))
         if name.startswith("antiderivative") and isinstance(given.get("g"), dict):
             x, body = given["g"]["letter"], given["g"]["term"]

@@ -43,6 +43,7 @@ from forgeries import (
     of,
     proved,
     refuted,
+    rising,
     split,
     sq,
     theorem,
@@ -451,6 +452,8 @@ THEOREMS: dict[str, JSON] = {
             by(here()),
         ),
     ),
+    "rising": proved([">=", ["exp", "y"], 1], rising("rising", 0, "y"), [[">=", "y", 0]], at={"y": 1}),
+    "rising_strictly": proved([">", ["exp", "y"], 1], rising("rising_strictly", 0, "y"), [[">", "y", 0]], at={"y": 1}),
     "telescope": proved(
         ["=", ["sum", "k", "k", 1, "n"], ["/", ["*", "n", ["+", "n", 1]], 2]],
         theorem(

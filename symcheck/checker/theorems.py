@@ -55,6 +55,8 @@ constant(c, s, t): |- integral(c, x, s, t) == c * (t - s)
 power_rule(f, s, t, c, g, u): s <= t; forall(x, implies(s <= x and x <= t, g(x) > 0 and f(x) == diff(c * pow(g(x), u), x))) |- integral(f(x), x, s, t) == c * pow(g(t), u) - c * pow(g(s), u)
 antiderivative(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- integral(f(x), x, s, t) == g(t) - g(s)
 antiderivative_everywhere(f, g, s, t): forall(x, f(x) == diff(g(x), x)) |- integral(f(x), x, s, t) == g(t) - g(s)
+rising(g, s, t): t - s >= 0; forall(x, implies(s < x and x < t, diff(g(x), x) >= 0)) |- g(s) <= g(t)
+rising_strictly(g, s, t): t - s > 0; forall(x, implies(s < x and x < t, diff(g(x), x) > 0)) |- g(s) < g(t)
 antiderivative_converges(f, g, s, t): s <= t; forall(x, implies(s < x and x < t, f(x) == diff(g(x), x))) |- diverges(f(x), x, s, t) == 0
 full_turn(f, a, b, c, u, r, s): a > 0; a**2 > b**2 + c**2; r >= 0; r**2 == a**2 - (b**2 + c**2); forall(x, implies(a + b * cos(x) + c * sin(x) > 0, f(x) == u/(a + b * cos(x) + c * sin(x)))) |- integral(f(x), x, s, s + 2*pi) == 2*pi*u/r
 exp_of_log(t): t > 0 |- exp(log(t)) == t
@@ -102,6 +104,7 @@ SMOOTH = {  # what else must be so: a polynomial in the sine and cosine of its l
     "mean": ("g", "sin", "cos"), "quarter_turn": ("f", "sin", "cos"), "intermediate_value": ("f",),
     "power_rule": ("g",), "decaying": ("g",), "gaussian": ("g",), "gaussian_wave": ("g",), "half_gaussian": ("g",),
 }  # fmt: skip
+SMOOTHLY = ("antiderivative", "rising")  # theorems with more premises than are stated: that g is smooth all the way
 CONTINUOUS = {"pieces": "f", "head_converges": "g"}  # what must have an integral between any two numbers
 WAVES = ("decaying", "gaussian", "gaussian_wave", "half_gaussian")  # here also in sines and cosines, which do not grow
 SHOWN = (  # by premises, or beside them, integrands and addends are defined between the ends: no divisor is zero there
@@ -223,7 +226,7 @@ def instance(
     terms, lambdas = _told_apart(name, given)
     stated = theorem(name)
     premises = [substituted(premise, terms, lambdas) for premise in stated.premises]
-    if name.startswith("antiderivative"):
+    if name.startswith(SMOOTHLY):
         premises[-1:] = smoothly(premises[-1], lambdas["g"])
     return premises, substituted(stated.conclusion, terms, lambdas)
 
@@ -253,9 +256,7 @@ def _told_apart(name: str, given: Mapping[str, Argument]) -> tuple[dict[str, Ter
         if (parameter in lambdas) != (parameter in ("f", "g", "h")) or not whole:
             raise Malformed(f"{argument!r} for the parameter {parameter} of {name}")
     if name in ("telescope", "telescoping_product") and not _grows(lambdas["g"]):
-        raise Malformed(
-            f"{lambdas['g'][1]!r} may have a period: a theorem about real numbers would not tell whole ones"
-        )
+        raise Malformed(f"{lambdas['g'][1]!r} may have a period, and what is so of all numbers is not told then")
     if name in CONTINUOUS and not _is_continuous(lambdas[CONTINUOUS[name]][1], lambdas[CONTINUOUS[name]][0][0]):
         raise Malformed(f"{lambdas[CONTINUOUS[name]][1]!r} may have no integral")
     if name in SMOOTH:
@@ -293,7 +294,7 @@ def _is_continuous(term: Term, x: str) -> bool:
 
 
 def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:
-    """That g is smooth and has the derivative f all the way, and between two ends is continuous at them."""
+    """That g is smooth and what is said of its derivative, all the way, and between two ends is continuous at them."""
     assert isinstance(derived, Quantified)
     (x,), body = derived.bound, derived.body
     inside, equal = (body.formulas[0].formulas, body.formulas[1]) if body.tag == "=>" else ((), body)
@@ -310,11 +311,8 @@ def smoothly(derived: Formula, g: Lambda) -> Iterator[Formula]:
 def congruence(given: Mapping[str, Argument]) -> tuple[list[Formula], Formula]:
     """Equal arguments give equal values of a function."""
     s, t = given.get("s", 0), given.get("t", 0)
-    for term in (s, t):
-        if not isinstance(term, (Value, Call)) or term.tag in ("+", "*", "-", "/", "^"):
-            raise Malformed(f"{term} is no function of values")
-    assert isinstance(s, (Value, Call))
-    assert isinstance(t, (Value, Call))
+    if not (isinstance(s, (Value, Call)) and isinstance(t, (Value, Call))) or s.tag in ("+", "*", "-", "/", "^"):
+        raise Malformed(f"{s} and {t} are not both functions of values")
     start = len(s) - len(s.terms)
     if len(s) != len(t) or s[:start] != t[:start]:
         raise Malformed(f"{s} and {t} are not the same function")

@@ -27,8 +27,8 @@ UNSTATED = {  # theorems without a proof in Theorems.v
     "beta_diverges": "the divergence of an improper integral is not stated in Coq",
     "power_diverges": "the divergence of an improper integral is not stated in Coq",
     **dict.fromkeys(
-        ("antiderivative", "antiderivative_everywhere", "antiderivative_converges"),
-        "how smooth an antiderivative is, is read off its term",
+        ("antiderivative", "antiderivative_everywhere", "antiderivative_converges", "rising", "rising_strictly"),
+        "how smooth a function is, is read off its term",
     ),
     **dict.fromkeys(
         (

@@ -19,13 +19,13 @@ from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import JSON, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
-from symcheck.proof import certificate, identity
+from symcheck.proof import certificate, identity, proof_of
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import indices, jets, known_integrals, named, power_series, series, special
+from symcheck.question import growth, indices, jets, known_integrals, named, power_series, series, special
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
@@ -1088,6 +1088,8 @@ def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, t
                     return found
                 about = numbers.problem
                 outcome = identity.decide(_hinted(about))
+                if outcome.verdict is Verdict.UNDECIDED:
+                    outcome = next(filter(None, map(proof_of, growth.hinted(about))), outcome)
                 if outcome.verdict is Verdict.REFUTED and numbers.calls:
                     if (stricter := numbers.refutable()) is None:
                         reasons.append("no functions are known that have the values of a counterexample")

@@ -62,7 +62,7 @@ class Instance(NamedTuple):
         """The step of a proof: proofs of the premises, and the rest with one fact more."""
         stated = theorems.theorem(self.name).premises if self.name in theorems.NAMES else ()
         every = [isinstance(formula, Quantified) for formula in stated]
-        smooth = self.name.startswith("antiderivative")  # it has more premises than are stated, about all places
+        smooth = self.name.startswith(theorems.SMOOTHLY)  # it has more premises than are stated, about all places
         every += [smooth] * (len(premises) - len(every))
         proofs = (
             Every((self.letter,), proof) if of_all else proof for of_all, proof in zip(every, premises, strict=True)

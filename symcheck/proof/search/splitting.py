@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from symcheck.core.problems import Problem
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import RELATIONS, Formula, Term, node
 from symcheck.proof.algebra.forms import term_of
 from symcheck.proof.algebra.knowledge import ORDERS, Knowledge, hints_of, starting
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
 from symcheck.proof.algebra.variables import circle, prime
-from symcheck.proof.rules.absurd import absurd_at, by_conjugates, of_one_sign, opposite_signs, vanishing
+from symcheck.proof.rules.absurd import absurd_at, by_conjugates, contrary_signs, of_one_sign, opposite_signs, vanishing
 from symcheck.proof.rules.cases_or import split_disjunction
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of
@@ -41,7 +41,7 @@ def prove(problem: Problem, ring: Ring) -> Step | None:
 
     if kind != "exists" and compares_angles(ring) and (proof := prove_about_angles(problem, finish)) is not None:
         return proof
-    if has_functions(ring):
+    if has_functions(ring) or any(isinstance(hint, Applied) for hint in problem.hints):
         return prove_with_theorems(problem, finish)
     if kind == "exists":
         return prove_existence(problem, ring, prove_here)
@@ -76,7 +76,7 @@ class _Engine:
             return found or by_contrary(goal, known, lambda _, below: of_one_sign(goal, below))
         if kind in ORDERS:
             signs = self.search(goal, known) or by_contrary(goal, known, lambda _, below: opposite_signs(below))
-            return signs or by_conjugates(goal, known)
+            return signs or by_conjugates(goal, known) or contrary_signs(goal, known, products=False)
         return self.search(goal, known) if kind in RELATIONS or kind == "or" else None
 
     def search(self, goal: Formula, known: Knowledge, before: Place | None = None) -> Step | None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import partial
 
+from symcheck.checker.theorems import SMOOTHLY
 from symcheck.core.calculus import divisor as divided_by
 from symcheck.core.calculus import letters, nodes
 from symcheck.core.problems import Applied, Problem
@@ -30,7 +31,12 @@ from symcheck.proof.rules.theorem import Instance, Said, applied
 from symcheck.proof.search.functions import SIGNS, expanded, instances, is_compared, signs, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
-SPLIT = {"beta": ">", "equal_squares": ">="}  # theorems whose premises of this sign may hold in some cases alone
+SPLIT = {
+    "beta": ">",
+    "equal_squares": ">=",
+    "rising": ">=",
+    "rising_strictly": ">",
+}  # theorems whose premises of this sign may hold in some cases alone
 MAX_CASES = 4  # one inside another, each of which doubles the work: the papers need one
 
 
@@ -70,6 +76,7 @@ class _Plan:
     definitions: Mapping[str, Term]
     names: set[str]
     assumed: Knowledge
+    letters: frozenset[str] = frozenset()
     outer: list[Instance] = field(default_factory=list)
     inner: list[Instance] = field(default_factory=list)
     known: Knowledge = field(init=False)
@@ -82,11 +89,10 @@ class _Plan:
         if problem.claim[0] == "=>":
             assumed = assumed.assume(problem.claim.formulas[0])
         inner = variables(*(part for name in own.names for part in beneath(name)))
-        plan = cls(definitions, {*own.names, *inner}, assumed)
         hinted = _hinted(problem)
-        bound = {instance.letter for instance in hinted}
+        plan = cls(definitions, {*own.names, *inner}, assumed, frozenset(each.letter for each in hinted if each.letter))
         for instance in hinted:
-            plan._add(instance, plan.inner if _around(instance) & bound else plan.outer)
+            plan._add(instance, plan.inner if _around(instance) & plan.letters else plan.outer)
         plan._collect()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
             plan._add(applied("root", p), plan.outer)
@@ -99,7 +105,7 @@ class _Plan:
         seen: set[str] = set()
         while fresh := sorted(name for name in self.names - seen if name in atoms() or beneath(name)):
             seen |= set(fresh)
-            bound = {x for name in seen & atoms().keys() for x in atoms()[name].bound}
+            bound = self._bound(seen)
             for instance in (i for name in fresh for i in self._instances(name)):
                 about = variables(*instance.terms) if not instance.letter else _around(instance)
                 kept = (
@@ -108,9 +114,13 @@ class _Plan:
                 if instance not in kept and len(kept) < MAX_INSTANCES:
                     self._add(instance, kept)
 
+    def _bound(self, names: Set[str]) -> set[str]:
+        """The letters that integrals and sums bind, and those of theorems that the declaration names."""
+        return {x for name in names & atoms().keys() for x in atoms()[name].bound} | self.letters
+
     def add_signs(self, problem: Problem) -> bool:
         """The signs of sines and cosines whose angles are bound or compared with something; False if there are none."""
-        bound = {x for name in self.names & atoms().keys() for x in atoms()[name].bound}
+        bound = self._bound(self.names)
         first, before = list[Instance](), len(self.inner)  # what is not zero by them may be divided by in all others
         for x in dict.fromkeys(turn[1] for turn in map(circle, sorted(self.names)) if turn is not None):
             term = table().angles.get(x, x)
@@ -218,12 +228,12 @@ class _Search:
 
     def _with_inner(self, formula: Formula, known: Knowledge) -> Step | None:
         below = _Search(self.prove_here, ())
-        nested = [instance for instance in self.inner if instance.name.startswith("antiderivative")]
+        nested = [instance for instance in self.inner if instance.name.startswith(SMOOTHLY)]
         bound = {instance.letter for instance in nested}
         deeper = [instance for instance in nested if _around(instance) & bound]
         apart = nested if formula.tag == "!=" else deeper  # what they say may divide by what is to be shown not to be 0
         met = with_arguments(variables(formula))
-        others = [i for i in nested if i not in apart and not variables(_said(i, known).conclusion.terms[0]) & met]
+        others = [i for i in nested if i not in apart and not _decides(i, known) & met]
         here = [instance for instance in self.inner if instance not in (*apart, *others)]
         return _Search(below._premise, deeper).prove(formula, known, here, 0) if here else None
 
@@ -287,6 +297,12 @@ def _are_squares(formula: Formula) -> bool:
 def _around(instance: Instance) -> set[str]:
     """The letters but its own of which a theorem speaks."""
     return set().union(*map(letters, instance.terms)) - {instance.letter}
+
+
+def _decides(instance: Instance, known: Knowledge) -> set[str]:
+    """The variables of what it gives a value to, or of both sides of an order."""
+    conclusion = _said(instance, known).conclusion
+    return variables(*conclusion.terms[: 1 if conclusion.tag == "=" else 2])
 
 
 def _said(instance: Instance, known: Knowledge) -> Said:
