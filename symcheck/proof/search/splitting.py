@@ -41,13 +41,14 @@ def prove(problem: Problem, ring: Ring) -> Step | None:
 
     if kind != "exists" and compares_angles(ring) and (proof := prove_about_angles(problem, finish)) is not None:
         return proof
-    if has_functions(ring) or any(isinstance(hint, Applied) for hint in problem.hints):
+    if has_functions(ring):
         return prove_with_theorems(problem, finish)
     if kind == "exists":
         return prove_existence(problem, ring, prove_here)
     known = starting(problem, ring)
     found = prove_order(problem.claim, known, hints, problem) if kind in ORDERS else finish(problem.claim, known)
-    if found is None and any(prime(name) or circle(name) for name in ring.names):  # their signs may be needed
+    hinted = any(isinstance(hint, Applied) for hint in problem.hints)
+    if found is None and (hinted or any(prime(x) or circle(x) for x in ring.names)):  # their signs may be needed
         found = prove_with_theorems(problem, finish)
     return found
 
