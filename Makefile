@@ -10,6 +10,9 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c const
 NEWEST := $(firstword $(foreach version,3.14 3.13,$(shell PYENV_VERSION=$(version) python$(version) -c 'print("python$(version)")' 2>/dev/null)))
 NEWEST_VENV := .venv-newest
 
+# Cases of a test that are run, evenly spread, where it has more; all of them are run by `make test-full`.
+CASES ?= 16
+
 .PHONY: audit test test-full test-newest quick stripped gates notebooks docs bench bench-gpu selftest browser coq coq-check install-coq clean
 
 audit: $(STAMP)
@@ -20,22 +23,22 @@ test: gates quick
 test-full: gates
 	$(BIN)/python -m pytest -n 2 -q
 
-# As they are, and without docstrings, as -OO leaves them out, with up to twenty cases of each test: what differs between
-# Pythons differs in all of them, or in few. Where there is no such Python it says so, which is no failure.
+# As they are, and without docstrings, as -OO leaves them out. Where there is no such Python it says so, which is no
+# failure.
 test-newest:
 ifeq ($(NEWEST),)
 	@echo "no Python newer than 3.12: the quick tests on it are skipped"
 else
-	PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) CASES="--cases 20" quick
-	PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) CASES="--cases 20" stripped
+	PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) quick
+	PYENV_VERSION=$(NEWEST:python%=%) $(MAKE) VENV=$(NEWEST_VENV) PYTHON=$(NEWEST) stripped
 endif
 
 # Without docstrings; pytest says that the assertions of its helpers are left out, too.
 stripped: $(DEV)
-	PYTHONOPTIMIZE=2 $(BIN)/python -m pytest -n 2 -q -m "not slow" $(CASES) -W ignore::pytest.PytestConfigWarning
+	PYTHONOPTIMIZE=2 $(BIN)/python -m pytest -n 2 -q -m "not slow" --cases $(CASES) -W ignore::pytest.PytestConfigWarning
 
 quick: $(DEV)
-	$(BIN)/python -m pytest -n 2 -q -m "not slow" $(CASES)
+	$(BIN)/python -m pytest -n 2 -q -m "not slow" --cases $(CASES)
 
 gates: $(DEV)
 	$(BIN)/ruff format --check .

@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """`--cases N`, for further Pythons: they differ in what all cases of a test do, and seldom in one of many."""
+    """`--cases N`, for the quick tests: a fault is seldom one of a single case among many."""
     parser.addoption("--cases", type=int, default=0, help="of each test run no more than so many cases, evenly spread")
 
 
@@ -24,7 +24,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     wanted = config.getoption("--cases")
     by_test: dict[str, list[pytest.Item]] = {}
     for item in items:
-        if not item.get_closest_marker("slow"):
+        if not any(map(item.get_closest_marker, ("slow", "whole"))):
             by_test.setdefault(item.nodeid.partition("[")[0], []).append(item)
     spread = ((cases, -(-len(cases) // wanted)) for cases in by_test.values() if wanted and len(cases) > wanted)
     left_out = {id(case) for cases, step in spread for k, case in enumerate(cases) if k % step}

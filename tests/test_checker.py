@@ -58,6 +58,7 @@ from symcheck.checker.rules import POLYNOMIAL, RULES
 from symcheck.checker.theorems import NAMES
 from symcheck.core.terms import Reader, node
 
+pytestmark = pytest.mark.whole
 JSON = Any
 ROOT = Path(__file__).resolve().parent.parent
 DOUBLE = minus(sq(["cos", "y"]), sq(["sin", "y"]))

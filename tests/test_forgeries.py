@@ -13,6 +13,7 @@ from symcheck.checker import check, check_all
 from symcheck.checker.rules import RULES
 from symcheck.checker.theorems import NAMES
 
+pytestmark = pytest.mark.whole
 JSON = Any
 ROOT = Path(__file__).resolve().parent.parent
 VALID: dict[str, JSON] = {
