@@ -204,6 +204,11 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"y = \cos^2 \frac{1}{2} (a - b)": r"y = \cos^2 \left(\frac{1}{2} (a - b)\right)",
+    r"\frac{\partial f}{\partial x}(x, y) = 2 x y": r"\frac{\partial f(x, y)}{\partial x} = 2 x y",
+    r"\begin{equation} a = b. \tag{1} \end{equation}": r"a = b",
+    r"y = \max_x [a + b x] - c": r"y = (\max_x (a + b x)) - c",
+    r"y = \mathbb{I}^{\text{S}} + b": r"y = (\mathbb{I}^{\text{S}}) + b",
     r"y = \lfloor \mathbf{a} \rfloor_\times \mathbf{b}": r"y = [\mathbf{a}]_\times \mathbf{b}",
     r"y = \tr{A B} + c A": r"y = \tr(A B) + c A",
     r"\Sigma_{i=1}^n a_i = \Pi_{j=1}^n b_j": r"\sum_{i=1}^n a_i = \prod_{j=1}^n b_j",
@@ -733,6 +738,14 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = \pi a + (1 - \pi) b": r"y = \pi a + (1 - 2 \pi) b",
     r"y = \nabla \exp(0)": r"y = \nabla \exp(x)",
     r"y = |a| (x) + b": r"y = |a| (x + 1) + b",
+    r"S x = x \star w": r"S x = y \star w",
+    r"G_{ij} = X_i \cdot X_j": r"G_{ij} = X_i X_j",
+    r"hs = 4 \sqrt{m}": r"ax = 4 \sqrt{m}",
+    r"4 \sqrt{m} = hs": r"4 \sqrt{m} = h s + s",
+    r"hk_1 = \frac{k}{2}": r"kx_1 = \frac{k}{2}",
+    r"z = \mathbf{cR} y": r"\mathbf{z} = \mathbf{Rc} y",
+    r"y = \ln \frac{1}{2} (a + b)": r"y = \ln \frac{x}{2} (a + b)",
+    r"y = \sin \frac{\pi}{2} (1 - x)": r"y = \sin \frac{\theta}{2} (1 - x)",
     r"m {^a} b = c": r"m {^2} b = c",
     r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",
     "C_{n} = a_1 + b_1\n\nC_{\\mu_{p}} = c_1": "C_{n} = a_1 + b_1 +\n\nC_{\\mu_{p}}",

@@ -313,6 +313,7 @@ _UNIT_ENTRY = re.compile(r"(?:& |\\\\ |r i x \} )(?:- )?([ij])(?= (?:&|\\\\|\\en
 # two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
 _DOTTED_PAIR = re.compile(
     r"\( (?:\\[,;:!] )*(\\?[A-Za-z]+) _ (?:[a-z]|\{ [a-z] \}) \\cdot \1 _ (?:[a-z]|\{ [a-z] \}) (?:\\right )?\)"
+    r"|= (?:& )?([A-Z]) _ (?:[a-z]|\{ [a-z] \}) \\cdot \2 _ (?:[a-z]|\{ [a-z] \})(?= ?(?:[.,;]|\\\\|$))"
 )
 
 
@@ -327,7 +328,7 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for letter, above in _PRODUCT_DERIVED.findall(text):
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
-    yield from ((canonical(letter), doubt) for letter, doubt in operators(text))
+    yield from ((x if "^" in x else canonical(x), doubt) for x, doubt in operators(text))
     if "^" in text and " = " in text:
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
     if r"1 - \pi" in text and _WEIGHT.search(text):
@@ -371,7 +372,7 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
             ]
         yield from ((canonical(base), f"a power, or an index? say what {run} is above it") for base in over)
     if r"\cdot" in text:
-        yield from ((letter, "numbers, or vectors? say what they are") for letter in _DOTTED_PAIR.findall(text))
+        yield from ((x or y, "numbers, or vectors? say what they are") for x, y in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"

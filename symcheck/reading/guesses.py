@@ -307,6 +307,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
+    elif any(latex != x.spelling and _is_outer(of, x) for x in every.values()):
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "a row stands behind it that is added")
     elif (
         latex.isupper()
         and not of.indices
@@ -322,6 +324,12 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is multiplied by a vector")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+def _is_outer(of: Evidence, row: Evidence) -> bool:
+    """Does this small letter stand behind a sign and before one that is transposed there: `A + u v^T`?"""
+    small = of.spelling[0].islower() and row.spelling[0].islower() and row.transposed
+    return small and any(p.before in ("+", "-") and p.after == row.spelling[0] for p in of.places)
 
 
 def _in_kronecker_product(of: Evidence) -> bool:

@@ -19,6 +19,11 @@ _EIGEN = re.compile(
 _BRACKETS = re.compile(r"\([^()]*\)")  # whose sums are no addends of what they stand in
 _ARGUMENTS = re.compile(r"\([^()]*,[^()]*\)")  # several, which are no factors
 _ADDED = re.compile(r"(?<=\S) [-+] ")  # another addend
+# what is made of a letter by a convolution with it: `S x(t) = |x \\star \\psi|`
+_CONVOLVED = re.compile(
+    rf"(?:^|& |quad |\\\\ )([A-Z]{_BELOW}{_ABOVE}) ([a-z]) (?:\( [^()]* \) )?(?:& )?= "
+    r"(?:& )?(?:(?!\\\\|\\q?quad|=).)*?(?<![A-Za-z\\])\2 (?:\( [^()]* \) )?(?:\\star|\\ast|\\circledast|\*) "
+)
 # the energy before a wave function
 _ENERGY = re.compile(
     r"(?<![A-Za-z\\])(H)(?: _ (?:\d|\{ \d \}))? (?:\\left )?(?:\| )?\\(?:psi|Psi|phi|Phi|varphi)(?![a-z])"
@@ -87,6 +92,7 @@ def operators(text: str) -> Iterator[tuple[str, str]]:
                 yield letter, _OPERATOR
         yield from ((letter, _OPERATOR) for letter, _ in _OF_DERIVATIVES.findall(text))
         yield from ((letter, _OPERATOR) for letter, _ in _MAPPED.findall(text))
+        yield from ((letter, _OPERATOR) for letter, _ in _CONVOLVED.findall(text))
         for letter, of, rest in _DIFFERENCE.findall(text):
             places = rf"(?<![A-Za-z\\]){re.escape(of)} (?:\\left )?(?=[_[])"
             if len(re.findall(places, rest)) > 1 and re.search(places + _SHIFTED, rest) and letter not in rest:
