@@ -10,7 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from symcheck.reading import Tree, to_latex
 from symcheck.reading.tree import Add, Call, Chain, Div, Mul, Name, Neg, Number, Pow, Root, Sqrt, walk
@@ -26,9 +26,14 @@ _MEMBER = re.compile(r"(?:[A-Z]|\\[a-z]+)_")
 
 
 def relying_on_order(tree: Tree, scalars: set[str]) -> list[str]:
-    """The letters that may be no numbers, if sides of an equation are equal only if these commute."""
+    """The letters that may be no numbers, if sides of an equation are equal only if these commute.
+
+    Or those of a printed difference that would be zero if they did: `a b - b a`.
+    """
     if not isinstance(tree, Chain) or set(tree.signs) != {"="}:
         return []
+    if commuted := [x for _, part in walk(tree) if isinstance(part, Add) for x in _commuted(part) - scalars]:
+        return sorted({*commuted})
     letters = sorted(_letters(tree))
     spelled = {re.sub(r"[\s{}]", "", x): x for x in letters}
     plain = {x for short, x in spelled.items() if rf"{short}^\dagger" in spelled}  # those of which the adjoint occurs
@@ -45,6 +50,16 @@ def relying_on_order(tree: Tree, scalars: set[str]) -> list[str]:
         if _relies(one, other, ordered):
             return [x for x in letters if ordered(x)]
     return []
+
+
+def _commuted(tree: Add) -> set[str]:
+    """The letters of two products that are printed with other signs and in another order, as those of a commutator."""
+    terms = [(isinstance(term, Neg), term.value if isinstance(term, Neg) else term) for term in tree.terms]
+    products = [(sign, term) for sign, term in terms if isinstance(term, Mul)]
+    for (sign, one), (other_sign, other) in combinations(products, 2):
+        if sign != other_sign and one != other and Counter(one.factors) == Counter(other.factors):
+            return _letters(one)
+    return set()
 
 
 def _letters(tree: Tree) -> set[str]:

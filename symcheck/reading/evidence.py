@@ -63,6 +63,10 @@ class Evidence:
     square: bool = False  # does A - \lambda I, or Q A Q^{-1}, show that it is a matrix?
     angle: bool = False  # is a sine or its like taken of it alone?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
+    column: bool = (
+        False  # does it stand in brackets that are transposed before a factor, or behind a small letter that is?
+    )
+    between: bool = False  # does it stand between brackets that are transposed and others?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
     @cached_property
@@ -158,6 +162,11 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         for m in each.finditer(formula)
         for x in m.groups()
     }
+    forms = [f for f in formulas if _TRANSPOSING.search(f)]
+    sums = [m[1] for f in forms for each in (_ROW, _COLUMN) for m in each.finditer(f)]
+    columns = {canonical(x) for each in sums for x in re.split(" [-+] ", each.replace(" '", ""))}
+    columns |= {canonical(m[1]) for f in forms for m in _BEHIND_ROW.finditer(f)}
+    between = {canonical(m[1]) for f in forms for m in _BETWEEN.finditer(f)}
     angles = {m[1] for formula in formulas for m in _ANGLE.finditer(formula)}
     for place in places:
         if place.role == "subscript":
@@ -180,6 +189,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.square = latex in square
+        own.column, own.between = latex in columns, latex in between
         own.angle = latex in angles
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
@@ -193,6 +203,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     for each in found.values():
         if each.indices and each.spelling in found and _SAID_WHOLE.match(each.said):
             each.said = ""  # the components of what is said to be a vector
+    if "T" not in found and any(map(_GROWN.search, formulas)):
+        found["T"] = Evidence("T", [Occurrence("T")])  # how often something grows; nobody transposes a number
     _complete(found)
     return found
 
@@ -210,6 +222,27 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 _ANGLE = re.compile(
     r"\\(?:arc)?(?:sin|cos|tan|cot|sec|csc)(?:\s*\^\s*(?:\d|\{[^{}]*\}))?[\s({]*(?:\\left\s*\()?\s*([A-Z])\b"
 )
+_TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
+_SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|hat \{ [a-z] \}|bar \{ [a-z] \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
+# one and a rate, to the power T
+_GROWN = re.compile(
+    r"\( 1 [-+] (?:[a-z]|\\[a-z]+|\\frac \{ \w \} \{ \w+ \})(?: _ (?:\w|\{[^{}]*\}))? (?:\\right )?\) \^ (?:T|\{ T \})"
+)
+_FLIPPED = r"(?:\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|')"
+_MATRIX = r"(?:[A-Z]|\\[A-Z][a-z]+)(?: _ (?:\w|\{[^{}]*\}))?"
+# a sum of small letters, transposed, before a factor
+_ROW = re.compile(rf"\( ({_SMALL}(?: [-+] {_SMALL})+) (?:\\right )?\) {_FLIPPED} (?=[A-Za-z(]|\\(?:left|[A-Z]))")
+# and one behind what is transposed, perhaps with a matrix between them
+_COLUMN = re.compile(
+    rf"\) {_FLIPPED} (?:{_MATRIX} (?:\^ \{{ - 1 \}} )?)?(?:\\left )?\( ({_SMALL}(?: [-+] {_SMALL})+) (?:\\right )?\)"
+)
+# a small letter behind another one that is transposed
+_BEHIND_ROW = re.compile(
+    r"(?<![A-Za-z\\])[a-df-z] (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
+    r"([abcp-z](?: _ (?:\w|\{[^{}]*\}))?)(?! [A-Za-z^(\\])"
+)
+# what stands between brackets that are transposed and others, perhaps inverse
+_BETWEEN = re.compile(rf"\) {_FLIPPED} ({_MATRIX}) (?:\^ \{{ - 1 \}} )?(?:\\left )?\(")
 # two bold letters with a subscript that an equation begins with, which may be one name
 _BOLD_NAME = re.compile(r"\\mathbf \{ ([a-z]) \} \\mathbf \{ [a-z] \} _ (?:\w|\{ [^{}]* \}) =")
 # a differential, or a Laplacian, of a function: `d_A f(X)` and `\Delta_q h`

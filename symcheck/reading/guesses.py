@@ -146,9 +146,12 @@ def _is_undecided(place: Occurrence) -> bool:
 
 
 def _multiplies(of: Evidence, place: Occurrence) -> bool:
-    """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?"""
+    """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?
+
+    Or between a row in brackets and a column.
+    """
     power = place.superscript or ()
-    raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
+    raised = of.between or (any(map(str.isdigit, power)) and any(map(str.isalpha, power)))
     if raised or not place.arguments:
         return raised
     printed = " ".join(tex.texts(of.spelling))
@@ -229,6 +232,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(sign, "the sign of a differential", "it stands before letters and brackets only")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it", remote=True)
         return
+    if of.between and not bare:
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands between a row and a column")
+        return
     if latex in ORDERS and arguments and not bare and latex not in defined:
         told = f"a term of {'a higher' if ORDERS[latex] else 'this'} order"
         yield Guess(_letter(of, kind="function", order=ORDERS[latex]), told, "it stands before brackets only")
@@ -307,6 +313,8 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
+    elif of.column and not of.bound and not arguments and "T" not in every:
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it stands in a row, or behind one")
     elif any(latex != x.spelling and _is_outer(of, x) for x in every.values()):
         yield Guess(_letter(of, kind="vector", depends=""), "a vector", "a row stands behind it that is added")
     elif (

@@ -60,7 +60,7 @@ POWER_OR_LABEL = LABEL_DOUBT + " say what {} is, or write brackets around the ba
 
 
 def is_expectation(letter: str) -> bool:
-    r"""Whether a letter before square brackets is the sign of an expectation, as `E` and `\mathbb{E}_{x \sim p}` are."""
+    r"""Whether a letter before square brackets is the sign of an expectation, as `\mathbb{E}_{x \sim p}` is."""
     return letter in _EXPECTED or letter.startswith(r"\mathbb{E}_")
 
 
@@ -173,9 +173,14 @@ _INDEXED_POWER = re.compile(r"([a-z]) _ (?:\{ )?[a-z](?: \})? , [a-z]")
 # a number of combinations, or a power
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
-_HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
+_HARMONIC = re.compile(
+    r"(?:[YPQ]|[A-Z](?= _ (?:\{ )?(?:l(?![A-Za-z])|\\ell))|\\(?:bar|tilde|mathcal) \{ [YPC] \}) "
+    r"_ (?:\{ )?([ln]|\\ell)(?: \})?"
+)
 # two letters below another one
 _PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
+# an exponent of one of several powers, which is named by its base
+_EXPONENT = re.compile(r"\\(?:alpha|beta|gamma) _ (?:[A-Z]|\{ (?:[A-Z]|\\[a-z]+ \{[^{}]*\}|[a-z](?: [a-z])+) \})")
 # a capital in upright letters, by itself or with an index
 _UPRIGHT = re.compile(r"\\(?:text|mathrm) \{ (?:[A-SU-Z]|T(?= \} _))")
 _ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
@@ -267,6 +272,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    if len(letters) == 1 and _EXPONENT.fullmatch(" ".join(inside)):
+        return None
     if (inside == ["0"] and (of.applied or of.below or of.word in told.applied or of.changed)) or (
         inside == ["1"] and of.below
     ):

@@ -52,7 +52,7 @@ _SPELLINGS: Sequence[
     # indices of which each has a place of its own
     (
         "{ } ",
-        re.compile(rf"\^ (\w|\{{ [^{{}}]* \}}) \{{ \}} _ (\w|\{{ [^{{}}]* \}})(?! \{{ \}})"),
+        re.compile(r"\^ (\w|\{ [^{}]* \}) \{ \} _ (\w|\{ [^{}]* \})(?! \{ \})"),
         r"_ \2 ^ \1",
     ),
     # the number of a formula, and the stop before it, in an environment
@@ -77,7 +77,11 @@ _SPELLINGS: Sequence[
     # a narrow space before a script, and between a letter and its arguments
     (r"\! ", re.compile(r"(?:\\! )+(?=[_^(]|\\left \(|\\[bB]igg?l? \()"), ""),
     # the letter of a sum or an integral above its sign, or below the sign of an integral over it
-    ("} ^ { ", re.compile(r"(\\(?:sum|prod) _ \{ (\w) = [^{}]* \} \^ \{ )\2 = (?=[^{}]* \})"), r"\1"),
+    (
+        "} ^ { ",
+        re.compile(rf"(\\(?:sum|prod) _ \{{ (\w) = (?:[^{{}}]|{_BRACED})*\}} \^ \{{ )\2 = (?={_BRACED[2:]})"),
+        r"\1",
+    ),
     (
         r"\int _ { ",
         re.compile(rf"(\\int _ \{{ )(\w) = (?={_BRACED[2:]}.* {_D} (?:\\[,;] )?\2(?!\w))"),
