@@ -38933,6 +38933,296 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "System(Chain(a _ { p } ^ { ( p ) }, k_p; =), Chain(a _ { i } ^ { ( p ) }, Add(a _ { i } ^ { ( p - 1 ) }, Mul(k_p, a _ { p - i } ^ { ( p - 1 ) })); =))",
         "pactools/pactools/pactools/dar_model/stable_dar.py",
     ),
+    (
+        "\\tau_0 = -\\infty",
+        "Chain(\\tau_0, Neg(Infinity()); =)",
+        "michelbierlaire/biogeme/biogeme/expressions/ordered.py",
+    ),
+    (
+        "Y = (\\sum_i \\text{share}_i \\cdot x_i^s)^{1/s}",
+        "Chain(Y, Pow(BigSum(i; Mul(\\text{share}_i, Pow(x_i; s))); Div(1; s)); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/ces.py",
+    ),
+    (
+        "E = \\frac{\\delta^2}{192} (31 M - 32).",
+        "Chain(E, Mul(Div(Pow(\\delta; 2); 192), Add(Mul(31, M), Neg(32))); =)",
+        "rwnobrega/komm/komm/_constellations/CrossQAMConstellation.py",
+    ),
+    (
+        "I(X;Y) = H(X) - \\sum_{x \\in \\mathcal{X}} p(x)\\int p(y \\mid x)\n\\log_2\\frac{p(y)}{p(y \\mid x)\\,p(x)}\\,dy, \\tag{1}",
+        "Chain(Call(I; Given(X; Y; ;)), Add(Call(H; X), Neg(Limiting(sum; _{ x \\in \\mathcal { X } }; Mul(Call(p; x), Antiderivative(Mul(Call(p; Given(y; x; |)), Call(lb; Div(Call(p; y); Mul(Call(p; Given(y; x; |)), Call(p; x))))); y))))); =)",
+        "edsonportosilva/OptiCommPy/optic/comm/metrics.py",
+    ),
+    (
+        "\\Delta n = n_t-filling",
+        "Chain(\\Delta n, Add(n_t, Neg(\\text{filling})); =)",
+        "tenpy/tenpy/tenpy/networks/site.py",
+    ),
+    (
+        "\\langle\\tilde r_\\mathrm{W}\\rangle\\approx 0.38",
+        "Chain(Call(average; \\tilde{r}_W), 0.38; \\approx)",
+        "QuSpin/QuSpin/quspin/tools/misc.py",
+    ),
+    (
+        "B(x, \\ell) = \\frac{x^{\\ell}-1}{\\ell}.",
+        "Chain(Call(B; x, \\ell), Div(Add(Pow(x; \\ell), Neg(1)); \\ell); =)",
+        "michelbierlaire/biogeme/biogeme/models/boxcox_old.py",
+    ),
+    (
+        "\\text{outer\\_exp} \\cdot s = 1",
+        "Chain(Mul(\\text{outer\\_exp}, s), 1; =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/ces.py",
+    ),
+    (
+        "|H(f_c)|^2 = 1/2",
+        "Chain(Pow(Bars(Call(H; f_c)); 2), Div(1; 2); =)",
+        "edsonportosilva/OptiCommPy/optic/dsp/core.py",
+    ),
+    (
+        "\\mu = \\frac{8(1+\\nu)}{1-2\\nu}",
+        "Chain(\\mu, Div(Mul(8, Add(1, \\nu)); Add(1, Neg(Mul(2, \\nu)))); =)",
+        "pyrocko/pyrocko/pyrocko/modelling/okada.py",
+    ),
+    (
+        "f(t) = e^{-\\gamma |t|}",
+        "Chain(Call(f; t), Pow(e; Neg(Mul(\\gamma, Bars(t)))); =)",
+        "tmancal74/quantarhei/examples/old_demos/demo4_FFT_of_DFunctions..py",
+    ),
+    (
+        "\\tilde{g}^2(f) = \\frac{|\\langle \\tilde{C}(f) \\rangle|^2 - \\tilde{b}^2}\n{\\langle \\tilde{P}_1(f) \\rangle \\langle \\tilde{P}_2(f) \\rangle}",
+        "Chain(Pow(Call(\\tilde{g}; f); 2), Div(Add(Pow(Bars(Call(average; Call(\\tilde{C}; f))); 2), Neg(Pow(\\tilde{b}; 2))); Mul(Call(average; Call(\\tilde{P}_1; f)), Call(average; Call(\\tilde{P}_2; f)))); =)",
+        "stingraysoftware/stingray/stingray/crossspectrum.py",
+    ),
+    (
+        "U(r) &= \\frac{1}{2\\pi} (1-r^2) \\exp(-r^2/2) \\\\\nT_\\times(s) &= \\frac{s^2}{128} (12-s^2) \\exp(-s^2/4)",
+        "System(Chain(Call(U; r), Mul(Div(1; Mul(2, \\pi)), Add(1, Neg(Pow(r; 2))), Call(exp; Neg(Div(Pow(r; 2); 2)))); =), Chain(Call(T_\\times; s), Mul(Div(Pow(s; 2); 128), Add(12, Neg(Pow(s; 2))), Call(exp; Neg(Div(Pow(s; 2); 4)))); =))",
+        "rmjarvis/TreeCorr/treecorr/ngcorrelation.py",
+    ),
+    (
+        "\\tau_K = +\\infty",
+        "Chain(\\tau_K, Infinity(); =)",
+        "michelbierlaire/biogeme/biogeme/expressions/ordered.py",
+    ),
+    (
+        "x_{t+1} = g(x_t, \\varepsilon_{t+1})",
+        "Chain(x_{t+1}, Call(g; x_t, \\varepsilon_{t+1}); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/model.py",
+    ),
+    (
+        "\\mathrm{SNR} = \\frac{P_x}{\\sigma_B^2}, \\tag{1}",
+        "Chain(\\text{SNR}, Div(P_x; Pow(\\sigma_B; 2)); =)",
+        "edsonportosilva/OptiCommPy/optic/models/channels.py",
+    ),
+    (
+        "F_i = \\frac{\\pi}{180}\n                   \\frac{(a_{lat,i} + a_{lat,i})}{2}, \\quad\nG_i = \\frac{\\pi}{180}\n                   \\frac{(a_{lat,i} - b_{lat,i})}{2}, \\quad\nl_i= \\frac{\\pi}{180}\n                    \\frac{(a_{lon,i} - b_{lon,i})}{2} \\\\[0.5cm]\nS_i = \\sin^2(G_i) \\cdot \\cos^2(l_i) +\n      \\cos^2(F_i) \\cdot \\sin^2(l_i), \\quad \\quad\nC_i = \\cos^2(G_i) \\cdot \\cos^2(l_i) +\n          \\sin^2(F_i) \\cdot \\sin^2(l_i)",
+        "System(Chain(F_i, Mul(Div(\\pi; 180), Div(Add(a_{lat,i}, a_{lat,i}); 2)); =), Chain(G_i, Mul(Div(\\pi; 180), Div(Add(a_{lat,i}, Neg(b_{lat,i})); 2)); =), Chain(l_i, Mul(Div(\\pi; 180), Div(Add(a_{lon,i}, Neg(b_{lon,i})); 2)); =), Chain(S_i, Add(Mul(Pow(Call(sin; G_i); 2), Pow(Call(cos; l_i); 2)), Mul(Pow(Call(cos; F_i); 2), Pow(Call(sin; l_i); 2))); =), Chain(C_i, Add(Mul(Pow(Call(cos; G_i); 2), Pow(Call(cos; l_i); 2)), Mul(Pow(Call(sin; F_i); 2), Pow(Call(sin; l_i); 2))); =))",
+        "pyrocko/pyrocko/pyrocko/orthodrome.py",
+    ),
+    (
+        "D_{ijkl} = \\delta_{jl}A_{ik}",
+        "Chain(D_{ijkl}, Mul(\\delta_{jl}, A_{ik}); =)",
+        "tmancal74/quantarhei/quantarhei/qm/liouvillespace/superoperator.py",
+    ),
+    (
+        "H_{\\rm{d}} = \\sum_{j=0}^{N-1}\n\\frac{\\alpha_j}{2} a_j^{\\dagger}a_j^{\\dagger}a_j a_j",
+        "Chain(H_d, BigSum(j; 0; Add(N, Neg(1)); Mul(Div(\\alpha_j; 2), a _ { j } ^ { \\dagger }, a _ { j } ^ { \\dagger }, a_j, a_j)); =)",
+        "qutip/qutip-qip/qutip_qip/device/circuitqed.py",
+    ),
+    (
+        "P = N_{\\rm ph}",
+        "Chain(P, N_{ph}; =)",
+        "stingraysoftware/stingray/stingray/fourier.py",
+    ),
+    (
+        "f(x;a, b, c) = \\left\\{ \\begin{array}{ll} 0 &\n\\text{if } x < a \\\\\\frac{2(x-a)}{(b-a)(c-a)} &\n\\text{if } a \\leq x < c \\\\\\frac{2(b-x)}{(b-a)(b-c)} &\n\\text{if } c \\leq x < b \\\\0 & \\text{if } x \\geq b.\n\\end{array} \\right.",
+        "Chain(Call(f; Given(x; a, b, c; ;)), Piecewise(0, Chain(x, a; <), Div(Mul(2, Add(x, Neg(a))); Mul(Add(b, Neg(a)), Add(c, Neg(a)))), Chain(a, x, c; \\le, <), Div(Mul(2, Add(b, Neg(x))); Mul(Add(b, Neg(a)), Add(b, Neg(c)))), Chain(c, x, b; \\le, <), 0, Chain(x, b; \\ge)); =)",
+        "michelbierlaire/biogeme/biogeme/distributions.py",
+    ),
+    (
+        "\\mathbb{E} \\left [ F(x_{t+1}, x_t, x_{t-1}, \\varepsilon_t) \\right ] = 0",
+        "Chain(Indexed(\\mathbb{E}; Call(F; x_{t+1}, x_t, x_{t-1}, \\varepsilon_t)), 0; =)",
+        "jessegrabowski/gEconpy/gEconpy/model/model.py",
+    ),
+    (
+        "k = 2^{\\mu} - \\delta",
+        "Chain(k, Add(Pow(2; \\mu), Neg(\\delta)); =)",
+        "rwnobrega/komm/komm/_error_control_block/ReedSolomonCode.py",
+    ),
+    (
+        "u(t) = m V_\\pi s(t)",
+        "Chain(Call(u; t), Mul(m, V_\\pi, Call(s; t)); =)",
+        "edsonportosilva/OptiCommPy/optic/models/tx.py",
+    ),
+    (
+        "\\delta n := n - filling",
+        "Chain(\\delta n, Add(n, Neg(\\text{filling})); =)",
+        "tenpy/tenpy/tenpy/networks/site.py",
+    ),
+    (
+        "\\textrm{B} = \\textrm{R}_j \\left(\\frac{-\\theta}{2} \\right)\\textrm{R}_i \\left(\\frac{- \\left(\\alpha + \\beta \\right)}{2} \\right)",
+        "Chain(\\text{B}, Mul(Call(\\text{R}_j; Div(Neg(\\theta); 2)), Call(\\text{R}_i; Div(Neg(Add(\\alpha, \\beta)); 2))); =)",
+        "qutip/qutip-qip/qutip_qip/decompose/decompose_single_qubit_gate.py",
+    ),
+    (
+        "P = \\frac{2}{T}P_{\\rm unnorm}",
+        "Chain(P, Mul(Div(2; T), P_{unnorm}); =)",
+        "stingraysoftware/stingray/stingray/fourier.py",
+    ),
+    (
+        "B(x, \\ell) = \\frac{x^{\\ell} - 1}{\\ell}",
+        "Chain(Call(B; x, \\ell), Div(Add(Pow(x; \\ell), Neg(1)); \\ell); =)",
+        "michelbierlaire/biogeme/biogeme/expressions/boxcox.py",
+    ),
+    (
+        "A_0 x^2 + A_1 x + A_2 = 0",
+        "Chain(Add(Mul(A_0, Pow(x; 2)), Mul(A_1, x), A_2), 0; =)",
+        "jessegrabowski/gEconpy/gEconpy/solvers/cycle_reduction.py",
+    ),
+    (
+        "\\bar{B} = B / \\sqrt{\\ln 2}",
+        "Chain(\\bar{B}, Div(B; Sqrt(Call(ln; 2))); =)",
+        "rwnobrega/komm/komm/_pulses/GaussianPulse.py",
+    ),
+    (
+        "\\mathrm{SINAD} = 6.02\\,\\mathrm{ENOB} + 1.76",
+        "Chain(\\text{SINAD}, Add(Mul(6.02, \\text{ENOB}), 1.76); =)",
+        "edsonportosilva/OptiCommPy/optic/models/devices.py",
+    ),
+    (
+        "T_I = \\frac{P}{2 \\pi} \\left( \\arcsin\\left(\\frac{\\sqrt{(R_s+R_p)^2 - b^2}}{a \\sin(i)} \\right) - \\arcsin\\left(\\frac{\\sqrt{(R_s-R_p)^2 - b^2}}{a \\sin(i)} \\right)  \\right)",
+        "Chain(T_I, Mul(Div(P; Mul(2, \\pi)), Add(Call(arcsin; Div(Sqrt(Add(Pow(Add(R_s, R_p); 2), Neg(Pow(b; 2)))); Mul(a, Call(sin; i)))), Neg(Call(arcsin; Div(Sqrt(Add(Pow(Add(R_s, Neg(R_p)); 2), Neg(Pow(b; 2)))); Mul(a, Call(sin; i))))))); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/inTransit.py",
+    ),
+    (
+        "h_1 = \\frac{3r - 1}{2C}, \\quad\nh_2 = \\frac{3r +1 }{2S}\\\\[0.5cm]",
+        "System(Chain(h_1, Div(Add(Mul(3, r), Neg(1)); Mul(2, C)); =), Chain(h_2, Div(Add(Mul(3, r), 1); Mul(2, S)); =))",
+        "pyrocko/pyrocko/pyrocko/orthodrome.py",
+    ),
+    (
+        "f(t) = e^{-\\gamma |t| -i\\omega_0 t}",
+        "Chain(Call(f; t), Pow(e; Add(Neg(Mul(\\gamma, Bars(t))), Neg(Mul(i, \\omega_0, t)))); =)",
+        "tmancal74/quantarhei/examples/old_demos/demo4_FFT_of_DFunctions..py",
+    ),
+    (
+        "\\mathcal{H}=\\mathcal{H}_1\\otimes\\mathcal{H}_2",
+        "Chain(\\mathcal{H}, Operated(\\otimes; \\mathcal{H}_1; \\mathcal{H}_2); =)",
+        "QuSpin/QuSpin/quspin/basis/tensor.py",
+    ),
+    (
+        "x_{Ti} =\\left\\{  \\begin{array}{ll} 0 & \\text{if }\nt < a \\\\ t-a & \\text{if } a \\leq t < a+b \\\\ b  &\n\\text{otherwise}  \\end{array}\\right. \\;\\;\\;x_{Ti} =\n\\max(0, \\min(t-a, b))",
+        "System(Chain(x_{Ti}, Piecewise(0, Chain(t, a; <), Add(t, Neg(a)), Chain(a, t, Add(a, b); \\le, <), b, None); =), Chain(x_{Ti}, Call(max; 0, Call(min; Add(t, Neg(a)), b)); =))",
+        "michelbierlaire/biogeme/biogeme/models/piecewise.py",
+    ),
+    (
+        "G(s, x) \\in \\mathcal{Y}",
+        "Chain(Call(G; s, x), \\mathcal{Y}; \\in)",
+        "rwnobrega/komm/komm/_finite_state_machine/MealyMachine.py",
+    ),
+    (
+        "V_\\phi = V_\\pi/2",
+        "Chain(V_\\phi, Div(V_\\pi; 2); =)",
+        "edsonportosilva/OptiCommPy/optic/models/devices.py",
+    ),
+    (
+        "v_{x,y,z} \\sim N(0,\\sigma^2) \\; ,",
+        "Chain(v_{x,y,z}, Call(N; 0, Pow(\\sigma; 2)); \\sim)",
+        "sczesla/PyAstronomy/PyAstronomy/modelSuite/voigtAstro.py",
+    ),
+    (
+        "a = \\frac{1}{\\sqrt{2}}\\left(Q+iP\\right)",
+        "Chain(a, Mul(Div(1; Sqrt(2)), Add(Q, Mul(i, P))); =)",
+        "tmancal74/quantarhei/quantarhei/qm/oscillators/ho.py",
+    ),
+    (
+        "\\varphi(t) = u(t) + iv(t)",
+        "Chain(Call(\\varphi; t), Add(Call(u; t), Mul(i, Call(v; t))); =)",
+        "QuSpin/QuSpin/quspin/tools/evolution.py",
+    ),
+    (
+        "\\textrm{A} = \\textrm{R}_i(\\alpha) \\textrm{R}_j\\left(\\frac{\\theta}{2} \\right)",
+        "Chain(\\text{A}, Mul(Call(\\text{R}_i; \\alpha), Call(\\text{R}_j; Div(\\theta; 2))); =)",
+        "qutip/qutip-qip/qutip_qip/decompose/decompose_single_qubit_gate.py",
+    ),
+    (
+        "P = 2 \\mu",
+        "Chain(P, Mul(2, \\mu); =)",
+        "stingraysoftware/stingray/stingray/fourier.py",
+    ),
+    (
+        "F(\\exp(\\tilde{x}_{t+1}), \\exp(\\tilde{x}_t), \\exp(\\tilde{x}_{t-1}), \\varepsilon_t) = 0",
+        "Chain(Call(F; Call(exp; \\tilde{x}_{t+1}), Call(exp; \\tilde{x}_t), Call(exp; \\tilde{x}_{t-1}), \\varepsilon_t), 0; =)",
+        "jessegrabowski/gEconpy/gEconpy/model/model.py",
+    ),
+    (
+        "\\gcd(p_{i,0}(D), p_{i,1}(D), \\ldots, p_{i,n-1}(D), q_i(D)) = 1.",
+        "Chain(Call(gcd; Call(p_{i,0}; D), Call(p_{i,1}; D), Dots(), Call(p_{i,n-1}; D), Call(q_i; D)), 1; =)",
+        "rwnobrega/komm/komm/_error_control_convolutional/base.py",
+    ),
+    (
+        "\\lambda = c/F_c",
+        "Chain(\\lambda, Div(c; F_c); =)",
+        "edsonportosilva/OptiCommPy/optic/models/channels.py",
+    ),
+    (
+        "\\frac {S} {R} = a_{1} \\ln {T} + a_{2} T + a_{3} \\frac {T^{2}} {2} + a_{4} \\frac {T^{3}} {3} + a_{5} \\frac {T^{4}} {4} + a_{7}",
+        "Chain(Div(S; R), Add(Mul(a_1, Call(ln; T)), Mul(a_2, T), Mul(a_3, Div(Pow(T; 2); 2)), Mul(a_4, Div(Pow(T; 3); 3)), Mul(a_5, Div(Pow(T; 4); 4)), a_7); =)",
+        "VlachosGroup/pMuTT/pmutt/empirical/nasa.py",
+    ),
+    (
+        "B_{\\lambda} = \\frac{2\\pi h c^2}{\\lambda^5} \\frac{1}{e^{\\frac{h c}{\\lambda kT}} - 1} \\; .",
+        "Chain(B_\\lambda, Mul(Div(Mul(2, \\pi, h, Pow(c; 2)); Pow(\\lambda; 5)), Div(1; Add(Pow(e; Div(Mul(h, c); Mul(\\lambda, k, T))), Neg(1)))); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/planck.py",
+    ),
+    (
+        "x_{\\mathrm{wrapped}} = x_{\\mathrm{cont},i} -\n    \\frac{ x_{\\mathrm{cont},i} - r_{\\mathrm{min}} }\n          { r_{\\mathrm{max}} -  r_{\\mathrm{min}}}\n    \\cdot ( r_{\\mathrm{max}} -  r_{\\mathrm{min}}),\\quad\nx_{\\mathrm{wrapped}}\\; \\in\n    \\;[ r_{\\mathrm{min}},\\, r_{\\mathrm{max}}].",
+        "System(Chain(x_{wrapped}, Add(x_{cont,i}, Neg(Mul(Div(Add(x_{cont,i}, Neg(r_{min})); Add(r_{max}, Neg(r_{min}))), Add(r_{max}, Neg(r_{min}))))); =), Chain(x_{wrapped}, Interval(r_{min}; r_{max}; []); \\in))",
+        "pyrocko/pyrocko/pyrocko/orthodrome.py",
+    ),
+    (
+        "D_{\\alpha} =\ne^{\\frac{1}{\\sqrt{2}}\\left(\\alpha\na^{\\dagger}-\\alpha^{*}a\\right)},",
+        "Chain(D_\\alpha, Pow(e; Mul(Div(1; Sqrt(2)), Add(Mul(\\alpha, a ^ { \\dagger }), Neg(Mul(\\alpha ^ { * }, a))))); =)",
+        "tmancal74/quantarhei/quantarhei/qm/oscillators/ho.py",
+    ),
+    (
+        "q\\in\\{0,1,\\dots,m_Q-1\\}",
+        "Chain(q, Tuple(0, 1, Dots(), Add(m_Q, Neg(1)); {}); \\in)",
+        "QuSpin/QuSpin/quspin/basis/basis_general/boson.py",
+    ),
+    (
+        "\\xi(r) = \\langle \\gamma_T\\rangle",
+        "Chain(Call(\\xi; r), Call(average; \\gamma_T); =)",
+        "rmjarvis/TreeCorr/treecorr/ngcorrelation.py",
+    ),
+    (
+        "f(x;a, b) = \\left\\{ \\begin{array}{ll}\n\\frac{1}{b-a} & \\text{for } x \\in [a, b] \\\\\n0 & \\text{otherwise}\\end{array} \\right.",
+        "Chain(Call(f; Given(x; a, b; ;)), Piecewise(Div(1; Add(b, Neg(a))), Chain(x, Interval(a; b; []); \\in), 0, None); =)",
+        "michelbierlaire/biogeme/biogeme/distributions.py",
+    ),
+    (
+        "\\phi[k+1] = \\phi[k] + \\Delta_k, \\qquad\n\\Delta_k \\sim \\mathcal{N}\\left(0,\\, \\sigma^2\\right), \\qquad\n\\sigma^2 = 2\\pi\\Delta\\nu T_s, \\tag{1}",
+        "System(Chain(Indexed(\\phi; Add(k, 1)), Add(Indexed(\\phi; k), \\Delta_k); =), Chain(\\Delta_k, Call(\\mathcal{N}; 0, Pow(\\sigma; 2)); \\sim), Chain(Pow(\\sigma; 2), Mul(2, \\pi, \\Delta \\nu, T_s); =))",
+        "edsonportosilva/OptiCommPy/optic/dsp/core.py",
+    ),
+    (
+        "D = D_{\\mathrm{sphere}} \\cdot [ 1 + h_1 \\,f_{\\mathrm{oblate}}\n         \\cdot \\sin^2(F)\n         \\cos^2(G) - h_2\\, f_{\\mathrm{oblate}}\n         \\cdot \\cos^2(F) \\sin^2(G)]",
+        "Chain(D, Mul(D_{sphere}, Add(1, Mul(h_1, f_{oblate}, Pow(Call(sin; F); 2), Pow(Call(cos; G); 2)), Neg(Mul(h_2, f_{oblate}, Pow(Call(cos; F); 2), Pow(Call(sin; G); 2))))); =)",
+        "pyrocko/pyrocko/pyrocko/orthodrome.py",
+    ),
+    (
+        "f(x;\\mu, \\sigma) =\n\\frac{1}{\\sigma \\sqrt{2\\pi}} \\exp{-\\frac{(x-\\mu)^2}{2\\sigma^2}}",
+        "Chain(Call(f; Given(x; \\mu, \\sigma; ;)), Mul(Div(1; Mul(\\sigma, Sqrt(Mul(2, \\pi)))), Call(exp; Neg(Div(Pow(Add(x, Neg(\\mu)); 2); Mul(2, Pow(\\sigma; 2)))))); =)",
+        "michelbierlaire/biogeme/biogeme/distributions.py",
+    ),
+    (
+        "C = \\max_{p_X} \\mathrm{I}(X; Y).",
+        "Chain(C, Limiting(max; _{ p _ { X } }; Call(\\text{I}; Given(X; Y; ;))); =)",
+        "rwnobrega/komm/komm/_channels/DiscreteMemorylessChannel.py",
+    ),
+    (
+        "\\sigma = b/\\sqrt{2}",
+        "Chain(\\sigma, Div(b; Sqrt(2)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/modelSuite/voigtAstro.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -40027,5 +40317,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "F_1 \\in \\langle \\mathcal{F}_1 \\rangle",
         "zxcalc/pyzx/pyzx/rewrite_rules/fuse_1_FE_rule.py",
+    ),
+    (
+        "y[n] = x[n M + \\Delta],",
+        "rwnobrega/komm/komm/_util/signal_processing.py",
+    ),
+    (
+        "h(r,t) = F_\\times h_\\times(theta_gw, phi_gw) + F_+ h_+(theta_gw, phi_gw)",
+        "sbozzolo/kuibit/kuibit/cactus_waves.py",
+    ),
+    (
+        "\\sum_{j,k}V^T_{ij}Q^\\dagger_{jk}v_{0,k} = \\sum_{j}V_{ji}\\delta_{0,j} = V_{i,0}",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_expm.py",
     ),
 )

@@ -207,6 +207,11 @@ SAME = {  # two ways to print one thing
     r"y = \cos^2 \frac{1}{2} (a - b)": r"y = \cos^2 \left(\frac{1}{2} (a - b)\right)",
     r"\frac{\partial f}{\partial x}(x, y) = 2 x y": r"\frac{\partial f(x, y)}{\partial x} = 2 x y",
     r"\begin{equation} a = b. \tag{1} \end{equation}": r"a = b",
+    r"\phi_i(t_j) = \begin{cases} 1 & i = j \\ 0 & i \ne j \end{cases}": (
+        r"\phi_i(t_j) = \begin{cases} 1 & \text{if } i = j \\ 0 & \text{if } i \neq j \end{cases}"
+    ),
+    r"x = r \cos(\omega(t - t_0))": r"x = r \cos(\omega \cdot (t - t_0))",
+    r"P = \prod_i x_i^{a_i} b": r"P = \prod_i (x_i)^{a_i} b",
     r"d = (x - y)^T M (x - y)": r"d = (x - y)^T \cdot M \cdot (x - y)",
     r"s = \sum_{l=2}^{l=l_{\mathrm{max}}} a_l": r"s = \sum_{l=2}^{l_{\mathrm{max}}} a_l",
     r"y = \max_x [a + b x] - c": r"y = (\max_x (a + b x)) - c",
@@ -742,6 +747,8 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"y = |a| (x) + b": r"y = |a| (x + 1) + b",
     r"\delta_i u = u_{i+1} - u_{i-1}": r"\delta_i u = u_{i+1} - w_{i-1}",
     r"x \in \langle a \rangle": r"x = \langle a \rangle",
+    r"h = F_ab + c": r"h = F_ab + b",
+    r"y = V^T_{ij} x_j": r"y = V_{ij} x_j",
     r"S x = x \star w": r"S x = y \star w",
     r"G_{ij} = X_i \cdot X_j": r"G_{ij} = X_i X_j",
     r"hs = 4 \sqrt{m}": r"ax = 4 \sqrt{m}",

@@ -26,14 +26,9 @@ _MEMBER = re.compile(r"(?:[A-Z]|\\[a-z]+)_")
 
 
 def relying_on_order(tree: Tree, scalars: set[str]) -> list[str]:
-    """The letters that may be no numbers, if sides of an equation are equal only if these commute.
-
-    Or those of a printed difference that would be zero if they did: `a b - b a`.
-    """
+    """The letters that may be no numbers, if sides of an equation are equal only if these commute."""
     if not isinstance(tree, Chain) or set(tree.signs) != {"="}:
         return []
-    if commuted := [x for _, part in walk(tree) if isinstance(part, Add) for x in _commuted(part) - scalars]:
-        return sorted({*commuted})
     letters = sorted(_letters(tree))
     spelled = {re.sub(r"[\s{}]", "", x): x for x in letters}
     plain = {x for short, x in spelled.items() if rf"{short}^\dagger" in spelled}  # those of which the adjoint occurs
@@ -50,6 +45,12 @@ def relying_on_order(tree: Tree, scalars: set[str]) -> list[str]:
         if _relies(one, other, ordered):
             return [x for x in letters if ordered(x)]
     return []
+
+
+def commuted(tree: Tree, known: set[str]) -> list[str]:
+    """The letters that are no numbers if a printed difference as `a b - b a` is not zero, but for those known."""
+    sums = (part for _, part in walk(tree) if isinstance(part, Add))
+    return next((sorted(found) for found in (_commuted(part) - known for part in sums) if len(found) > 1), [])
 
 
 def _commuted(tree: Add) -> set[str]:

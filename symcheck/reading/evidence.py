@@ -66,6 +66,7 @@ class Evidence:
     column: bool = (
         False  # does it stand in brackets that are transposed before a factor, or behind a small letter that is?
     )
+    turning: bool = False  # is it the rate of a phase: `\\cos(\\omega (t - t_0))`?
     between: bool = False  # does it stand between brackets that are transposed and others?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
@@ -162,6 +163,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         for m in each.finditer(formula)
         for x in m.groups()
     }
+    turning = {canonical(m[1]) for f in formulas if "omega" in f.lower() for m in _PHASE.finditer(f)}
     forms = [f for f in formulas if _TRANSPOSING.search(f)]
     sums = [m[1] for f in forms for each in (_ROW, _COLUMN) for m in each.finditer(f)]
     columns = {canonical(x) for each in sums for x in re.split(" [-+] ", each.replace(" '", ""))}
@@ -189,7 +191,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.square = latex in square
-        own.column, own.between = latex in columns, latex in between
+        own.column, own.between, own.turning = latex in columns, latex in between, latex in turning
         own.angle = latex in angles
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
@@ -221,6 +223,10 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 # a capital letter behind a trigonometric function, its power included
 _ANGLE = re.compile(
     r"\\(?:arc)?(?:sin|cos|tan|cot|sec|csc)(?:\s*\^\s*(?:\d|\{[^{}]*\}))?[\s({]*(?:\\left\s*\()?\s*([A-Z])\b"
+)
+# the rate of a phase before a time from its beginning
+_PHASE = re.compile(
+    r"\\(?:sin|cos|exp) (?:\\left )?\( (?:\\?[a-z]+ )*(\\[oO]mega(?: _ (?:\w|\{[^{}]*\}))?) (?:\\left )?\( t [-+]"
 )
 _TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
 _SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|hat \{ [a-z] \}|bar \{ [a-z] \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
@@ -343,6 +349,12 @@ _UNIT_OR_INDEX = re.compile(
 _UNIT_ENTRY = re.compile(r"(?:& |\\\\ |r i x \} )(?:- )?([ij])(?= (?:&|\\\\|\\end))")
 
 
+_ENTRY_TRANSPOSED = "an entry of what is transposed, or a transposed block? write the indices in the other order"
+# a transposed letter with two indices: `V^T_{ij}`
+_TRANSPOSED_ENTRY = re.compile(
+    r"((?:[A-Z]|\\[a-z]+ \{ [A-Z] \}) _ (?:\{ [i-n] (?:, )?[i-n] \})) \^ (?:T|\{ (?:T|\\top) \}|\\top)"
+    r"|((?:[A-Z]|\\[a-z]+ \{ [A-Z] \})) \^ (?:T|\{ (?:T|\\top) \}|\\top) _ (\{ [i-n] (?:, )?[i-n] \})"
+)
 # two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
 _DOTTED_PAIR = re.compile(
     r"\( (?:\\[,;:!] )*(\\?[A-Za-z]+) _ (?:[a-z]|\{ [a-z] \}) \\cdot \1 _ (?:[a-z]|\{ [a-z] \}) (?:\\right )?\)"
@@ -404,6 +416,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
                 if base in _NO_VARIABLES or base.endswith("}") or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
         yield from ((canonical(base), f"a power, or an index? say what {run} is above it") for base in over)
+    for x, base, below in _TRANSPOSED_ENTRY.findall(text):
+        entry = x or f"{base} _ {below}"
+        yield from ((each, _ENTRY_TRANSPOSED) for each in (canonical(entry), canonical(entry.partition(" _ ")[0])))
     if r"\cdot" in text:
         yield from ((x or y, "numbers, or vectors? say what they are") for x, y in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:

@@ -79,6 +79,7 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         if varied or any(p.after in INTEGRALS for p in of.places):
             return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     summed = of.spelling == r"\Sigma" and any(tex.is_letter(place.after) for place in of.places)
+    summed &= not any(place.after in ("=", "+", ",", ")") for place in of.places)  # it stands there alone
     if (summed or _runs_over_what_follows(of, every)) and not of.said:
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     if _PRODUCT.fullmatch(of.spelling) and not of.said and any(p.after in OVER or p.arguments for p in of.places):
@@ -408,6 +409,9 @@ def _equals_itself(of: Evidence) -> bool:
 def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]:
     """A letter that stands before brackets only, of which some hold sums: a factor, or a function."""
     product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
+    if of.turning:
+        yield product
+        return
     function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
     crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
     factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
@@ -675,6 +679,10 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [euler, replace(letter, remote=any(variable))]
         return [letter, euler]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        if of.below and all(map(_is_compared, of.places)):
+            return [
+                Guess(_letter(of, depends="", name=variable_name(latex)), "a real number", "it is an index elsewhere")
+            ]
         if {"i", "j"} <= every.keys() and not any(p.exponent for key in "ij" for p in every[key].places):
             doubt = "a unit of quaternions, an index, or the imaginary unit? say what it is"
             return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
@@ -690,6 +698,14 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]
     return []
+
+
+_COMPARED = frozenset({"=", r"\ne", r"\neq", "<", ">", r"\le", r"\leq", r"\ge", r"\geq"})
+
+
+def _is_compared(place: Occurrence) -> bool:
+    """Does it bound a sum, or stand beside the sign of a relation as an index does and the imaginary unit does not?"""
+    return place.role in ("bound", "subscript") or place.before in _COMPARED or place.after in _COMPARED
 
 
 def _common_arguments(of: Evidence) -> tuple[str, ...]:

@@ -179,6 +179,8 @@ _HARMONIC = re.compile(
 )
 # two letters below another one
 _PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
+# one of several factors with its exponent: `x_i^{a_i}`
+_ITS_EXPONENT = re.compile(r"\\?[A-Za-z]+ _ (?:\{ )?([i-n])(?: \})? \^ (?:[a-z]|\\[a-z]+) _ (?:\{ )?\1(?: \})?")
 # an exponent of one of several powers, which is named by its base
 _EXPONENT = re.compile(r"\\(?:alpha|beta|gamma) _ (?:[A-Z]|\{ (?:[A-Z]|\\[a-z]+ \{[^{}]*\}|[a-z](?: [a-z])+) \})")
 # a capital in upright letters, by itself or with an index
@@ -210,6 +212,11 @@ class Told:
     def numbers(self) -> Collection[str]:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
+    @cached_property
+    def multiplied(self) -> bool:
+        """Is a product taken over an index?"""
+        return any(r"\prod" in formula for formula in self.formulas)
 
     @cached_property
     def members(self) -> Collection[str]:
@@ -272,6 +279,8 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    if told.multiplied and _ITS_EXPONENT.fullmatch(f"{of.bare} ^ {' '.join(inside)}"):
+        return None
     if len(letters) == 1 and _EXPONENT.fullmatch(" ".join(inside)):
         return None
     if (inside == ["0"] and (of.applied or of.below or of.word in told.applied or of.changed)) or (

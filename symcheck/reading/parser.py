@@ -1188,16 +1188,21 @@ class Builder:
         counts = counted and (
             self.is_sequence(name) or any(letter in COUNTERS or self.is_place(letter) for letter in letters)
         )
+        counts = counts or (self.counts(name, inside) and any(map(self.is_place, letters)))
         upright = name.letter.startswith(r"\text{")
         return (inside,) if counts or upright or isinstance(inside, Name | Number | Call) else ()
 
     def counts(self, name: Name, inside: Tree | None) -> bool:
-        """Is this a sum of letters that count, and of their products: the place of an entry, as in `w^2[n - t h]`?"""
+        """Is this a sum of letters that count, and of their products: the place of an entry, as in `w^2[n - t h]`?
+
+        Or of the product of one that counts: `x[n M + m]`.
+        """
         letter = self.notation.find(name.letter, len(name.subscripts))
         if not isinstance(inside, Add) or (letter is not None and letter.number):
             return False
         plain = all(type(part) in _PLAIN for part in nodes(inside))
-        return plain and any(term.letter in COUNTERS for term in inside.terms if isinstance(term, Name))
+        terms = [part for term in inside.terms for part in (term.factors if isinstance(term, Mul) else (term,))]
+        return plain and any(term.letter in COUNTERS for term in terms if isinstance(term, Name))
 
     def is_sequence(self, name: Name) -> bool:
         """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
