@@ -183,6 +183,9 @@ VERDICTS: dict[str, list[tuple[str, list[str]]]] = {
         (r"[\mathbf{a}]_\times \mathbf{b} = \mathbf{b}\times\mathbf{a}", []),
     ],
     "ambiguous": [
+        (r"a a^\dagger - a^\dagger a = 1", []),
+        (r"x p - p x = i \hbar", []),
+        (r"\sigma_x \sigma_y - \sigma_y \sigma_x = 2 i \sigma_z", []),
         (r"\hat{\mathbf{a}} = \frac{\mathbf{a}}{|\mathbf{a}|}", []),
         ("x^2 + x + 1 = x^2 + O(x)", []),
         (r"y = \lim_{h \to 0} \frac{f(x + h) - f(x)}{h}", ["f(x) = x^2"]),

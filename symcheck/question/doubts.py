@@ -15,7 +15,7 @@ from symcheck.core.terms import Call as Applied
 from symcheck.core.terms import Connective, Formula, Relation, Term
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.conventions import free, mentioned, unsaid
-from symcheck.question.order_of_factors import relying_on_order
+from symcheck.question.order_of_factors import commuted, relying_on_order
 from symcheck.question.prepare import DEFINED, VARIABLES, Definitions, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.commands import OVER
@@ -283,7 +283,9 @@ def doubt_of_proofs(reading: Reading) -> str:
     if not begun and (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
     known = {g.letter.latex for g in inference.guesses if g.why == SAID}
-    if ordered := relying_on_order(reading.tree, said | known | {*reading.source[2]}):
+    known |= said | {*reading.source[2]}
+    keeping = {g.letter.latex for g in inference.guesses if g.letter.kind in ("matrix", "vector")}  # their order
+    if ordered := relying_on_order(reading.tree, known) or commuted(reading.tree, known | keeping):
         return f"it relies on the order of factors: are {', '.join(ordered)} numbers, or matrices? say what they are"
     if told_size(1) in inference.choices:
         return NUMBERS_ALONE

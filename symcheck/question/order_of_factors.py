@@ -10,7 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from symcheck.reading import Tree, to_latex
 from symcheck.reading.tree import Add, Call, Chain, Div, Mul, Name, Neg, Number, Pow, Root, Sqrt, walk
@@ -45,6 +45,22 @@ def relying_on_order(tree: Tree, scalars: set[str]) -> list[str]:
         if _relies(one, other, ordered):
             return [x for x in letters if ordered(x)]
     return []
+
+
+def commuted(tree: Tree, known: set[str]) -> list[str]:
+    """The letters that are no numbers if a printed difference as `a b - b a` is not zero, but for those known."""
+    sums = (part for _, part in walk(tree) if isinstance(part, Add))
+    return next((sorted(found) for found in (_commuted(part) - known for part in sums) if len(found) > 1), [])
+
+
+def _commuted(tree: Add) -> set[str]:
+    """The letters of two products that are printed with other signs and in another order, as those of a commutator."""
+    terms = [(isinstance(term, Neg), term.value if isinstance(term, Neg) else term) for term in tree.terms]
+    products = [(sign, term) for sign, term in terms if isinstance(term, Mul)]
+    for (sign, one), (other_sign, other) in combinations(products, 2):
+        if sign != other_sign and one != other and Counter(one.factors) == Counter(other.factors):
+            return _letters(one)
+    return set()
 
 
 def _letters(tree: Tree) -> set[str]:

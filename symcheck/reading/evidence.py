@@ -63,6 +63,11 @@ class Evidence:
     square: bool = False  # does A - \lambda I, or Q A Q^{-1}, show that it is a matrix?
     angle: bool = False  # is a sine or its like taken of it alone?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
+    column: bool = (
+        False  # does it stand in brackets that are transposed before a factor, or behind a small letter that is?
+    )
+    turning: bool = False  # is it the rate of a phase: `\\cos(\\omega (t - t_0))`?
+    between: bool = False  # does it stand between brackets that are transposed and others?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
 
     @cached_property
@@ -158,6 +163,12 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         for m in each.finditer(formula)
         for x in m.groups()
     }
+    turning = {canonical(m[1]) for f in formulas if "omega" in f.lower() for m in _PHASE.finditer(f)}
+    forms = [f for f in formulas if _TRANSPOSING.search(f)]
+    sums = [m[1] for f in forms for each in (_ROW, _COLUMN) for m in each.finditer(f)]
+    columns = {canonical(x) for each in sums for x in re.split(" [-+] ", each.replace(" '", ""))}
+    columns |= {canonical(m[1]) for f in forms for m in _BEHIND_ROW.finditer(f)}
+    between = {canonical(m[1]) for f in forms for m in _BETWEEN.finditer(f)}
     angles = {m[1] for formula in formulas for m in _ANGLE.finditer(formula)}
     for place in places:
         if place.role == "subscript":
@@ -180,6 +191,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.square = latex in square
+        own.column, own.between, own.turning = latex in columns, latex in between, latex in turning
         own.angle = latex in angles
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
         own.orbital = latex in _ORBITAL and any(map(_ORBITAL[latex].search, formulas))
@@ -193,6 +205,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
     for each in found.values():
         if each.indices and each.spelling in found and _SAID_WHOLE.match(each.said):
             each.said = ""  # the components of what is said to be a vector
+    if "T" not in found and any(map(_GROWN.search, formulas)):
+        found["T"] = Evidence("T", [Occurrence("T")])  # how often something grows; nobody transposes a number
     _complete(found)
     return found
 
@@ -210,6 +224,31 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 _ANGLE = re.compile(
     r"\\(?:arc)?(?:sin|cos|tan|cot|sec|csc)(?:\s*\^\s*(?:\d|\{[^{}]*\}))?[\s({]*(?:\\left\s*\()?\s*([A-Z])\b"
 )
+# the rate of a phase before a time from its beginning
+_PHASE = re.compile(
+    r"\\(?:sin|cos|exp) (?:\\left )?\( (?:\\?[a-z]+ )*(\\[oO]mega(?: _ (?:\w|\{[^{}]*\}))?) (?:\\left )?\( t [-+]"
+)
+_TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
+_SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|hat \{ [a-z] \}|bar \{ [a-z] \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
+# one and a rate, to the power T
+_GROWN = re.compile(
+    r"\( 1 [-+] (?:[a-z]|\\[a-z]+|\\frac \{ \w \} \{ \w+ \})(?: _ (?:\w|\{[^{}]*\}))? (?:\\right )?\) \^ (?:T|\{ T \})"
+)
+_FLIPPED = r"(?:\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|')"
+_MATRIX = r"(?:[A-Z]|\\[A-Z][a-z]+)(?: _ (?:\w|\{[^{}]*\}))?"
+# a sum of small letters, transposed, before a factor
+_ROW = re.compile(rf"\( ({_SMALL}(?: [-+] {_SMALL})+) (?:\\right )?\) {_FLIPPED} (?=[A-Za-z(]|\\(?:left|[A-Z]))")
+# and one behind what is transposed, perhaps with a matrix between them
+_COLUMN = re.compile(
+    rf"\) {_FLIPPED} (?:{_MATRIX} (?:\^ \{{ - 1 \}} )?)?(?:\\left )?\( ({_SMALL}(?: [-+] {_SMALL})+) (?:\\right )?\)"
+)
+# a small letter behind another one that is transposed
+_BEHIND_ROW = re.compile(
+    r"(?<![A-Za-z\\])[a-df-z] (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
+    r"([abcp-z](?: _ (?:\w|\{[^{}]*\}))?)(?! [A-Za-z^(\\])"
+)
+# what stands between brackets that are transposed and others, perhaps inverse
+_BETWEEN = re.compile(rf"\) {_FLIPPED} ({_MATRIX}) (?:\^ \{{ - 1 \}} )?(?:\\left )?\(")
 # two bold letters with a subscript that an equation begins with, which may be one name
 _BOLD_NAME = re.compile(r"\\mathbf \{ ([a-z]) \} \\mathbf \{ [a-z] \} _ (?:\w|\{ [^{}]* \}) =")
 # a differential, or a Laplacian, of a function: `d_A f(X)` and `\Delta_q h`
@@ -310,9 +349,16 @@ _UNIT_OR_INDEX = re.compile(
 _UNIT_ENTRY = re.compile(r"(?:& |\\\\ |r i x \} )(?:- )?([ij])(?= (?:&|\\\\|\\end))")
 
 
+_ENTRY_TRANSPOSED = "an entry of what is transposed, or a transposed block? write the indices in the other order"
+# a transposed letter with two indices: `V^T_{ij}`
+_TRANSPOSED_ENTRY = re.compile(
+    r"((?:[A-Z]|\\[a-z]+ \{ [A-Z] \}) _ (?:\{ [i-n] (?:, )?[i-n] \})) \^ (?:T|\{ (?:T|\\top) \}|\\top)"
+    r"|((?:[A-Z]|\\[a-z]+ \{ [A-Z] \})) \^ (?:T|\{ (?:T|\\top) \}|\\top) _ (\{ [i-n] (?:, )?[i-n] \})"
+)
 # two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
 _DOTTED_PAIR = re.compile(
     r"\( (?:\\[,;:!] )*(\\?[A-Za-z]+) _ (?:[a-z]|\{ [a-z] \}) \\cdot \1 _ (?:[a-z]|\{ [a-z] \}) (?:\\right )?\)"
+    r"|= (?:& )?([A-Z]) _ (?:[a-z]|\{ [a-z] \}) \\cdot \2 _ (?:[a-z]|\{ [a-z] \})(?= ?(?:[.,;]|\\\\|$))"
 )
 
 
@@ -327,7 +373,7 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
         for letter, above in _PRODUCT_DERIVED.findall(text):
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
-    yield from ((canonical(letter), doubt) for letter, doubt in operators(text))
+    yield from ((x if "^" in x else canonical(x), doubt) for x, doubt in operators(text))
     if "^" in text and " = " in text:
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
     if r"1 - \pi" in text and _WEIGHT.search(text):
@@ -370,8 +416,11 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
                 if base in _NO_VARIABLES or base.endswith("}") or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
         yield from ((canonical(base), f"a power, or an index? say what {run} is above it") for base in over)
+    for x, base, below in _TRANSPOSED_ENTRY.findall(text):
+        entry = x or f"{base} _ {below}"
+        yield from ((each, _ENTRY_TRANSPOSED) for each in (canonical(entry), canonical(entry.partition(" _ ")[0])))
     if r"\cdot" in text:
-        yield from ((letter, "numbers, or vectors? say what they are") for letter in _DOTTED_PAIR.findall(text))
+        yield from ((x or y, "numbers, or vectors? say what they are") for x, y in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
         for word in _WORD_TIMES.findall(text):
             yield rf"\text{{{''.join(word[2:-2].split())}}}", "a function, or a factor? say what it is"

@@ -19,7 +19,7 @@ from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import Doubt, SymcheckError, Unsaid
 from symcheck.reading.faces import face
 from symcheck.reading.functions import FIELDS
-from symcheck.reading.names import EXPECTED, INDEX_IN_NAME, INTEGRATED, KINDS_OPEN
+from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, KINDS_OPEN, is_expectation
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation
@@ -400,7 +400,7 @@ def is_sequence(tree: Indexed) -> bool:
     tree
         A letter before square brackets.
     """
-    expected = isinstance(tree.name, Name) and tree.name.letter in EXPECTED
+    expected = isinstance(tree.name, Name) and is_expectation(tree.name.letter)
     listed = len(tree.places) > 1 and not any(
         isinstance(part, _NO_PLACES) or _is_bold(part) for place in tree.places for part in nodes(place)
     )

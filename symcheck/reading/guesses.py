@@ -79,6 +79,7 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         if varied or any(p.after in INTEGRALS for p in of.places):
             return [in_doubt(guess, "a factor, or the sign of a variation? say what it is") for guess in found]
     summed = of.spelling == r"\Sigma" and any(tex.is_letter(place.after) for place in of.places)
+    summed &= not any(place.after in ("=", "+", ",", ")") for place in of.places)  # it stands there alone
     if (summed or _runs_over_what_follows(of, every)) and not of.said:
         return [in_doubt(guess, r"a letter, or the sign of a sum? say what it is, or write \sum") for guess in found]
     if _PRODUCT.fullmatch(of.spelling) and not of.said and any(p.after in OVER or p.arguments for p in of.places):
@@ -146,9 +147,12 @@ def _is_undecided(place: Occurrence) -> bool:
 
 
 def _multiplies(of: Evidence, place: Occurrence) -> bool:
-    """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?"""
+    """Is it a factor for certain: a power with a letter and a number, or before brackets in which it stands itself?
+
+    Or between a row in brackets and a column.
+    """
     power = place.superscript or ()
-    raised = any(map(str.isdigit, power)) and any(map(str.isalpha, power))
+    raised = of.between or (any(map(str.isdigit, power)) and any(map(str.isalpha, power)))
     if raised or not place.arguments:
         return raised
     printed = " ".join(tex.texts(of.spelling))
@@ -229,6 +233,9 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(sign, "the sign of a differential", "it stands before letters and brackets only")
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it", remote=True)
         return
+    if of.between and not bare:
+        yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it stands between a row and a column")
+        return
     if latex in ORDERS and arguments and not bare and latex not in defined:
         told = f"a term of {'a higher' if ORDERS[latex] else 'this'} order"
         yield Guess(_letter(of, kind="function", order=ORDERS[latex]), told, "it stands before brackets only")
@@ -307,6 +314,10 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.transposed and "T" not in every:
         kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
+    elif of.column and not of.bound and not arguments and "T" not in every:
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it stands in a row, or behind one")
+    elif any(latex != x.spelling and _is_outer(of, x) for x in every.values()):
+        yield Guess(_letter(of, kind="vector", depends=""), "a vector", "a row stands behind it that is added")
     elif (
         latex.isupper()
         and not of.indices
@@ -322,6 +333,12 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is multiplied by a vector")
     else:
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
+
+
+def _is_outer(of: Evidence, row: Evidence) -> bool:
+    """Does this small letter stand behind a sign and before one that is transposed there: `A + u v^T`?"""
+    small = of.spelling[0].islower() and row.spelling[0].islower() and row.transposed
+    return small and any(p.before in ("+", "-") and p.after == row.spelling[0] for p in of.places)
 
 
 def _in_kronecker_product(of: Evidence) -> bool:
@@ -392,6 +409,9 @@ def _equals_itself(of: Evidence) -> bool:
 def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]:
     """A letter that stands before brackets only, of which some hold sums: a factor, or a function."""
     product = Guess(_letter(of, depends=""), "a number", "it stands before brackets with a sum")
+    if of.turning:
+        yield product
+        return
     function = Guess(_letter(of, kind="function"), "a function", "it stands before brackets only")
     crossed = all(r"\times" in args[0].split() for args in of.arguments)  # which needs its brackets
     factor = crossed or all(args[0].lstrip()[:1].isdigit() for args in of.arguments)  # as in a(1 - x)
@@ -659,6 +679,10 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [euler, replace(letter, remote=any(variable))]
         return [letter, euler]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
+        if of.below and all(map(_is_compared, of.places)):
+            return [
+                Guess(_letter(of, depends="", name=variable_name(latex)), "a real number", "it is an index elsewhere")
+            ]
         if {"i", "j"} <= every.keys() and not any(p.exponent for key in "ij" for p in every[key].places):
             doubt = "a unit of quaternions, an index, or the imaginary unit? say what it is"
             return [Guess(replace(_letter(of, depends=""), doubt=doubt), "a letter in doubt", "i and j stand here")]
@@ -674,6 +698,14 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]
     return []
+
+
+_COMPARED = frozenset({"=", r"\ne", r"\neq", "<", ">", r"\le", r"\leq", r"\ge", r"\geq"})
+
+
+def _is_compared(place: Occurrence) -> bool:
+    """Does it bound a sum, or stand beside the sign of a relation as an index does and the imaginary unit does not?"""
+    return place.role in ("bound", "subscript") or place.before in _COMPARED or place.after in _COMPARED
 
 
 def _common_arguments(of: Evidence) -> tuple[str, ...]:

@@ -245,7 +245,7 @@ def _crossed(inference: Inference, evidence: Mapping[str, Evidence], formulas: S
     yield replace(inference, choices=(*inference.choices, NUMBERS), remote=inference.remote or accented)
 
 
-_SIZE = re.compile(r"\^\s*\{([^{}]*\\times[^{}]*)\}")  # rows and columns
+_SIZE = re.compile(r"\^\s*\{((?:[^{}]|\{[^{}]*\})*\\times(?:[^{}]|\{[^{}]*\})*)\}")  # rows and columns
 VECTORS, NUMBERS = "a cross between vectors", "a cross between numbers"
 
 

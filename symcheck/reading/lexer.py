@@ -178,6 +178,10 @@ class Lexer(tex.Reader):
         r"""Is this the end of an interval `[a, b)` or `(a, b]`, behind `\in`?"""
         if (opening.type, kind) not in {("LBRA", "RPAR"), ("LPAR", "RBRA")}:
             return False
+        return self.is_member(opening)
+
+    def is_member(self, opening: Lexeme) -> bool:
+        r"""Does this bracket stand behind `\in`?"""
         before = [lexeme for lexeme in self.out[: self.out.index(opening)] if lexeme.type != "GAP"]
         return bool(before) and (before[-1].type, before[-1].value) == ("REL", r"\in")
 
@@ -190,7 +194,11 @@ class Lexer(tex.Reader):
             between = self.out[self.out.index(opening) :] if opening in self.out else []
             bars = any(each.type in ("MID", "LBAR", "LNORM") for each in between)  # of states
             listed = self.notation.inferred or any(each.type == "COMMA" for each in between)
-            if opening is None or opening.type != "LANGLE" or bars or not listed:
+            if bars:
+                self.fail("brackets of states are not read; say in other words what they hold", at)
+            if opening in self.out and self.is_member(opening):
+                self.fail("an average, or all that is made of what these brackets hold? say what it is", at)
+            if opening is None or opening.type != "LANGLE" or not listed:
                 self.fail("an average needs the letter it is taken over", at)
             self.out[self.out.index(opening)] = self.open[-1] = Lexeme("LLIST", opening.value, opening.at)
             self.emit("RLIST", r"\rangle", at)

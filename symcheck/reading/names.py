@@ -51,12 +51,17 @@ PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh"
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
 STANDARD = "in degrees, or in the standard state? say what it is"
 DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
-EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # what stands before square brackets is an expectation
+_EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # letters of expectations
 KINDS_OPEN = "too many of these may be vectors or matrices"
 INTEGRATED = "all that is integrated by"
 INDEX_IN_NAME = "an index of a name is not summed over"
 LABEL_DOUBT = "a power, or a label?"
 POWER_OR_LABEL = LABEL_DOUBT + " say what {} is, or write brackets around the base of the power"
+
+
+def is_expectation(letter: str) -> bool:
+    r"""Whether a letter before square brackets is the sign of an expectation, as `\mathbb{E}_{x \sim p}` is."""
+    return letter in _EXPECTED or letter.startswith(r"\mathbb{E}_")
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,9 +173,18 @@ _INDEXED_POWER = re.compile(r"([a-z]) _ (?:\{ )?[a-z](?: \})? , [a-z]")
 # a number of combinations, or a power
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
-_HARMONIC = re.compile(r"(?:[YPQ]|\\(?:bar|tilde|mathcal) \{ [YPC] \}) _ (?:\{ )?([ln]|\\ell)(?: \})?")
+_HARMONIC = re.compile(
+    r"(?:[YPQ]|[A-Z](?= _ (?:\{ )?(?:l(?![A-Za-z])|\\ell))|\\(?:bar|tilde|mathcal) \{ [YPC] \}) "
+    r"_ (?:\{ )?([ln]|\\ell)(?: \})?"
+)
 # two letters below another one
 _PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
+# one of several factors with its exponent: `x_i^{a_i}`
+_ITS_EXPONENT = re.compile(r"\\?[A-Za-z]+ _ (?:\{ )?([i-n])(?: \})? \^ (?:[a-z]|\\[a-z]+) _ (?:\{ )?\1(?: \})?")
+# an exponent of one of several powers, which is named by its base
+_EXPONENT = re.compile(r"\\(?:alpha|beta|gamma) _ (?:[A-Z]|\{ (?:[A-Z]|\\[a-z]+ \{[^{}]*\}|[a-z](?: [a-z])+) \})")
+# a capital in upright letters, by itself or with an index
+_UPRIGHT = re.compile(r"\\(?:text|mathrm) \{ (?:[A-SU-Z]|T(?= \} _))")
 _ARGUMENT = r"(?:\\?[A-Za-z]+|\\[a-z]+ \{ \w \})"
 # arguments that are letters: `(a, b | x, y)`
 _LISTED = re.compile(rf"(?:\\left )?\( {_ARGUMENT}(?: (?:[,;|]|\\mid) {_ARGUMENT})+ (?:\\right )?\)")
@@ -198,6 +212,11 @@ class Told:
     def numbers(self) -> Collection[str]:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
+    @cached_property
+    def multiplied(self) -> bool:
+        """Is a product taken over an index?"""
+        return any(r"\prod" in formula for formula in self.formulas)
 
     @cached_property
     def members(self) -> Collection[str]:
@@ -239,6 +258,7 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return ""  # Kronecker's
     if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
         return POWER_OR_LABEL.format(inside[0])
+    sign = sign or (of.word.startswith(r"\mathbb") and _UPRIGHT.match(" ".join(inside)) is not None)  # no set
     if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
         return None
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
@@ -259,6 +279,10 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    if told.multiplied and _ITS_EXPONENT.fullmatch(f"{of.bare} ^ {' '.join(inside)}"):
+        return None
+    if len(letters) == 1 and _EXPONENT.fullmatch(" ".join(inside)):
+        return None
     if (inside == ["0"] and (of.applied or of.below or of.word in told.applied or of.changed)) or (
         inside == ["1"] and of.below
     ):

@@ -19,6 +19,11 @@ _EIGEN = re.compile(
 _BRACKETS = re.compile(r"\([^()]*\)")  # whose sums are no addends of what they stand in
 _ARGUMENTS = re.compile(r"\([^()]*,[^()]*\)")  # several, which are no factors
 _ADDED = re.compile(r"(?<=\S) [-+] ")  # another addend
+# what is made of a letter by a convolution with it: `S x(t) = |x \\star \\psi|`
+_CONVOLVED = re.compile(
+    rf"(?:^|& |quad |\\\\ )([A-Z]{_BELOW}{_ABOVE}) ([a-z]) (?:\( [^()]* \) )?(?:& )?= "
+    r"(?:& )?(?:(?!\\\\|\\q?quad|=).)*?(?<![A-Za-z\\])\2 (?:\( [^()]* \) )?(?:\\star|\\ast|\\circledast|\*) "
+)
 # the energy before a wave function
 _ENERGY = re.compile(
     r"(?<![A-Za-z\\])(H)(?: _ (?:\d|\{ \d \}))? (?:\\left )?(?:\| )?\\(?:psi|Psi|phi|Phi|varphi)(?![a-z])"
@@ -45,6 +50,11 @@ _BY_TIME = re.compile(
     rf"|(?:^|& |\\\\ )d _ (?:t|\{{ t \}}) {_SYMBOL}{_BELOW} (?:& )?="
 )
 _AT = r"(?:_ \w|_ \{ \w \}|(?:\\left )?\[ \w (?:\\right )?\])"
+# a change of a letter that is printed without its place: `\\delta_i \\Phi = \\Phi_{i + 1} - \\Phi_{i - 1}`
+_DIFFERENCES = re.compile(
+    rf"(?:^|& |quad |\\\\ )(\\[dD]elta{_BELOW}|D{_BELOW}) ({_SYMBOL}|\\[A-Z][a-z]+) (?:& )?= (?:& )?"
+    r"(?:\\frac \{ )?\2 _ \{ (\w) (?:[-+] [^{}]*)?\} - \2 _ (?:\3 |\{ \3 )"
+)
 # differences at places or times, of which an operator before a letter may be made: `D u_j = u_{j + 1} - u_j`
 _DIFFERENCE = re.compile(
     rf"(?:^|& |quad |\\\\ )((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}}){_BELOW}) ({_SYMBOL}) {_AT} (?:& )?= "
@@ -87,6 +97,8 @@ def operators(text: str) -> Iterator[tuple[str, str]]:
                 yield letter, _OPERATOR
         yield from ((letter, _OPERATOR) for letter, _ in _OF_DERIVATIVES.findall(text))
         yield from ((letter, _OPERATOR) for letter, _ in _MAPPED.findall(text))
+        yield from ((letter, _OPERATOR) for letter, _ in _CONVOLVED.findall(text))
+        yield from ((letter, _OPERATOR) for letter, _, _ in _DIFFERENCES.findall(text))
         for letter, of, rest in _DIFFERENCE.findall(text):
             places = rf"(?<![A-Za-z\\]){re.escape(of)} (?:\\left )?(?=[_[])"
             if len(re.findall(places, rest)) > 1 and re.search(places + _SHIFTED, rest) and letter not in rest:

@@ -17,7 +17,7 @@ from symcheck.reading.faces import face
 from symcheck.reading.functions import FIELDS, INVERSES
 from symcheck.reading.grammar import ParseNode, parse
 from symcheck.reading.lexer import COMMA_AT_END, WIDE_COMMA, Lexer
-from symcheck.reading.names import DIMENSIONLESS, EXPECTED, NO_FACTORS, PRODUCTS
+from symcheck.reading.names import DIMENSIONLESS, NO_FACTORS, PRODUCTS, is_expectation
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.tree import (
@@ -87,6 +87,7 @@ from symcheck.reading.tree import nodes as walked  # where a rule of the grammar
 
 OF_MATRICES = ("det", "tr", "vec", "log", "exp")  # functions of which one letter without brackets is the argument
 _INDICES = re.compile(r"(?<![A-Za-z\\])[a-z](?![A-Za-z])")  # below the sign of a sum
+ANGULAR = frozenset({"sin", "cos", "tan", "tg", "cot", "ctg", "sec", "csc"})
 LOGARITHMS = frozenset({"log", "ln", "lg", "lb"})
 REACHING = ("integral", "antiderivative", "over", "sum", "under")  # to the end of a product
 TRACES = frozenset({"tr", "Tr", "sp", "Sp"})
@@ -636,7 +637,8 @@ class Builder:
                 raise self.fail(_place(part), "both signs, or the error of a measured value? write it out")
         for term, part in zip(terms[:-1], parts, strict=False):
             last = term.factors[-1] if isinstance(term, Mul) else term
-            if isinstance(last, Limiting) and last.operator not in ("sum", "prod"):  # which end before a sign
+            limits = isinstance(last, Limiting) and last.operator not in ("sum", "prod")  # which end before a sign
+            if isinstance(last, Limiting) and limits and self.is_open(part):
                 raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         forms = [isinstance(term.factors[-1] if isinstance(term, Mul) else term, Over) for term in terms]
         if any(forms) and any(
@@ -645,6 +647,17 @@ class Builder:
             raise self.fail(_place(parts[forms.index(True)]), "where does this integral end? write brackets")
         signed = tuple(_signed(sign, term) for sign, term in zip(signs, terms, strict=True))
         return signed[0] if len(signed) == 1 else Add(signed)
+
+    def is_open(self, part: ParseNode) -> bool:
+        """Does a maximum, or its like, reach to the end of this term, where no brackets are all that is below it?"""
+        if part.data != "term" or len(part.children) > 1:
+            return True
+        items = self.items(part.children[0])
+        under = [k for k, item in enumerate(items) if item.kind == "under"]
+        if not under:
+            return False  # it stands in brackets itself
+        behind = items[under[-1] + 1 :]
+        return len(behind) != 1 or not self.in_brackets(behind[0]) or bool(behind[0].postfix)
 
     def on_term(self, nodes: list[ParseNode]) -> Tree:
         left = self.items(nodes[0])
@@ -1166,7 +1179,7 @@ class Builder:
         if isinstance(inside, Interval | Tuple):
             known = any(isinstance(node, Call) and isinstance(node.function, str) for node in nodes(inside))
             return () if known else children(inside)  # a row of sines and cosines is no place
-        if name.letter in EXPECTED and not (name.letter == "E" and _BARE_E.search(self.source)):
+        if is_expectation(name.letter) and not (name.letter == "E" and _BARE_E.search(self.source)):
             return (inside,)
         counted = isinstance(inside, Add) and all(
             isinstance(part.value if isinstance(part, Neg) else part, Name | Number) for part in inside.terms
@@ -1175,16 +1188,21 @@ class Builder:
         counts = counted and (
             self.is_sequence(name) or any(letter in COUNTERS or self.is_place(letter) for letter in letters)
         )
+        counts = counts or (self.counts(name, inside) and any(map(self.is_place, letters)))
         upright = name.letter.startswith(r"\text{")
         return (inside,) if counts or upright or isinstance(inside, Name | Number | Call) else ()
 
     def counts(self, name: Name, inside: Tree | None) -> bool:
-        """Is this a sum of letters that count, and of their products: the place of an entry, as in `w^2[n - t h]`?"""
+        """Is this a sum of letters that count, and of their products: the place of an entry, as in `w^2[n - t h]`?
+
+        Or of the product of one that counts: `x[n M + m]`.
+        """
         letter = self.notation.find(name.letter, len(name.subscripts))
         if not isinstance(inside, Add) or (letter is not None and letter.number):
             return False
         plain = all(type(part) in _PLAIN for part in nodes(inside))
-        return plain and any(term.letter in COUNTERS for term in inside.terms if isinstance(term, Name))
+        terms = [part for term in inside.terms for part in (term.factors if isinstance(term, Mul) else (term,))]
+        return plain and any(term.letter in COUNTERS for term in terms if isinstance(term, Name))
 
     def is_sequence(self, name: Name) -> bool:
         """Does this letter stand before one letter or number in square brackets anywhere: `x[t]`?"""
@@ -1244,6 +1262,10 @@ class Builder:
             summed = head.name in LOGARITHMS and k < len(items) and items[k].kind in REACHING
             if summed or (k < len(items) and self.simple(items[k])):
                 raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
+            if k < len(items) and items[k].kind == "group" and not any(map(self.varies, nodes(argument))):
+                if head.name not in ANGULAR or items[k].postfix or not _has_no_letters(argument):
+                    raise self.fail(items[k].at, f"does this factor belong to the argument of {head.name}?")
+                argument, k = Mul((argument, self.atom(items[k]))), k + 1  # nobody prints the cosine of 1/2
             return self.powered(head, (argument,)), k
         if k < len(items) and isinstance(items[k].node, Bars | Norm | MatrixOf) and not items[k].postfix:
             if k + 1 < len(items) and (self.simple(items[k + 1]) or self.in_brackets(items[k + 1])):
@@ -1301,6 +1323,11 @@ class Builder:
                 factors += (self.atom(items[k]),)
                 k += 1
         return self.powered(head, (factors[0] if len(factors) == 1 else Mul(factors),)), k
+
+    def varies(self, tree: Tree) -> bool:
+        """Is this a letter for anything but pi?"""
+        letter = self.notation.find(tree.letter, len(tree.subscripts)) if isinstance(tree, Name) else None
+        return isinstance(tree, Name) and not (letter is not None and letter.number == "pi")
 
     def ends_clearly_at(self, items: list[Item]) -> bool:
         r"""Does an accented letter follow an angle: `\cos\theta \hat{n}`?"""
@@ -1730,6 +1757,10 @@ class Builder:
 
 _RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
 _HEADS = {name[len("from_") :].upper(): rule for name, rule in vars(Builder).items() if name.startswith("from_")}
+
+
+def _has_no_letters(tree: Tree) -> bool:
+    return not any(isinstance(part, Name) for part in nodes(tree))
 
 
 def _is_letter(tree: Tree | None) -> bool:

@@ -17,6 +17,7 @@ _QUADS = r"(?:(?:\\q?quad|\\[,;: ]|,|~)\s*)*"
 _STOP = re.compile(r"\\text \{ (?:[.,;:~] )+\}")  # punctuation in text
 _BRACED = r"\{(?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*\}"  # an argument, with others in it
 _LETTER = r"(?:\\(?:" + "|".join(sorted(each[1:] for each in STYLES | ACCENTS)) + rf") {_BRACED}|[A-Z])"
+_FUNCTION_LETTER = rf"(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: _ (?:\w|{_BRACED}))?"
 _CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: [_^] (?:\w|{_BRACED})| ')*)"
 # spaces between formulas
 _WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
@@ -39,6 +40,23 @@ _SPELLINGS: Sequence[
     # narrow spaces in subscripts
     (r"_ { ", re.compile(r"_ \{ [^{}]*\\[,!] [^{}]*\}"), lambda found: re.sub(r"\\[,!] ", "", found[0])),
     ('"', re.compile('"'), "' '"),
+    # a derivative before the place at which it is taken, which is where its letter is a function
+    (
+        "} (",
+        re.compile(
+            rf"(\\d?frac \{{ ({_D}|\\partial)(?: \^ (?:\d|\{{ \d \}}))? {_FUNCTION_LETTER}) \}} "
+            rf"(\{{ (?:\2 \w (?:\^ (?:\d|\{{ \d \}}) )?)+\}}) (\( \w(?: , \w)* \))"
+        ),
+        lambda found: _with_place(found),
+    ),
+    # indices of which each has a place of its own
+    (
+        "{ } ",
+        re.compile(r"\^ (\w|\{ [^{}]* \}) \{ \} _ (\w|\{ [^{}]* \})(?! \{ \})"),
+        r"_ \2 ^ \1",
+    ),
+    # the number of a formula, and the stop before it, in an environment
+    (r"\tag ", re.compile(r"(?:(?<!\\right )[.,;] )?\\tag \{[^{}]*\} (?=\\end)"), ""),
     # signs and numbers in upright type
     (r"\mathrm { ", re.compile(r"(?<![_^] )\\mathrm \{ ([-+=/] [-+=/ ]*|[\d. ]+)\}"), r"\1"),
     # spaces between a function that is defined and its arguments
@@ -59,7 +77,11 @@ _SPELLINGS: Sequence[
     # a narrow space before a script, and between a letter and its arguments
     (r"\! ", re.compile(r"(?:\\! )+(?=[_^(]|\\left \(|\\[bB]igg?l? \()"), ""),
     # the letter of a sum or an integral above its sign, or below the sign of an integral over it
-    ("} ^ { ", re.compile(r"(\\(?:sum|prod) _ \{ (\w) = [^{}]* \} \^ \{ )\2 = (?=[^{}]* \})"), r"\1"),
+    (
+        "} ^ { ",
+        re.compile(rf"(\\(?:sum|prod) _ \{{ (\w) = (?:[^{{}}]|{_BRACED})*\}} \^ \{{ )\2 = (?={_BRACED[2:]})"),
+        r"\1",
+    ),
     (
         r"\int _ { ",
         re.compile(rf"(\\int _ \{{ )(\w) = (?={_BRACED[2:]}.* {_D} (?:\\[,;] )?\2(?!\w))"),
@@ -267,6 +289,13 @@ _PARTED = rf"{_ENTRIES} (?:(?:\\  )+{_ENTRIES} )+"
 _SPACED = re.compile(
     rf"(\\begin \{{ [bBpvV ]*m a t r i x \}}|(?:\\left )?\[) ({_PARTED})(?=\\end|(?:\\right )?\])"
 )  # parted by spaces
+
+
+def _with_place(found: re.Match[str]) -> str:
+    """A derivative whose letter stands before its place, if the derivative is by letters of that place alone."""
+    top, sign, bottom, place = found.groups()
+    by = re.sub(r"\^ (?:\d|\{ \d \})", "", bottom).replace(sign, "").strip("{} ").split()
+    return rf"{top} {place} }} {bottom}" if {*by} <= {*place.split()} else found[0]
 
 
 def _with_cells(found: re.Match[str]) -> str:

@@ -177,10 +177,17 @@ def _add(tree: Add) -> str:
         if isinstance(term, PlusMinus):
             text += (" " if k else "") + _plus_minus(term)
         elif isinstance(term, Neg):
-            text += (" - " if k else "-") + _print(term.value, TERM)
+            text += (" - " if k else "-") + _ended(term.value, last=k + 1 == len(tree.terms))
         else:
-            text += (" + " if k else "") + _print(term, TERM)
+            text += (" + " if k else "") + _ended(term, last=k + 1 == len(tree.terms))
     return text
+
+
+def _ended(term: Tree, *, last: bool) -> str:
+    """A term; one that ends with a maximum, or its like, stands in brackets before a sign."""
+    end = term.factors[-1] if isinstance(term, Mul) else term
+    limits = isinstance(end, Limiting) and end.operator not in ("sum", "prod")
+    return _print(term, ATOM if limits and not last else TERM)
 
 
 def _plus_minus(tree: PlusMinus) -> str:

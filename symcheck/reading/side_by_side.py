@@ -6,6 +6,7 @@ stands elsewhere without the others; otherwise it may be either, and what is usu
 
 from __future__ import annotations
 
+import itertools
 import re
 import string
 from collections import Counter
@@ -114,6 +115,9 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         )
         if alone and left and len(run) == 2 and run.islower():
             found |= dict.fromkeys(alone, _told(run))
+        if run[0] in alone and _is_defined(run, alone, texts):
+            found |= dict.fromkeys(alone, _told(run))
+            continue
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction
         if unit or (
             alone
@@ -129,6 +133,22 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         ):
             found |= dict.fromkeys(alone or run, _told(run))
     return found
+
+
+def _is_defined(run: str, alone: Collection[str], texts: Sequence[str]) -> bool:
+    """Are two small letters one side, and the other one more than a letter or a number: `hs = 4 \\sqrt{m}`?
+
+    Numbers below the second one, as in `hk_1`, may be part of the name.
+    """
+    if not re.fullmatch(r"[^dgkm\W\d_A-Z][^d\W\d_A-Zt-z]", run):
+        return False
+    printed = " ".join(run) if len(alone) == 2 else f"{' '.join(run)},"
+    pairs = [each for text in texts if len(each := re.split(r" (?:& )?= (?:& )?", text.strip(" .,;&"))) == 2]
+    return any(
+        side.strip() == printed and re.search(r"\\d?frac|\\sqrt|[-+]|\\exp|\^", other)
+        for pair in pairs
+        for side, other in itertools.permutations(pair)
+    )
 
 
 def _is_numbered(run: str, texts: Sequence[str]) -> bool:
@@ -154,9 +174,9 @@ def bold_name(source: str) -> str:
     for run in runs:
         alone = {x for x in run if len(run) > 1 and not _stands_elsewhere(x, run, runs)}
         product = _MATRICES_APPLIED.fullmatch(run)
-        if run == "Id" or (
-            alone and not product and _may_be_name(run, alone, signed=False, matrices=True, named=False)
-        ):
+        column_first = alone and _FACTOR_FIRST.fullmatch(run)  # which no matrix is multiplied by
+        named = alone and not product and _may_be_name(run, alone, signed=False, matrices=True, named=False)
+        if run == "Id" or column_first or named:
             return run
     return ""
 

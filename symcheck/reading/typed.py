@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import tex
@@ -86,7 +86,7 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
     """The word, or the two indices, typed behind the sign of a subscript without braces: `F_net`, `g_ij`.
 
     Print puts only the first letter below. Nothing if scripts or brackets show that the others are factors, as in
-    `x_iy_i`, or if one other letter may well be one, as in `m_Av`.
+    `x_iy_i`, or if one other letter may well be one, as in `m_Av`: a capital, or a small one that stands elsewhere.
     """
     base = toks[k - 1].text if k else ""
     if not (base.isalpha() or base == "}") or k + 1 == len(toks) or not toks[k + 1].text.isalpha():
@@ -99,8 +99,29 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
     twins = word.isupper() and any(_is_twice(toks, m, base) for m in range(len(toks) - 2))
     twins = twins or (len(word) == 2 and word.islower() and len({*word}) == 1)  # `I_xx`, or `p_x x`
     twins = twins or (k == 1 and len(word) == 2 and word.isupper() and behind == "=")  # all that a side holds
-    meant = len(word) > 2 or (len({*word}) == 2 and {*word} <= _INDICES) or twins
+    meant = len(word) > 2 or (len({*word}) == 2 and ({*word} <= _INDICES or _is_never_apart(toks, word))) or twins
     return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
+
+
+def _is_never_apart(toks: Sequence[tex.Tok], word: str) -> bool:
+    """Does the second of two small letters stand nowhere but behind the first one in a subscript?
+
+    Where a factor stands behind such a subscript anywhere, as in `x_iy_i`, this one may be a factor too.
+    """
+    second = [k for k, tok in enumerate(toks) if tok.text == word[1]]
+    ended = any(a.text == d.text == "_" and b.text.isalpha() and c.text.isalpha() for a, b, c, d in _fours(toks))
+    return (
+        word.islower()
+        and not ended
+        and all(
+            k > 1 and toks[k - 2].text == "_" and toks[k - 1].text == word[0] and toks[k].at == toks[k - 1].at + 1
+            for k in second
+        )
+    )
+
+
+def _fours(toks: Sequence[tex.Tok]) -> Iterator[tuple[tex.Tok, ...]]:
+    return zip(toks, toks[1:], toks[2:], toks[3:], strict=False)
 
 
 def _is_twice(toks: Sequence[tex.Tok], k: int, base: str) -> bool:
