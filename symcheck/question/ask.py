@@ -25,7 +25,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import indices, jets, known_integrals, named, power_series, series, special
+from symcheck.question import indices, jets, known_integrals, named, orders, power_series, series, special
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
@@ -102,6 +102,7 @@ SWAPPED = "which argument of atan2 is the height? it does not fail where the fir
 SQUARE = (
     "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
 )
+ORDER_OF_SLOPES = "a whole number (the order of a derivative)"
 UP_TO = "a whole number (a sum or product runs up to it)"
 SYMMETRIC = 1.0  # seconds for proofs of what is refuted, for symmetric matrices; most are found in a tenth
 MOST_SYMMETRIC = 4  # matrices of which each alone is taken to be symmetric, if not all can be
@@ -254,6 +255,8 @@ def _answered(
             return replace(of_named, seconds=time.perf_counter() - started)
         if (of_powers := _of_power_series(asked, kummer)) is not None:
             return replace(of_powers, seconds=time.perf_counter() - started)
+        if (of_orders := orders.ordered(asked)) is not None:
+            return replace(_of_order(of_orders), seconds=time.perf_counter() - started)
         if (whole := with_whole_numbers(asked)) is not None:
             return replace(_of_whole_numbers(asked, whole), seconds=time.perf_counter() - started)
         with limited(TOTAL):
@@ -403,6 +406,50 @@ def _of_hypergeometric(found: power_series.Series) -> Answer | None:
                 return replace(answer, letters=base.letters, counterexample=point)
         return replace(base, reason=UNSETTLED)
     return None
+
+
+def _of_order(found: orders.Ordered) -> Answer:
+    """The answer about a derivative whose order is a letter: at the first numbers, and then by induction."""
+    base = Answer(Status.UNDECIDED, found.asked.relation, reason=UNSETTLED)
+    proved = dict[int, tuple[Certificate, tuple[str, ...]]]()
+    for number in range(found.first, found.first + orders.TRIED + 1):
+        if (case := orders.at_number(found, number)) is None:
+            continue
+        reading, problem = case
+        taken = _shown(reading.tree, reading.inference)[1]
+        base = replace(base, letters=taken | {found.letter: ORDER_OF_SLOPES})
+        verdict, made, names = decided_one(problem)
+        stated = tuple(reading.stated[name] for name in names if name in reading.stated)
+        if made is not None and verdict is Verdict.PROVED:
+            proved[number] = made, stated
+        elif made is not None and verdict is Verdict.REFUTED and number:
+            if reason := _doubt_of_points(reading):
+                return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+            if said := _says_otherwise(problem, reading, None):
+                return replace(base, reason=said)
+            point = {found.letter: str(number)} | {x: term(v) for x, v in made["point"]["values"].items()}
+            return replace(
+                base, verdict=Status.REFUTED, counterexample=point, used=stated, certificate=(made,), reason=""
+            )
+    start = next((number for number in (found.first, 1) if number in proved), None)
+    if start is None:
+        return replace(base, reason=f"it is not decided at {found.letter} = {found.first}")
+    certificates, used = [proved[start][0]], [*proved[start][1]]
+    for reading, problem in orders.steps(replace(found, first=start)):
+        verdict, made, names = decided_one(problem)
+        if made is None or verdict is not Verdict.PROVED:
+            return replace(base, reason=f"it holds for the first {found.letter}; no induction for the others was found")
+        if reason := doubt_of_proofs(reading) or held(reading, ()):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        certificates.append(made)
+        used += (reading.stated[name] for name in names if name in reading.stated)
+    if len(certificates) == 1:
+        return base
+    if found.first < start and found.said:
+        reason = f"it is not shown at {found.letter} = {found.first}; is {found.letter} >= {start} meant? say so"
+        return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+    used = [text for text in dict.fromkeys(used) if text in found.asked.given]
+    return replace(base, verdict=Status.PROVED, used=tuple(used), certificate=tuple(certificates), reason="")
 
 
 def _refuted_with_floors(found: Whole) -> Answer | None:
