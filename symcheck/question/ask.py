@@ -13,7 +13,7 @@ from itertools import islice, permutations, product
 from math import factorial
 
 from symcheck.checker import check
-from symcheck.core.calculus import functions, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import JSON, Node, T, Term, mapped, node
@@ -37,6 +37,7 @@ from symcheck.question.doubts import (
     doubt_of_proofs,
     held,
     spelled_function,
+    with_arguments_above,
     with_longer_arguments,
     with_swapped_angles,
 )
@@ -84,6 +85,7 @@ from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
+from symcheck.question.whole_powers import with_whole_powers
 from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
@@ -99,6 +101,7 @@ DEFINITION = "it says what something is that occurs nowhere else: a definition, 
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
 LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
 SWAPPED = "which argument of atan2 is the height? it does not fail where the first one is the width"
+TURNED = "are arguments of complex numbers from -pi to pi, or from 0 to 2 pi? it depends on that"
 SQUARE = (
     "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
 )
@@ -676,9 +679,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
-        if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
-            made = None
-            found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
+        if verdict is not Verdict.REFUTED and (raised := _whole_power(reading, problem)) is not None:
+            if (of_powers := _proved_of_whole_powers(reading, problem)) is not None:
+                verdict, (made, found) = Verdict.PROVED, of_powers
+            elif made is not None:
+                made = None
+                found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
         if made is not None and verdict is Verdict.REFUTED and (symbols := _usual_symbols(reading)):
             made = None
             found = (f"{symbols} is usually the unit tensor or the tensor of permutations; say what it is",)
@@ -691,7 +697,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             reasons.append(DEFINITION)
             continue
         false = verdict is Verdict.REFUTED
-        if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
+        of_proof = not false and (doubt_of_proofs(reading) or held(reading, found) or _doubt_of_arguments(reading))
+        if reason := _doubt_of_points(reading) if false else of_proof:
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         meant = meant or cache(partial(explained, reading, at))
@@ -913,7 +920,10 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
 def _proved_in_cases(base: Answer, reading: Reading, cases: Iterable[Problem], made: Sequence[Certificate]) -> Answer:
     for problem in cases:
         if (raised := _whole_power(reading, problem)) is not None:
-            return replace(base, reason=f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0")
+            if (again := _proved_of_whole_powers(reading, problem)) is None:
+                reason = f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0"
+                return replace(base, reason=reason)
+            made = (*made, again[0])
     if reason := doubt_of_proofs(reading) or held(reading, ()):
         return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
     used = tuple(text for text in reading.stated.values())
@@ -938,8 +948,19 @@ def _doubt_of_points(reading: Reading, orders: Collection[str] = ()) -> str:
     """Why what fails somewhere may be meant in another way, in which it does not; the empty text if nothing is seen."""
     if reason := doubt(reading, orders):
         return reason
-    others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles))
+    others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles), (TURNED, with_arguments_above))
     return next((why for why, meant in others if _perhaps_otherwise(reading, meant(reading.tree))), "")
+
+
+def _doubt_of_arguments(reading: Reading) -> str:
+    """Whether what is proved fails where arguments of complex numbers are from 0 to 2 pi; or ""."""
+    tree = with_arguments_above(reading.tree)
+    if tree == reading.tree:
+        return ""
+    with suppress(SymcheckError):
+        if all(decided_one(problem)[0] is Verdict.PROVED for problem in worded(reading, tree)):
+            return ""
+    return TURNED
 
 
 def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:
@@ -1015,6 +1036,16 @@ def _is_root(part: Node) -> bool:
     """Is it a root or a logarithm, and no absolute value?"""
     inner = part.outside[0] if part.tag in ROOTS else 0
     return part.tag in ROOTS and not (isinstance(inner, Node) and inner.tag == "^")
+
+
+def _proved_of_whole_powers(reading: Reading, problem: Problem) -> tuple[Certificate, tuple[str, ...]] | None:
+    """The certificate with letters for powers that are whole, of any numbers, and what it rests on."""
+    names = {*_whole_letters(reading)}
+    with suppress(Unknown):
+        plain = with_whole_powers(problem, names)
+        verdict, made, used = decided_one(with_half_turns(plain, names) or plain)
+        return (made, used) if made is not None and verdict is Verdict.PROVED else None
+    return None
 
 
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:

@@ -8,20 +8,21 @@ depend on the letter of the derivative. All of them are asked for; what is left 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import factorial
 
 from symcheck.checker.algebra import Algebra
-from symcheck.core.calculus import Unknown, differentiated, domain, functions, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, domain, functions, letters, substituted
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Formula, Node, T, Term, mapped, node
+from symcheck.core.terms import Binder, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.proof.algebra.polynomial import number_of
 from symcheck.question.prepare import DEFINED, Asked, Reading, readings, sides
 from symcheck.question.series import FAULTS
 from symcheck.question.whole import with_half_turns
+from symcheck.question.whole_powers import inlined, with_claim, with_whole_powers
 from symcheck.reading import from_sympy, tex, to_sympy
 
 HEAD = re.compile(r"\\[dt]?frac\{(?P<d>d|\\partial)\^\{?(?P<order>[^{}]+)\}?")
@@ -233,94 +234,6 @@ def _is_sum(text: str) -> bool:
     return False
 
 
-# --- powers of what is not positive
-
-
-def with_whole_powers(problem: Problem, whole: set[str]) -> Problem:
-    """The problem with derivatives worked out, definitions put in, and letters for b^n with whole n and any b.
-
-    What holds of all numbers in the places of these letters holds of the powers.
-    """
-    problem = _inlined(problem)
-    powers = _Powers(whole, letters(problem.claim))
-    claim = powers.without(_worked(problem.claim))
-    valued = _valued(powers.put(problem.claim))
-    return _claimed(problem, claim, (each for each in valued if letters(each).isdisjoint(powers.names.values())))
-
-
-def _inlined(problem: Problem) -> Problem:
-    """The problem with definitions put in."""
-    by = dict(problem.definitions)
-    for _ in by:
-        by = {x: substituted(term, by) for x, term in by.items()}
-    given = tuple((name, tuple(substituted(f, by) for f in fs)) for name, fs in problem.hypotheses)
-    return replace(problem, claim=substituted(problem.claim, by), definitions=(), hypotheses=given)
-
-
-def _claimed(problem: Problem, claim: Formula, valued: Iterable[Formula]) -> Problem:
-    """The problem with another claim, and what has to hold that this has a value."""
-    given = (*(each for each in problem.hypotheses if each[0] != DEFINED), (DEFINED, tuple(valued)))
-    kept = ((name, tuple(f for f in fs if letters(f))) for name, fs in given)
-    return replace(problem, claim=claim, hypotheses=tuple((name, fs) for name, fs in kept if fs))
-
-
-def _valued(claim: Formula) -> list[Formula]:
-    return domain(claim, divisors=True)
-
-
-def _worked(tree: T) -> T:
-    """The same with its derivatives worked out."""
-    if not isinstance(tree, Node):
-        return tree
-    new = mapped(tree, _worked)
-    return differentiated(new) if isinstance(new, Binder) and new.tag == "diff" else new  # type: ignore[return-value]
-
-
-class _Powers:
-    """Letters for powers with whole exponents that are letters: b^(n + 1) is b times the letter for b^n."""
-
-    def __init__(self, whole: set[str], taken: set[str]) -> None:
-        self.whole, self.taken = whole, taken
-        self.lowest, self.names = dict[tuple[Term, Term], int](), dict[tuple[Term, Term], str]()
-
-    def without(self, tree: T) -> T:
-        """A tree with letters for the least powers that stand in it."""
-        for part in nodes(tree):  # type: ignore[arg-type]
-            if part.tag == "pow" and (found := self._parts(part)) is not None:
-                base, moving, shift = found
-                self.lowest[base, moving] = min(shift, self.lowest.get((base, moving), shift))
-        return self.put(tree)
-
-    def put(self, tree: T) -> T:
-        """The same with letters for powers in any tree."""
-        if not isinstance(tree, Node):
-            return tree
-        if tree.tag == "pow" and (found := self._parts(tree)) is not None:
-            base, moving, shift = found
-            more = shift - self.lowest.get((base, moving), shift)
-            name = self._name(base, moving)
-            return node("*", name, node("^", self.put(base), more)) if more > 0 else name  # type: ignore[return-value]
-        return mapped(tree, self.put)  # type: ignore[return-value]
-
-    def _name(self, base: Term, moving: Term) -> str:
-        spelled = (f"power_{k}" for k in range(1, len(self.taken) + len(self.names) + 2))
-        free = (x for x in spelled if x not in self.taken and x not in self.names.values())
-        return self.names.setdefault((base, moving), next(free))
-
-    def _parts(self, power: Node) -> tuple[Term, Term, int] | None:
-        """Base, and exponent in a part with letters and a number."""
-        import sympy
-
-        base, exponent = power.outside
-        if not letters(exponent) or not letters(exponent) <= self.whole:
-            return None
-        with suppress(*FAULTS):
-            shift, moving = sympy.expand(to_sympy(exponent)).as_coeff_Add()
-            if shift.is_Integer and sympy.Poly(moving, *moving.free_symbols).is_linear:
-                return base, from_sympy(moving), int(shift)
-        return None
-
-
 # --- the cases
 
 
@@ -341,13 +254,13 @@ def at_number(found: Ordered, number: int) -> tuple[Reading, Problem] | None:
                 return 1 if power == 0 else raised if power > 0 else node("/", 1, raised)  # type: ignore[return-value]
             return _with_factorial(new)  # type: ignore[return-value]
 
-        claim = put(_inlined(problem).claim)
+        claim = put(inlined(problem).claim)
         given = tuple((name, tuple(map(put, fs))) for name, fs in problem.hypotheses if name != DEFINED)
         if functions(claim):
             return None
-        there, valued = replace(problem, claim=claim, definitions=(), hypotheses=given), _valued(claim)
+        there, valued = replace(problem, claim=claim, definitions=(), hypotheses=given), domain(claim, divisors=True)
         if all(letters(f) or Algebra({}, {}).holds(f) for f in (*valued, *(f for _, fs in given for f in fs))):
-            return reading, _claimed(there, claim, (f for f in valued if letters(f)))
+            return reading, with_claim(there, claim, (f for f in valued if letters(f)))
     return None
 
 
