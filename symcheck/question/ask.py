@@ -25,7 +25,7 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import indices, jets, known_integrals, named, orders, power_series, series, special
+from symcheck.question import by_parts, indices, jets, known_integrals, named, orders, power_series, series, special
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
@@ -697,8 +697,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             reasons.append(DEFINITION)
             continue
         false = verdict is Verdict.REFUTED
-        of_proof = not false and (doubt_of_proofs(reading) or held(reading, found) or _doubt_of_arguments(reading))
-        if reason := _doubt_of_points(reading) if false else of_proof:
+        if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        if not false and (reason := _doubt_of_arguments(reading)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         meant = meant or cache(partial(explained, reading, at))
@@ -733,10 +734,29 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
+    if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
+        return shown
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer about integrals of unknown functions, by primitives; or refuted with simple functions."""
+    shown = _with_values([by_parts.with_primitives(each) for each in reading.problems], reading, asked, wanted, claimed)
+    if shown is not None and shown.verdict is Status.PROVED:
+        return shown
+    for problem in reading.problems if all(map(by_parts.is_law, reading.problems)) else ():
+        for chosen, there in by_parts.with_samples(problem):
+            verdict, made, _ = decided_one(there)
+            if made is not None and verdict is Verdict.REFUTED:
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                point = {f"{f}(x)": value.replace("**", "^") for f, value in chosen.items()}
+                point |= {x: term(value) for x, value in made["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
+    return None
 
 
 def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
