@@ -177,42 +177,31 @@ def is_law(problem: Problem) -> bool:
     free = [end for part in integrals for end in part.outside if isinstance(end, str)]
     left, right = problem.claim.terms
     same = functions(left) == functions(right) != set()
-    return (
-        same
-        and len({*free}) > 1
-        and not problem.hypotheses
-        and all(_is_scaled(problem.claim, f) for f in functions(left))
-    )
+    degrees = {_degree(left), _degree(right)}
+    return same and len({*free}) > 1 and not problem.hypotheses and len(degrees) == 1 and not degrees & {0, None}
 
 
-def _is_scaled(claim: Node, function: str) -> bool:
-    """Whether both sides are multiplied by the same number where a function is: of degree 1 or 2."""
-    degrees = {_degree(side, function) for side in claim.outside}
-    return len(degrees) == 1 and degrees != {None}
-
-
-def _degree(tree: Term, function: str) -> int | None:
-    """The power of a number by which a function is multiplied that a term is multiplied by; None if there is none."""
+def _degree(tree: Term) -> int | None:
+    """How a term grows with all functions: by which power of a number that they are multiplied by; None if by none."""
     match tree:
         case Call():
-            inner = [_degree(each, function) for each in tree.terms]
-            return None if any(inner) else int(tree.function == function)
+            return None if any(map(functions, tree.terms)) else 1
         case Binder():
-            return _degree(tree.body, function)
+            return _degree(tree.body)
         case Node(tag="*", outside=parts):
-            degrees = [_degree(part, function) for part in parts]
+            degrees = [*map(_degree, parts)]
             return None if None in degrees else sum(n for n in degrees if n is not None)
         case Node(tag="+", outside=parts):
-            several = {_degree(part, function) for part in parts if part != 0}
+            several = {_degree(part) for part in parts if part != 0}
             return several.pop() if len(several) == 1 else None
         case Node(tag="-", outside=(inner,)):
-            return _degree(inner, function)
-        case Node(tag="/", outside=(top, bottom)) if _degree(bottom, function) == 0:
-            return _degree(top, function)
+            return _degree(inner)
+        case Node(tag="/", outside=(top, bottom)) if _degree(bottom) == 0:
+            return _degree(top)
         case Node(tag="^", outside=(base, int(n))):
-            degree = _degree(base, function)
+            degree = _degree(base)
             return None if degree is None else n * degree
-    return 0 if not isinstance(tree, Node) or function not in functions(tree) else None
+    return None if functions(tree) else 0
 
 
 def with_samples(problem: Problem) -> Iterator[tuple[Mapping[str, str], Problem]]:

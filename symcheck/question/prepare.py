@@ -31,6 +31,7 @@ from symcheck.reading.lowering import JUMPS
 from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences, words
 from symcheck.reading.parser import dependence
+from symcheck.reading.placed import with_places
 from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
@@ -109,7 +110,7 @@ def plainly(asked: Asked) -> Asked:
     texts = (asked.relation, *asked.where, *asked.given)
 
     def made(text: str) -> str:
-        return tex.compact(with_natural_logarithms(with_plain_differentials(plain(text, texts))))
+        return with_places(tex.compact(with_natural_logarithms(with_plain_differentials(plain(text, texts)))))
 
     given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
     said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
