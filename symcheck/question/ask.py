@@ -13,7 +13,7 @@ from itertools import islice, permutations, product
 from math import factorial
 
 from symcheck.checker import check
-from symcheck.core.calculus import functions, letters, nodes, substituted
+from symcheck.core.calculus import Unknown, functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import JSON, Node, T, Term, mapped, node
@@ -25,7 +25,18 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import growth, indices, jets, known_integrals, named, power_series, series, special
+from symcheck.question import (
+    by_parts,
+    growth,
+    indices,
+    jets,
+    known_integrals,
+    named,
+    orders,
+    power_series,
+    series,
+    special,
+)
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
@@ -37,6 +48,7 @@ from symcheck.question.doubts import (
     doubt_of_proofs,
     held,
     spelled_function,
+    with_arguments_above,
     with_longer_arguments,
     with_swapped_angles,
 )
@@ -84,6 +96,7 @@ from symcheck.question.roots import rooted
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
+from symcheck.question.whole_powers import with_whole_powers
 from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
@@ -99,9 +112,11 @@ DEFINITION = "it says what something is that occurs nowhere else: a definition, 
 LONGER = "do letters behind the brackets of a function belong to its argument? write brackets around all of it"
 LAYOUT = "it may hold if derivatives by a matrix are laid out transposed; write its transpose"
 SWAPPED = "which argument of atan2 is the height? it does not fail where the first one is the width"
+TURNED = "are arguments of complex numbers from -pi to pi, or from 0 to 2 pi? it depends on that"
 SQUARE = (
     "it holds for square matrices; are they? say how many rows and columns they have: A \\in \\mathbb{R}^{m \\times n}"
 )
+ORDER_OF_SLOPES = "a whole number (the order of a derivative)"
 UP_TO = "a whole number (a sum or product runs up to it)"
 SYMMETRIC = 1.0  # seconds for proofs of what is refuted, for symmetric matrices; most are found in a tenth
 MOST_SYMMETRIC = 4  # matrices of which each alone is taken to be symmetric, if not all can be
@@ -254,6 +269,8 @@ def _answered(
             return replace(of_named, seconds=time.perf_counter() - started)
         if (of_powers := _of_power_series(asked, kummer)) is not None:
             return replace(of_powers, seconds=time.perf_counter() - started)
+        if (of_orders := orders.ordered(asked)) is not None:
+            return replace(_of_order(of_orders), seconds=time.perf_counter() - started)
         if (whole := with_whole_numbers(asked)) is not None:
             return replace(_of_whole_numbers(asked, whole), seconds=time.perf_counter() - started)
         with limited(TOTAL):
@@ -403,6 +420,50 @@ def _of_hypergeometric(found: power_series.Series) -> Answer | None:
                 return replace(answer, letters=base.letters, counterexample=point)
         return replace(base, reason=UNSETTLED)
     return None
+
+
+def _of_order(found: orders.Ordered) -> Answer:
+    """The answer about a derivative whose order is a letter: at the first numbers, and then by induction."""
+    base = Answer(Status.UNDECIDED, found.asked.relation, reason=UNSETTLED)
+    proved = dict[int, tuple[Certificate, tuple[str, ...]]]()
+    for number in range(found.first, found.first + orders.TRIED + 1):
+        if (case := orders.at_number(found, number)) is None:
+            continue
+        reading, problem = case
+        taken = _shown(reading.tree, reading.inference)[1]
+        base = replace(base, letters=taken | {found.letter: ORDER_OF_SLOPES})
+        verdict, made, names = decided_one(problem)
+        stated = tuple(reading.stated[name] for name in names if name in reading.stated)
+        if made is not None and verdict is Verdict.PROVED:
+            proved[number] = made, stated
+        elif made is not None and verdict is Verdict.REFUTED and number:
+            if reason := _doubt_of_points(reading):
+                return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+            if said := _says_otherwise(problem, reading, None):
+                return replace(base, reason=said)
+            point = {found.letter: str(number)} | {x: term(v) for x, v in made["point"]["values"].items()}
+            return replace(
+                base, verdict=Status.REFUTED, counterexample=point, used=stated, certificate=(made,), reason=""
+            )
+    start = next((number for number in (found.first, 1) if number in proved), None)
+    if start is None:
+        return replace(base, reason=f"it is not decided at {found.letter} = {found.first}")
+    certificates, used = [proved[start][0]], [*proved[start][1]]
+    for reading, problem in orders.steps(replace(found, first=start)):
+        verdict, made, names = decided_one(problem)
+        if made is None or verdict is not Verdict.PROVED:
+            return replace(base, reason=f"it holds for the first {found.letter}; no induction for the others was found")
+        if reason := doubt_of_proofs(reading) or held(reading, ()):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        certificates.append(made)
+        used += (reading.stated[name] for name in names if name in reading.stated)
+    if len(certificates) == 1:
+        return base
+    if found.first < start and found.said:
+        reason = f"it is not shown at {found.letter} = {found.first}; is {found.letter} >= {start} meant? say so"
+        return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+    used = [text for text in dict.fromkeys(used) if text in found.asked.given]
+    return replace(base, verdict=Status.PROVED, used=tuple(used), certificate=tuple(certificates), reason="")
 
 
 def _refuted_with_floors(found: Whole) -> Answer | None:
@@ -629,9 +690,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         if made is not None and verdict is Verdict.REFUTED and reading.regular:
             made, found = _refuted_where_regular(reading, problem)
-        if made is not None and verdict is Verdict.PROVED and (raised := _whole_power(reading, problem)) is not None:
-            made = None
-            found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
+        if verdict is not Verdict.REFUTED and (raised := _whole_power(reading, problem)) is not None:
+            if (of_powers := _proved_of_whole_powers(reading, problem)) is not None:
+                verdict, (made, found) = Verdict.PROVED, of_powers
+            elif made is not None:
+                made = None
+                found = (f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0 if it is not",)
         if made is not None and verdict is Verdict.REFUTED and (symbols := _usual_symbols(reading)):
             made = None
             found = (f"{symbols} is usually the unit tensor or the tensor of permutations; say what it is",)
@@ -645,6 +709,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             continue
         false = verdict is Verdict.REFUTED
         if reason := _doubt_of_points(reading) if false else doubt_of_proofs(reading) or held(reading, found):
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        if not false and (reason := _doubt_of_arguments(reading)):
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         at = made["point"]["values"] if verdict is Verdict.REFUTED else {}
         meant = meant or cache(partial(explained, reading, at))
@@ -679,10 +745,29 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
+    if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
+        return shown
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer about integrals of unknown functions, by primitives; or refuted with simple functions."""
+    shown = _with_values([by_parts.with_primitives(each) for each in reading.problems], reading, asked, wanted, claimed)
+    if shown is not None and shown.verdict is Status.PROVED:
+        return shown
+    for problem in reading.problems if all(map(by_parts.is_law, reading.problems)) else ():
+        for chosen, there in by_parts.with_samples(problem):
+            verdict, made, _ = decided_one(there)
+            if made is not None and verdict is Verdict.REFUTED:
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                point = {f"{f}(x)": value.replace("**", "^") for f, value in chosen.items()}
+                point |= {x: term(value) for x, value in made["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
+    return None
 
 
 def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
@@ -866,7 +951,10 @@ def _by_induction(base: Answer, reading: Reading, cases: Induction) -> Answer:
 def _proved_in_cases(base: Answer, reading: Reading, cases: Iterable[Problem], made: Sequence[Certificate]) -> Answer:
     for problem in cases:
         if (raised := _whole_power(reading, problem)) is not None:
-            return replace(base, reason=f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0")
+            if (again := _proved_of_whole_powers(reading, problem)) is None:
+                reason = f"{term(raised)} may be negative under a whole power; give {term(raised)} > 0"
+                return replace(base, reason=reason)
+            made = (*made, again[0])
     if reason := doubt_of_proofs(reading) or held(reading, ()):
         return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
     used = tuple(text for text in reading.stated.values())
@@ -891,8 +979,19 @@ def _doubt_of_points(reading: Reading, orders: Collection[str] = ()) -> str:
     """Why what fails somewhere may be meant in another way, in which it does not; the empty text if nothing is seen."""
     if reason := doubt(reading, orders):
         return reason
-    others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles))
+    others = ((LONGER, with_longer_arguments), (SWAPPED, with_swapped_angles), (TURNED, with_arguments_above))
     return next((why for why, meant in others if _perhaps_otherwise(reading, meant(reading.tree))), "")
+
+
+def _doubt_of_arguments(reading: Reading) -> str:
+    """Whether what is proved fails where arguments of complex numbers are from 0 to 2 pi; or ""."""
+    tree = with_arguments_above(reading.tree)
+    if tree == reading.tree:
+        return ""
+    with suppress(SymcheckError):
+        if all(decided_one(problem)[0] is Verdict.PROVED for problem in worded(reading, tree)):
+            return ""
+    return TURNED
 
 
 def _perhaps_otherwise(reading: Reading, tree: Tree) -> bool:
@@ -968,6 +1067,16 @@ def _is_root(part: Node) -> bool:
     """Is it a root or a logarithm, and no absolute value?"""
     inner = part.outside[0] if part.tag in ROOTS else 0
     return part.tag in ROOTS and not (isinstance(inner, Node) and inner.tag == "^")
+
+
+def _proved_of_whole_powers(reading: Reading, problem: Problem) -> tuple[Certificate, tuple[str, ...]] | None:
+    """The certificate with letters for powers that are whole, of any numbers, and what it rests on."""
+    names = {*_whole_letters(reading)}
+    with suppress(Unknown):
+        plain = with_whole_powers(problem, names)
+        verdict, made, used = decided_one(with_half_turns(plain, names) or plain)
+        return (made, used) if made is not None and verdict is Verdict.PROVED else None
+    return None
 
 
 def _whole_power(reading: Reading, problem: Problem) -> Term | None:

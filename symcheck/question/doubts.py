@@ -22,6 +22,7 @@ from symcheck.reading.commands import OVER
 from symcheck.reading.inference import told_size
 from symcheck.reading.landau import terms_of_order
 from symcheck.reading.lexer import SIZES, SPACES
+from symcheck.reading.lowering import ABOVE
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.tree import (
     Add,
@@ -72,6 +73,7 @@ _BASIS = re.compile(
     r"(?:\\(?:hat|widehat)\{)?\\(?:mathbf|boldsymbol|bm|pmb|vec)\{(?:\\?[ijk](?:math)?|e(?=\}+_))\}+(?:_\{?\w\}?)?"
 )
 _TYPED = re.compile(r"\\text\{([A-Za-z])\d+\}")  # a letter with digits behind it on the line: "v1"
+_BARRED = re.compile(r"\\(?:bar|overline)\{")  # a letter with a line above it
 _SKEW = re.compile(r"\[\\(?:tilde|widetilde)|\\lfloor")  # a matrix that is often made of a vector
 # an expectation or transform before a bracket: "\mathbb{E}[x]", "E(x)"
 _APPLIED = re.compile(
@@ -182,6 +184,8 @@ def doubt(reading: Reading, orders: Collection[str] = ()) -> str:
             return f"{part.letter}: a label, a power or a derivative? say what it is"
     if (sign := _OPERATOR.search(asked.relation)) and sign[1] not in said:
         return f"{sign[1]} before brackets: a letter, or a change of what is in them? say what it is"
+    if is_overlined(reading.tree):
+        return r"is the line above a sum or product its conjugate, or a mean? write \bar above a letter too"
     if reason := doubt_of_proofs(reading) or _matrix_of_vector(reading, said) or _angle_between(reading):
         return reason
     units = [g.letter for g in reading.inference.guesses if _UNIT_VECTOR.match(g.letter.latex) and g.letter.depends]
@@ -374,6 +378,18 @@ def with_swapped_angles(tree: Tree) -> Tree:
     if isinstance(tree, Call) and tree.function in ("atan2", "arctan2"):
         return replace(tree, arguments=tuple(map(with_swapped_angles, reversed(tree.arguments))))
     return with_children(tree, tuple(map(with_swapped_angles, children(tree))))
+
+
+def with_arguments_above(tree: Tree) -> Tree:
+    """The same with arguments of complex numbers in [0, 2 pi), as some have them."""
+    new = with_children(tree, tuple(map(with_arguments_above, children(tree))))
+    return replace(new, function=ABOVE) if isinstance(new, Call) and new.function in ("arg", "Arg") else new
+
+
+def is_overlined(tree: Tree) -> bool:
+    """Is there a line over more than a letter, and over no letter alone: a mean, or a conjugate?"""
+    over = any(isinstance(part, Call) and part.function == "overlined" for _, part in walk(tree))
+    return over and not any(isinstance(part, Name) and _BARRED.match(part.letter) for _, part in walk(tree))
 
 
 def with_longer_arguments(tree: Tree) -> Tree:

@@ -22,6 +22,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.question.logarithms import with_natural_logarithms
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
+from symcheck.reading.complex_letters import with_products_under_lines
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.evidence import canonical, spelling, spellings
 from symcheck.reading.inference import SIZES, Inference, inferred
@@ -30,10 +31,12 @@ from symcheck.reading.lowering import JUMPS
 from symcheck.reading.names import is_letter, names_of_several_tokens
 from symcheck.reading.occurrences import occurrences, words
 from symcheck.reading.parser import dependence
+from symcheck.reading.placed import with_places
 from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
+_COMPLEX = re.compile(r"\s*\\mathbb\s*\{?C\}?\s*$")
 # the sign of a relation
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -107,11 +110,14 @@ def plainly(asked: Asked) -> Asked:
     texts = (asked.relation, *asked.where, *asked.given)
 
     def made(text: str) -> str:
-        return tex.compact(with_natural_logarithms(with_plain_differentials(plain(text, texts))))
+        return with_places(tex.compact(with_natural_logarithms(with_plain_differentials(plain(text, texts)))))
 
     given = tuple(text if _MEMBER.match(text) else made(text) for text in asked.given)
     said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
-    return Asked(made(asked.relation), tuple(map(made, asked.where)), given, said)
+    known = {letter for letter, phrase in said if "complex" in phrase}
+    known |= {match[1].strip() for text in given if (match := _MEMBER.match(text)) and _COMPLEX.match(match[2])}
+    relation, *where = with_products_under_lines((made(asked.relation), *map(made, asked.where)), known)
+    return Asked(relation, tuple(where), given, said)
 
 
 def with_scopes(asked: Asked) -> Asked:

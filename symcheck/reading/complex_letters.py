@@ -20,6 +20,8 @@ _CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\as
 _PARTS = re.compile(
     r"\\(?:Re|Im|arg|Arg)(?![A-Za-z])|\\(?:operatorname|mathrm|text)\s*\{\s*(?:R\s*e|I\s*m|a\s*r\s*g)\s*\}"
 )
+_LINE = re.compile(r"\\overline\{((?:[^{}]|\{\w+\})*)\}")
+_LETTER = re.compile(r"(?:[A-Za-z]|\\[A-Za-z]+)(?:_(?:\{\w+\}|\w))?")
 _LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")  # bars of an absolute value
 # the part of one letter
 _ALONE = re.compile(r"\s*[({]?\s*(\\?[A-Za-z]+(?:\s*_\s*(?:\w+|\{[\w\s]+\}))?)\s*[)}]?\s*(?=$|[-+=<>,.]|\\[lg])")
@@ -87,6 +89,17 @@ def complexes(
                 found = True
     possible = [*dict.fromkeys(x for x in conjugates.values() if x in free and x not in certain)]
     return Complexes(certain, possible, conjugates)
+
+
+def with_products_under_lines(formulas: Sequence[str], said: Collection[str]) -> list[str]:
+    """Formulas with signs between letters below one line that are said to be complex: it is above their product."""
+
+    def parted(found: re.Match[str]) -> str:
+        inside = _LETTER.findall(found[1])
+        is_product = len(inside) > 1 and "".join(inside) == found[1] and all(x in said for x in inside)
+        return r"\overline{" + r" \cdot ".join(inside) + "}" if is_product else found[0]
+
+    return [_LINE.sub(parted, formula) for formula in formulas]
 
 
 def _without_real(formula: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import TypeAlias
 
-from symcheck.core.terms import Node, Term, node
+from symcheck.core.terms import PI, Node, Term, node
 from symcheck.core.verdicts import NoForm
 from symcheck.reading.functions import REAL, SPELLED
 
@@ -106,6 +106,63 @@ def raised(base: Complex, exponent: Number) -> Number:
     return power if exponent > 0 else divided(1, power)
 
 
+def raised_to_whole(base: Complex, exponent: Term) -> Number:
+    """A power whose exponent is a whole letter, by de Moivre; NoForm where no size and angle are seen."""
+    found = _size_and_angle(base)
+    if found is None:
+        raise NoForm("a power of a complex number is read where its size and its angle are printed; write exp")
+    size, angle = found
+    turned = node("*", exponent, angle)
+    power = _size_raised(size, exponent)
+    return Complex(_times(power, node("cos", turned)), _times(power, node("sin", turned)))
+
+
+def _size_raised(size: Term, exponent: Term) -> Term:
+    match size:
+        case 1:
+            return 1
+        case Node(tag="sqrt", outside=(inner,)):
+            return node("pow", inner, node("/", exponent, 2))
+        case Node(tag="*", outside=factors):
+            return node("*", *(_size_raised(each, exponent) for each in factors))
+    return node("pow", size, exponent)
+
+
+def _size_and_angle(z: Complex) -> tuple[Term, Term] | None:
+    """r and a of r (cos a + i sin a)."""
+    (sign, real), (other, imaginary) = _factors(z.real), _factors(z.imaginary)
+    if not real and not imaginary:
+        real, imaginary = [1], [1]
+    if z.real == 0:
+        return _times(*imaginary), node("/", node("*", other, PI), 2)
+    if sorted(map(repr, real)) == sorted(map(repr, imaginary)) and sign > 0:
+        return _times(node("sqrt", 2), *real), node("/", node("*", other, PI), 4)
+    for factor in real:
+        if isinstance(factor, Node) and factor.tag == "cos":
+            angle, rest = factor.outside[0], [each for each in real if each is not factor]
+            turned = node("sin", angle)
+            if turned in imaginary and sign > 0:
+                others = [each for each in imaginary if each != turned]
+                if sorted(map(repr, rest)) == sorted(map(repr, others)) and turned not in others:
+                    return _times(*rest), angle if other > 0 else node("-", angle)
+    return None
+
+
+def _factors(term: Term) -> tuple[int, list[Term]]:
+    """A sign, and what is multiplied; 1 is left out."""
+    match term:
+        case Node(tag="-", outside=(inner,)):
+            sign, factors = _factors(inner)
+            return -sign, factors
+        case Node(tag="*", outside=parts):
+            pairs = [*map(_factors, parts)]
+            sign = -1 if sum(each < 0 for each, _ in pairs) % 2 else 1
+            return sign, [factor for _, factors in pairs for factor in factors]
+        case int(n):
+            return (-1 if n < 0 else 1), [] if abs(n) == 1 else [abs(n)]
+    return 1, [term]
+
+
 def conjugate(value: Number) -> Number:
     """The conjugate number."""
     return Complex(value.real, _minus(value.imaginary)) if isinstance(value, Complex) else value
@@ -152,6 +209,7 @@ def _turned(function: Callable[[Complex], Number]) -> Callable[[Complex], Number
 
 _FUNCTIONS: dict[str, Callable[[Complex], Number]] = {
     "exp": _exponential, "sin": _sine, "cos": _cosine, "tan": lambda z: divided(_sine(z), _cosine(z)),
+    "overlined": conjugate,
     "cot": lambda z: divided(_cosine(z), _sine(z)), "sec": lambda z: divided(1, _cosine(z)),
     "csc": lambda z: divided(1, _sine(z)), "sinh": _turned(_sine), "cosh": _turned(_cosine),
     "tanh": lambda z: divided(_turned(_sine)(z), _turned(_cosine)(z)),

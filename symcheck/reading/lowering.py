@@ -33,6 +33,7 @@ from symcheck.reading.complexes import (
     negative,
     parts,
     raised,
+    raised_to_whole,
 )
 from symcheck.reading.complexes import applied as applied_complex
 from symcheck.reading.components import (
@@ -887,7 +888,8 @@ class Lowering:
         if base == 0 and exponent == 0:
             raise SymcheckError(f"{to_latex(tree)} has no value on which all agree; write 1 if that is meant")
         if isinstance(base, Complex):
-            return raised(base, exponent)
+            whole = self.is_whole(tree.exponent) and not isinstance(exponent, int | list | Complex)
+            return raised_to_whole(base, exponent) if whole else raised(base, exponent)
         if isinstance(exponent, Complex):
             return function_of("exp", multiplied(exponent, node("log", base)))
         return node("^", base, exponent) if isinstance(exponent, int) else node("pow", base, exponent)
@@ -1604,7 +1606,28 @@ def _angle_of(y: Tree, x: Tree) -> Jumps:
     yield Neg(right), ((x, "="), (y, "<"))
 
 
-JUMPS: dict[str, Callable[..., Jumps]] = {"sgn": _sign, "sign": _sign, "atan2": _angle_of, "arctan2": _angle_of}
+def _argument(z: Tree) -> Jumps:
+    """The angle of a complex number in (-pi, pi]."""
+    return _angle_of(Call("Im", (z,)), Call("Re", (z,)))
+
+
+def _argument_above(z: Tree) -> Jumps:
+    """That in [0, 2 pi), as some have it."""
+    below = Call("Im", (z,)), "<"
+    whole = tree_of.Degrees(tree_of.Number("360"))
+    for angle, where in _argument(z):
+        if len(where) == 1:
+            yield angle, (*where, (below[0], ">="))
+            yield Add((angle, whole)), (*where, below)
+        else:
+            yield (Add((angle, whole)) if below in where else angle), where
+
+
+ABOVE = "argument in [0, 2 pi)"
+JUMPS: dict[str, Callable[..., Jumps]] = {
+    "sgn": _sign, "sign": _sign, "atan2": _angle_of, "arctan2": _angle_of, "arg": _argument, "Arg": _argument,
+    ABOVE: _argument_above,
+}  # fmt: skip
 
 
 def _put(tree: Tree, old: Tree, new: Tree) -> Tree:
