@@ -16,7 +16,7 @@ from symcheck.checker import check
 from symcheck.core.calculus import Unknown, functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Outcome, Problem
-from symcheck.core.terms import JSON, Node, T, Term, mapped, node
+from symcheck.core.terms import JSON, End, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity, proof_of
@@ -81,6 +81,7 @@ from symcheck.question.prepare import (
     Understood,
     apart,
     from_zero,
+    in_order,
     plainly,
     readings,
     sizes,
@@ -93,6 +94,7 @@ from symcheck.question.prepare import (
 from symcheck.question.recurrences import FIRST, Induction, induction, with_sequences, with_sums
 from symcheck.question.repairs import explained, repairs
 from symcheck.question.roots import rooted
+from symcheck.question.running import needed, signs
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
@@ -725,6 +727,9 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         if verdict is Verdict.REFUTED and (letter := _perhaps_for_all(problem)):
             reason = f"is what is given meant for all {letter}, or for one? write the equations of its coefficients"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+        if verdict is Verdict.REFUTED and (letter := _perhaps_at_an_end(problem)):
+            reason = f"is {letter} outside of the integral meant at one of its ends? write it with its place"
+            return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
         certificates.append(made)
         used += (reading.stated[name] for name in found if name in reading.stated)
         valued = made["hypotheses"].get(DEFINED, []) if DEFINED in found else []
@@ -1022,6 +1027,23 @@ def _perhaps_for_all(problem: Problem) -> str:
             verdict = decided_one(stricter)[0]
             if verdict is Verdict.PROVED or (verdict is Verdict.UNDECIDED and letter in VARIABLES):
                 return letter
+    return ""
+
+
+def _perhaps_at_an_end(problem: Problem) -> str:
+    """A letter that changes under an integral and stands outside too, where it may be meant at an end; else ""."""
+    defined, outside = dict(problem.definitions), letters(problem.claim)
+    for part in signs(problem.claim):
+        by, ends = part.letter, [end for end in part.outside if not isinstance(end, End)]
+        named = sorted(x for x in outside & defined.keys() if by in needed(x, defined))
+        for end in ends if part.tag == "integral" and named and by not in outside else ():
+            there = {x: substituted(t, {by: end}) for x, t in problem.definitions}
+            said = tuple((name, tuple(substituted(f, {by: end}) for f in fs)) for name, fs in problem.hypotheses)
+            with suppress(SymcheckError):
+                ordered = tuple((x, there[x]) for x in in_order(there))
+                if decided_one(replace(problem, definitions=ordered, hypotheses=said))[0] is Verdict.REFUTED:
+                    continue
+            return named[0]
     return ""
 
 

@@ -21,6 +21,8 @@ from symcheck.core.words import term
 from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.question.logarithms import with_natural_logarithms
+from symcheck.question.places import INDICES, is_at_one_place, is_one_place, runs
+from symcheck.question.running import refuse_tied, written_under
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.complex_letters import with_products_under_lines
 from symcheck.reading.differentials import differential, slope, total
@@ -292,7 +294,7 @@ def definitions(
             others.append(equation)
             continue
         name, arguments = head
-        if name in found or name in spellings(parts[1]) or not _is_for_all(arguments, parts[1]):
+        if name in found or name in spellings(parts[1]) or not _is_for_all(name, arguments, parts[1], formulas):
             others.append(equation)
         else:
             found[name] = (parts[0], arguments or _varied(name, parts[1], formulas), parts[1])
@@ -310,9 +312,6 @@ def _varied(name: str, right: str, formulas: Sequence[str]) -> tuple[str, ...]:
         return ()
     free = [x for x in inside if x in PRIMED] or [*inside]
     return tuple(free) if len(free) == 1 else ()
-
-
-_EACH = frozenset("ijk")  # indices for any of several letters; n and 0 tell one of a sequence
 
 
 def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
@@ -333,12 +332,18 @@ def _head(left: str) -> tuple[str, tuple[str, ...]] | None:
     return spelling(first), tuple(own)
 
 
-def _is_for_all(arguments: Sequence[str], right: str) -> bool:
-    """Does an equation say what a function is everywhere: not at a letter with a label, nor another for each index?"""
-    for each in arguments:
+def _is_for_all(name: str, arguments: Sequence[str], right: str, formulas: Sequence[str]) -> bool:
+    """Does an equation say what a function is everywhere: not at one place, nor another for each index?"""
+    calls = [place for text in formulas for place in occurrences(text) if place.word == name and place.arguments]
+    for k, each in enumerate(arguments):
+        if is_one_place(each, spellings(right)):
+            return False
+        elsewhere = [place.arguments[k : k + 1] for place in calls if place.arguments]
+        if not runs(each) and any(x != each and is_letter(x) and runs(x) for own in elsewhere for x in own):
+            return False
         below = {x for place in occurrences(each)[:1] for x in words(place.subscript)}
         others = [p for p in occurrences(right) if p.role != "subscript" and spelling(p) != each]
-        if below and (not below <= _EACH or each not in spellings(right)):
+        if below and (not below <= INDICES or each not in spellings(right)):
             return False
         if any(below.intersection((place.word, *words(place.subscript))) for place in others):
             return False
@@ -425,6 +430,7 @@ def _reading(
     stated: dict[str, str] = {}
     hypotheses: list[tuple[str, tuple[Formula, ...]]] = []
     terms: dict[str, Term] = {}
+    solved = set[str]()
     heads = {name: f"{left} = {right}" for name, (left, _, right) in defined.items()}
     families = families_of(asked, (*heads.values(), *equations), notation, meant)
     equations = [text for text in equations if text not in families]
@@ -449,6 +455,7 @@ def _reading(
             formula = _without_factor(formula)
             if (letter := _solved(formula, terms)) is not None:
                 terms[letter] = formula[2]
+                solved.add(letter)
             else:
                 hypotheses.append((_named(stated, text), (formula,)))
                 rate = _rate(formula) if _has_rates(claims) else None
@@ -476,6 +483,11 @@ def _reading(
         if len(restricting) < len(claims):
             claims = tuple(claim for claim in claims if claim not in restricting)
             hypotheses += [(_named(stated, term(claim)), (claim,)) for claim in restricting]
+    claims = tuple(written_under(claim, terms) for claim in claims)
+    hypotheses = [(name, tuple(written_under(f, terms) for f in fs)) for name, fs in hypotheses]
+    terms = {name: written_under(term, terms) for name, term in terms.items()}
+    said = [f for _, fs in hypotheses for f in fs]
+    refuse_tied([*claims, *said], len(claims), tree, terms, solved, notation)
     hypotheses, held, regular = _differentiated(claims, hypotheses, terms, notation)
     claims = tuple(map(rooted, claims))
     hypotheses = [(name, tuple(map(rooted, formulas))) for name, formulas in hypotheses]
@@ -483,7 +495,7 @@ def _reading(
     turned = parted_angles([*claims, *(f for _, fs in hypotheses for f in fs), *terms.values()], terms)
     terms |= turned
     hypotheses = _used(claims, hypotheses, terms)
-    order = _sorted(terms)
+    order = in_order(terms)
     limiting = any(isinstance(part, Limiting) for _, part in walk(tree))
     if limiting or any(letter.order is not None for letter in notation.letters):
         _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
@@ -553,7 +565,7 @@ def _differentiated(
         varying |= more
     equations = list[Formula]()
     held = {"": _held(said, varying)}
-    for x in _sorted(terms):
+    for x in in_order(terms):
         if x not in varying:
             continue
         rate = total(terms[x], varying)
@@ -608,7 +620,7 @@ def _rate(equation: Formula) -> Formula | None:
     if equation.tag != "=" or len(places) != 1 or any(any(call.orders) for call in calls):
         return None
     ((place, *more),) = places
-    if more or not isinstance(place, str):
+    if more or not isinstance(place, str) or is_at_one_place(equation, place):
         return None
     with suppress(Unknown):
         return node("=", derivative(node("+", equation[1], node("-", equation[2])), place), 0)
@@ -864,7 +876,7 @@ def _named(stated: dict[str, str], text: str) -> str:
     return name
 
 
-def _sorted(terms: Mapping[str, Term]) -> list[str]:
+def in_order(terms: Mapping[str, Term]) -> list[str]:
     """Names in an order in which each definition uses those before it."""
     found: list[str] = []
     todo = dict(terms)

@@ -19,6 +19,7 @@ from symcheck.proof import identity
 from symcheck.proof.algebra.polynomial import Unsupported, unfold
 from symcheck.question.jets import calls_in, expanded
 from symcheck.question.limit import OutOfTime, limited
+from symcheck.question.places import is_at_one_place
 from symcheck.reading import from_sympy, to_sympy
 
 Hypotheses = tuple[tuple[str, tuple[Formula, ...]], ...]
@@ -95,6 +96,8 @@ def _solved(formulas: Sequence[Formula], known: Mapping[str, Lambda]) -> Iterato
         x = place[0]
         alone = not any(f.tag == "=" and x in letters(f) and not functions(f) for f in formulas)
         if len(place) != 1 or not isinstance(x, str) or function in known or not alone:
+            continue
+        if is_at_one_place(equation, x):
             continue
         with suppress(SymcheckError, Unknown, Unsupported, Malformed, OutOfTime, *FAULTS), limited(SECONDS):
             if (body := _determined(equation, function, x, tuple(formulas))) is not None:

@@ -984,7 +984,8 @@ class Lowering:
         return modulus(value) if isinstance(value, Complex) else length(value)
 
     def of_evaluated(self, tree: Evaluated, env: Env) -> Value:
-        value, by = self.value(tree.body, env), self.variable(tree.variable, env)
+        by = self.variable(tree.variable, env)
+        value = each_part(lambda t: self.written_for(by, t, tree, env), self.value(tree.body, env))
         if not self.inside:
             self.met.pop(by, None)
         ends = [self.scalar(end, env) for end in (tree.high, tree.low) if end is not None]
@@ -1456,8 +1457,21 @@ class Lowering:
             meant = self.entries(letter, env).get(named) if several else self.scalar(self.defined[letter.latex][1], env)
             if meant is None:
                 raise SymcheckError(f"{to_latex(tree)}: how does {named} depend on what it is differentiated by?")
-            term = _written(term, named, self.written_out(meant, tree, env))
+            term = written(term, named, self.written_out(meant, tree, env))
             self.inside = self.inside[:-1]
+        return term
+
+    def written_for(self, by: str, term: Term, tree: Tree, env: Env) -> Term:
+        """A term without the letters that definitions say to depend on another."""
+        for name in sorted({*_free_names(term, held=False)} - {by}):
+            letter = self.notation.owner(name)
+            if letter is not None and letter.latex in self.defined:
+                met = {**self.met}
+                meant = self.written_out(name, tree, env)
+                if by in _free_names(meant, held=False):
+                    term = written(term, name, meant)
+                else:
+                    self.met = met
         return term
 
     def is_defined(self, name: str) -> bool:
@@ -1485,10 +1499,37 @@ class Lowering:
             raise SymcheckError(
                 f"{to_latex(tree)}: are the functions of {by} held constant, or not? write a total derivative"
             )
+        if partial:
+            self.refuse_through(term, by, tree)
         if partial and (explicit := self.explicit(term, by, tree)) is not None:
             return node("diff", explicit, f"{by}_alone", order, by)
         self.refuse_unsaid(term, by, tree, held=partial)
         return node("diff", term, by, order, by)
+
+    def refuse_through(self, term: Term, by: str, tree: Tree) -> None:
+        """Unsaid where a variable stands beside what is defined by it alone: that may be held constant, or not.
+
+        A length such as the root of x^2 + y^2 is none of the coordinates, so that it changes with each of them.
+        """
+        inside, met = self.inside, {**self.met}
+        todo, seen, held = [term], set[str](), ""
+        while todo:
+            names = {*_free_names(todo.pop(), held=False)} - seen
+            seen |= names
+            for name in sorted(names - {by}):
+                letter = self.notation.owner(name)
+                if letter is None or letter.latex not in self.defined or letter.kind != "scalar":
+                    continue
+                with suppress(SymcheckError):
+                    todo.append(self.scalar(self.defined[letter.latex][1], {}))
+                    others = {*_free_names(self.written_out(name, tree, {}), held=False)}
+                    fellows = [x for x in others - {by} if _is_coordinate(self.notation.owner(x))]
+                    if by in others and by in names and (_is_coordinate(letter) or not fellows):
+                        held = held or letter.latex
+                self.inside, self.met = inside, {**met}
+        self.inside, self.met = inside, met
+        if held:
+            raise Unsaid(f"{to_latex(tree)}: is {held} held constant, or not? write it out")
 
     def explicit(self, term: Term, by: str, tree: Tree) -> Term | None:
         """The term with another letter in the place of a variable where that stands itself; None if that is all.
@@ -1583,6 +1624,7 @@ OPERATIONS: dict[str, Callable[[Tree, Value], Value]] = {  # functions of matric
 }  # fmt: skip
 
 
+COORDINATES = frozenset({"x", "y", "z", "t", "q", "p", r"\theta", r"\phi", r"\varphi"})
 BINDING = (Integral, Antiderivative, BigSum, Limiting, Derivative, Total)
 Jumps = Iterator[tuple[Tree, tuple[tuple[Tree, str], ...]]]  # values, each with the signs of terms where it is that
 
@@ -1643,6 +1685,10 @@ def _series(index: str, low: Term, high: Term, body: Value) -> Value:
     return node("sum", body, index, low, high)
 
 
+def _is_coordinate(letter: Letter | None) -> bool:
+    return letter is not None and letter.latex.partition("_")[0] in COORDINATES
+
+
 def _is_time(tree: Tree) -> bool:
     """Is this the time, or an instant such as `t_0`?"""
     return isinstance(tree, Name) and tree.letter.partition("_")[0] in TIMES
@@ -1697,13 +1743,13 @@ def _slope(term: Term, by: str) -> Term:
     return node("diff", term, by, 1, by)
 
 
-def _written(term: Term, name: str, meant: Term) -> Term:
+def written(term: Term, name: str, meant: Term) -> Term:
     """The term with a definition in the place of its letter; what that says of a bound letter is said of this one."""
     if term == name:
         return meant
     if not isinstance(term, Node) or name in term.bound:
         return term
-    return mapped(term, lambda part: _written(part, name, meant))
+    return mapped(term, lambda part: written(part, name, meant))
 
 
 def tree_indices(tree: Tree) -> set[str]:
