@@ -59,6 +59,8 @@ from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
 from symcheck.question.hypergeometric import added_up
 from symcheck.question.initial_values import transformed
+from symcheck.question.inverses import refuted as refuted_in_exponents
+from symcheck.question.inverses import with_exponents
 from symcheck.question.kronecker import SIGN, is_of_matrices, without_products
 from symcheck.question.limit import OutOfTime, limited
 from symcheck.question.matrices import (
@@ -687,6 +689,12 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
                 made, found = _refuted_at_whole_numbers(problem, whole)
         if made is None and verdict is Verdict.UNDECIDED and (at_numbers := _refuted_at_numbers(problem)):
             verdict, made, found = at_numbers
+        if made is None and verdict is Verdict.UNDECIDED:
+            verdict, made, found = _refuted_by_digits(jets.without(problem), refuted_in_exponents) or (
+                verdict,
+                made,
+                found,
+            )
         if made is not None and verdict is Verdict.REFUTED and (usual := _holds_for_whole(reading, problem, made)):
             reason = f"is it meant for (different) whole numbers {', '.join(usual)} above 0? say so"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
@@ -1204,7 +1212,7 @@ def _refuted_by_digits(
 
 
 def _hinted(problem: Problem) -> Problem:
-    return rooted(hinted(problem))
+    return with_exponents(rooted(hinted(problem)))
 
 
 def _decided_as_stated(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[str, ...]]:

@@ -173,6 +173,8 @@ def _moved(part: Binder, at: _Jets) -> tuple[Expr, Expr, tuple[Term, Term]]:
 
 def is_law(problem: Problem) -> bool:
     """Whether a claim is meant for all functions: its ends are letters, and it is so of multiples of the functions."""
+    if problem.claim.tag != "=":
+        return False
     integrals = _integrals(problem.claim)
     free = [end for part in integrals for end in part.outside if isinstance(end, str)]
     left, right = problem.claim.terms

@@ -89,9 +89,10 @@ def _free(problem: Problem) -> list[str]:
     """The letters that no equation says, if digits can tell anything of the problem that algebra does not."""
     definitions = dict(problem.definitions)
     formulas = formulas_of(problem)
-    if not any(part.tag in IRRATIONAL for part in subterms(*formulas) if isinstance(part, Node)):
+    whole = [unfold(formula, definitions) for formula in formulas]
+    if not any(part.tag in IRRATIONAL for part in subterms(*whole) if isinstance(part, Node)):
         return []
-    free = sorted(set().union(*(letters(unfold(formula, definitions)) for formula in formulas)))
+    free = sorted(set().union(*map(letters, whole)))
     fixed = {side for formula in formulas[1:] if formula.tag == "=" for side in formula.terms if isinstance(side, str)}
     return [x for x in free if x not in fixed]
 

@@ -199,7 +199,7 @@ class _Search:
         match formula.tag:
             case "=":
                 direct = identity_here(formula, known) or self._with_inner(formula, known)
-                return direct or (self.prove_here(formula, known) if _are_squares(formula) else None)
+                return direct or (self.prove_here(formula, known) if _has_factors(formula) else None)
             case "=>":
                 return implication(formula, known, self._conclusion)
             case "and":
@@ -289,9 +289,10 @@ def _not_divided_by(formula: Formula, known: Knowledge) -> Knowledge:
     return replace(known, facts=kept)
 
 
-def _are_squares(formula: Formula) -> bool:
-    """Whether squares are compared, of roots perhaps, whose facts may have factors that are to be divided out."""
-    return all(isinstance(side, Value) and side.tag == "^" for side in formula.terms)
+def _has_factors(formula: Formula) -> bool:
+    """Whether squares are compared, or an exponential with anything: factors may have to be divided out of facts."""
+    tags = [side.tag if isinstance(side, Value) else "" for side in formula.terms]
+    return tags == ["^", "^"] or tags[0] == "exp"
 
 
 def _around(instance: Instance) -> set[str]:

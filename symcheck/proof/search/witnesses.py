@@ -116,7 +116,10 @@ def _is_met(condition: Formula, point: Point, definitions: dict[str, Term]) -> b
     """Whether digits tell that a condition for a value is met at a point."""
     left, right = condition.terms
     try:
-        digits = enclosed(substituted(unfold(node("+", left, node("-", right)), definitions), point.values))
+        gap = unfold(node("+", left, node("-", right)), definitions)
+        for _ in point.values:  # coordinates may be given by others
+            gap = substituted(gap, point.values)
+        digits = enclosed(gap)
     except (Unknown, RecursionError):
         return False
     met = {">": digits.low > 0, ">=": digits.high >= 0, "<=": digits.low <= 0, "<": digits.high < 0}
@@ -135,7 +138,8 @@ def _witness_of(problem: Problem, said: tuple[Formula, ...], given: list[Formula
     if (point := _search(needed, said, prove)) is not None or concluded.tag != "=" or not given:
         return point
     found = _search(problem.definitions, tuple(dict.fromkeys((*said, concluded))), prove)  # it is proved, so true
-    return found or _defining(concluded, problem.definitions, said, prove)
+    found = found or _defining(concluded, problem.definitions, said, prove)
+    return found or _proving(concluded, problem.definitions, said, prove)
 
 
 def _defining(concluded: Formula, definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Point | None:
@@ -149,6 +153,29 @@ def _defining(concluded: Formula, definitions: Definitions, said: tuple[Formula,
     if point is None or not names <= {*point.values}:
         return None
     return replace(point, values={**point.values, letter: substituted(term, point.values)})
+
+
+def _proving(concluded: Formula, definitions: Definitions, said: tuple[Formula, ...], prove: Prover) -> Point | None:
+    """The same where that the equations hold there has proofs: e^t = 2 for t = ln 2."""
+    given = [unfold(formula, dict(definitions)) for formula in said]
+    letter, term = concluded.terms[0], unfold(concluded.terms[1], dict(definitions))
+    names = sorted(set().union(letters(term), *map(letters, given)) - {letter})
+    if not isinstance(letter, str) or letter in {*letters(term), *dict(definitions)} or len(names) > FEW:
+        return None
+    equations = [formula for formula in given if formula.tag == "="]
+    if not equations or any(formula.tag not in RELATIONS for formula in given):
+        return None
+    for numbers in product(SMALL, repeat=len(names)):
+        values: dict[str, Term] = dict(zip(names, numbers, strict=True))
+        values[letter] = substituted(term, values)
+        point = Point(values)
+        if all(_is_met(formula, point, {}) for formula in given if formula.tag != "="):
+            closed = [substituted(formula, values) for formula in equations]
+            proofs = [prove(Problem("value", formula)) for formula in closed]
+            if all(proof is not None and not proof.nonzero for proof in proofs):
+                shown = zip(closed, proofs, strict=True)
+                return replace(point, facts=tuple((formula, proof.step) for formula, proof in shown if proof))
+    return None
 
 
 def _plainly_nonzero(term: Term) -> bool:
