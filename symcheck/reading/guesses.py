@@ -152,7 +152,7 @@ def _multiplies(of: Evidence, place: Occurrence) -> bool:
     Or between a row in brackets and a column.
     """
     power = place.superscript or ()
-    raised = of.between or (any(map(str.isdigit, power)) and any(map(str.isalpha, power)))
+    raised = of.between or of.turning or (any(map(str.isdigit, power)) and any(map(str.isalpha, power)))
     if raised or not place.arguments:
         return raised
     printed = " ".join(tex.texts(of.spelling))

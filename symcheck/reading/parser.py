@@ -381,6 +381,12 @@ class Builder:
                     continue
             last = trees[end] if end < len(trees) else None
             valued = end + 1 < len(trees) and isinstance(trees[end + 1], Number | Dots)
+            if (
+                isinstance(last, Chain)
+                and last.signs[0] != r"\in"
+                and any(map(_is_value, (*trees[k:end], last.members[0])))
+            ):
+                valued = True  # of equations, a value alone begins none
             if self.is_listed(first) and isinstance(last, Chain) and self.is_listed(last.members[0]) and not valued:
                 found += self.having_all(trees[k:end], last, listing.at)
                 k = end + 1
@@ -504,8 +510,9 @@ class Builder:
         return [Values(name, values) for name in names], run
 
     def is_listed(self, tree: Tree) -> bool:
-        """A letter alone, which may share a relation with others: those of `a, b > 0`."""
-        name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+        """A letter alone, or a value, which may share a relation with others: those of `a, b > 0`."""
+        value = isinstance(tree, Call) and isinstance(tree.function, Name)
+        name = tree.function if isinstance(tree, Call) and value else tree
         name = name.name if isinstance(name, Indexed) else name
         if isinstance(name, Name) and _SEVERAL.match(name.letter):
             return False
@@ -681,12 +688,25 @@ class Builder:
             return self.derivative(top, bottom, at)
         self.refuse_quotient(top, bottom, at)
         below = self.notation.slash == "denominator" and all(item.kind == "atom" for item in right)
+        whole = isinstance(bottom, Integral | Antiderivative)
+        last = top.factors[-1] if isinstance(top, Mul) else top
+        if isinstance(last, Integral | Antiderivative) and (whole or len(right) == 1 or below):
+            return self.integrated_over(top, bottom)
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
         bare = _ends_bare(left) and right[0].kind != "function"
         if any(item.kind in ("sum", "integral", "over", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def integrated_over(self, top: Tree, bottom: Tree) -> Tree:
+        """An integral before a slash, which reaches on to what is behind it if its variable stands there."""
+        last = top.factors[-1] if isinstance(top, Mul) else top
+        assert isinstance(last, Integral | Antiderivative)
+        if isinstance(bottom, Integral | Antiderivative) or last.variable not in nodes(bottom):
+            return Div(top, bottom)
+        inner = replace(last, body=Div(last.body, bottom))
+        return Mul((*top.factors[:-1], inner)) if isinstance(top, Mul) else inner
 
     def crossed_twice(self, several: list[list[Item]], at: int) -> Tree:
         """`a \\times a \\times b`, which has one reading that is not zero, and products with numbers."""
@@ -1757,6 +1777,11 @@ class Builder:
 
 _RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
 _HEADS = {name[len("from_") :].upper(): rule for name, rule in vars(Builder).items() if name.startswith("from_")}
+
+
+def _is_value(tree: Tree) -> bool:
+    """Is this the value of a function at a place?"""
+    return isinstance(tree, Call) and bool(tree.arguments)
 
 
 def _has_no_letters(tree: Tree) -> bool:

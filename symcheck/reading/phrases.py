@@ -45,7 +45,8 @@ _SPELLINGS: Sequence[
         "} (",
         re.compile(
             rf"(\\d?frac \{{ ({_D}|\\partial)(?: \^ (?:\d|\{{ \d \}}))? {_FUNCTION_LETTER}) \}} "
-            rf"(\{{ (?:\2 \w (?:\^ (?:\d|\{{ \d \}}) )?)+\}}) (\( \w(?: , \w)* \))"
+            r"(\{ (?:\2 (?:\w|\\[a-z]+) (?:\^ (?:\d|\{ \d \}) )?)+\}) "
+            r"(\( (?:\w|\\[a-z]+)(?: , (?:\w|\\[a-z]+))* \))"
         ),
         lambda found: _with_place(found),
     ),
@@ -57,6 +58,8 @@ _SPELLINGS: Sequence[
     ),
     # the number of a formula, and the stop before it, in an environment
     (r"\tag ", re.compile(r"(?:(?<!\\right )[.,;] )?\\tag \{[^{}]*\} (?=\\end)"), ""),
+    # more space between two lines
+    (r"\\ [", re.compile(r"\\\\ \[ (?:- )?[\d. ]+(?:p t|e m|e x|c m|m m|i n) \]"), r"\\\\"),
     # signs and numbers in upright type
     (r"\mathrm { ", re.compile(r"(?<![_^] )\\mathrm \{ ([-+=/] [-+=/ ]*|[\d. ]+)\}"), r"\1"),
     # spaces between a function that is defined and its arguments
@@ -294,7 +297,7 @@ _SPACED = re.compile(
 def _with_place(found: re.Match[str]) -> str:
     """A derivative whose letter stands before its place, if the derivative is by letters of that place alone."""
     top, sign, bottom, place = found.groups()
-    by = re.sub(r"\^ (?:\d|\{ \d \})", "", bottom).replace(sign, "").strip("{} ").split()
+    by = re.sub(r"\^ (?:\d|\{ \d \})", "", f" {bottom[2:-2]} ").replace(f" {sign} ", " ").split()
     return rf"{top} {place} }} {bottom}" if {*by} <= {*place.split()} else found[0]
 
 
@@ -329,7 +332,9 @@ def _problem(text: str) -> str:
     r"""What is to be found under conditions, `\min_x f(x) \quad \text{subject to} \quad g(x) = 0`, with words."""
     first = _SUBJECT.search(text) if r"\text {" in text else None
     alone = _OBJECTIVE.fullmatch(text) if first is None else None
-    if alone is not None and alone[2] != "f i n d" and not _RELATED.search(text):  # what it is of reaches to the end
+    if (
+        alone is not None and alone[2] != "f i n d" and not _RELATED.search(alone[5])
+    ):  # what it is of reaches to the end
         return rf"{alone[1]}\{alone[2].replace(' ', '')} {alone[3] or ''}\left ( {alone[5].rstrip(' .,;')} \right )"
     if first is None:
         return text
