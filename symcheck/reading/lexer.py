@@ -192,7 +192,9 @@ class Lexer(tex.Reader):
         if self.peek() != "_":
             opening = self.open[-1] if self.open else None
             between = self.out[self.out.index(opening) :] if opening in self.out else []
-            bars = any(each.type in ("MID", "LBAR", "LNORM") for each in between)  # of states
+            kinds = [each.type for each in between if each.type != "GAP"]
+            paired = kinds[1:2] in (["LBAR"], ["LNORM"]) and "MID" not in kinds  # around all of it
+            bars = not paired and any(kind in ("MID", "LBAR", "LNORM") for kind in kinds)  # of states
             listed = self.notation.inferred or any(each.type == "COMMA" for each in between)
             if bars:
                 self.fail("brackets of states are not read; say in other words what they hold", at)

@@ -645,6 +645,15 @@ class Builder:
         for term, part in zip(terms[:-1], parts, strict=False):
             last = term.factors[-1] if isinstance(term, Mul) else term
             limits = isinstance(last, Limiting) and last.operator not in ("sum", "prod")  # which end before a sign
+            if (
+                term is last
+                and term is terms[0]
+                and isinstance(last, Limiting)
+                and limits
+                and _is_below(last, terms[-1])
+            ):
+                rest = (_signed(sign, each) for sign, each in zip(signs[1:], terms[1:], strict=True))
+                return replace(last, body=Add((last.body, *rest)))
             if isinstance(last, Limiting) and limits and self.is_open(part):
                 raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         forms = [isinstance(term.factors[-1] if isinstance(term, Mul) else term, Over) for term in terms]
@@ -1777,6 +1786,16 @@ class Builder:
 
 _RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
 _HEADS = {name[len("from_") :].upper(): rule for name, rule in vars(Builder).items() if name.startswith("from_")}
+
+
+# the letter that a minimum is taken by
+_TAKEN_BY = re.compile(r"_ ?\{ ?(\\?[A-Za-z]+)(?: ?\\in .*)? ?\}|_ ?(\w)")
+
+
+def _is_below(limiting: Limiting, end: Tree) -> bool:
+    """Does the letter below a minimum, or its like, stand in the last term too, so that it reaches there?"""
+    found = _TAKEN_BY.fullmatch(limiting.scripts.strip())
+    return found is not None and any(isinstance(x, Name) and x.letter == (found[1] or found[2]) for x in nodes(end))
 
 
 def _is_value(tree: Tree) -> bool:

@@ -58,6 +58,8 @@ _SPELLINGS: Sequence[
     ),
     # the number of a formula, and the stop before it, in an environment
     (r"\tag ", re.compile(r"(?:(?<!\\right )[.,;] )?\\tag \{[^{}]*\} (?=\\end)"), ""),
+    # what is left of 1 as an exponent, in brackets
+    ("^ { ( 1 - ", re.compile(r"\^ \{ \( 1 - (\\?[A-Za-z]+) \) \}"), r"^ { 1 - \1 }"),
     # more space between two lines
     (r"\\ [", re.compile(r"\\\\ \[ (?:- )?[\d. ]+(?:p t|e m|e x|c m|m m|i n) \]"), r"\\\\"),
     # signs and numbers in upright type
