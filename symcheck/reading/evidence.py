@@ -241,7 +241,7 @@ _PHASE = re.compile(
     r"\\(?:sin|cos|exp) (?:\\left )?\( (?:\\?[a-z]+ )*(\\[oO]mega(?: _ (?:\w|\{[^{}]*\}))?) (?:\\left )?\( t [-+]"
 )
 _TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
-_SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|hat \{ [a-z] \}|bar \{ [a-z] \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
+_SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|(?:hat|bar) \{ \\?[a-z]+ \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
 # one and a rate, to the power T
 _GROWN = re.compile(
     r"\( 1 [-+] (?:[a-z]|\\[a-z]+|\\frac \{ \w \} \{ \w+ \})(?: _ (?:\w|\{[^{}]*\}))? (?:\\right )?\) \^ (?:T|\{ T \})"
@@ -361,6 +361,16 @@ _UNIT_OR_INDEX = re.compile(
 _UNIT_ENTRY = re.compile(r"(?:& |\\\\ |r i x \} )(?:- )?([ij])(?= (?:&|\\\\|\\end))")
 
 
+# what is said to be a limit of its own values
+_OWN_LIMIT = re.compile(
+    r"(?:^|& |quad )([A-Za-z](?: _ (?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?) (?:& )?= (?:& )?"
+    r"\\lim _ \{[^{}]*\} \1 (?:\\left )?\("
+)
+# a hypothesis, which is a relation
+_HYPOTHESIS = re.compile(
+    r"(?:^|& )(H _ (?:[01aA]|\{ [01aA] \})) (?:: )?= (?:(?!\\\\|\\q?quad).)*"
+    r"(?:[<>]|\\(?:le|ge|leq|geq|ne|neq|in)(?![a-z]))"
+)
 _ENTRY_TRANSPOSED = "an entry of what is transposed, or a transposed block? write the indices in the other order"
 # a transposed letter with two indices: `V^T_{ij}`
 _TRANSPOSED_ENTRY = re.compile(
@@ -428,6 +438,12 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
                 if base in _NO_VARIABLES or base.endswith("}") or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
         yield from ((canonical(base), f"a power, or an index? say what {run} is above it") for base in over)
+    if r"\lim" in text:
+        yield from (
+            (canonical(x), f"is {x} what its limit is of? name the limit otherwise") for x in _OWN_LIMIT.findall(text)
+        )
+    for x in _HYPOTHESIS.findall(text):
+        yield canonical(x), "equal to what follows, or a name of the relation? write the relation alone"
     for x, base, below in _TRANSPOSED_ENTRY.findall(text):
         entry = x or f"{base} _ {below}"
         yield from ((each, _ENTRY_TRANSPOSED) for each in (canonical(entry), canonical(entry.partition(" _ ")[0])))

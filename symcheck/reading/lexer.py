@@ -24,7 +24,19 @@ SIZES = frozenset(
     {"\\left", "\\right"} | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r")}
 )
 ENVIRONMENTS = frozenset(
-    {"aligned", "align", "align*", "array", "split", "cases", "gathered", "gather", "equation", "multline"}
+    {
+        "aligned",
+        "align",
+        "align*",
+        "array",
+        "split",
+        "cases",
+        "gathered",
+        "gather",
+        "equation",
+        "multline",
+        "displaymath",
+    }
 )
 VALUES = "values by cases"  # the environment of that kind
 CONDITIONS = frozenset({"if", "for", "when", "where", "as", "in", "on", "at"})

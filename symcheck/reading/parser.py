@@ -100,6 +100,10 @@ LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "
 AT_OR_TIMES = "at the place in these brackets, or times it? leave out the brackets, or say what is a function"
 _D = re.compile(r"(?:\\[a-z]+\{)?(?:[dD]|\\text\{[dD]\})\}?")  # upright or not, with an accent or without
 _OPERATOR = re.compile(r"\\(?:hat|mathcal)\{[A-Z]\}")  # before the state to which it is applied
+# what is applied to events: the signs of probabilities, and the indicator
+_OF_EVENTS = frozenset(
+    {"P", r"\mathbb{P}", r"\mathcal{P}", r"\text{P}", r"\text{Pr}", r"\text{Prob}", r"\text{indicator}"}
+)
 _STATE = re.compile(r"\\(?:psi|Psi|phi|Phi|varphi|chi)(?![a-z])")  # the usual letters for one
 SCRIPT = (r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of operators
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
@@ -1177,7 +1181,7 @@ class Builder:
             return self.atom(item), k + 1
         if not self.applies(name):
             return self.atom(item), k + 1
-        arguments = self.arguments(after.listing)
+        arguments = self.arguments(after.listing, event=name.letter in _OF_EVENTS)
         if self.kind(name) != "function" and not self.is_declared(name, arguments):
             return self.atom(item), k + 1  # refused as a product
         call = Call(name, arguments)
@@ -1425,12 +1429,12 @@ class Builder:
             return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
 
-    def arguments(self, listing: Listing | None) -> tuple[Tree, ...]:
-        """What a function is applied to; semicolons part its arguments from its parameters."""
+    def arguments(self, listing: Listing | None, *, event: bool = False) -> tuple[Tree, ...]:
+        """What a function is applied to, an event perhaps; semicolons part its arguments from its parameters."""
         assert listing is not None
         if "SEMI" not in listing.separators:
             placed = self.notation.inferred and all(
-                not isinstance(tree, STATEMENTS) or (isinstance(tree, Chain) and tree.signs == ("=",))
+                not isinstance(tree, STATEMENTS) or (isinstance(tree, Chain) and (event or tree.signs == ("=",)))
                 for _, tree in listing.entries
             )  # f(x = a), the value there
             return (

@@ -22,6 +22,9 @@ _CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?
 # spaces between formulas
 _WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
 _BARS = r"\|(?: & \|)+"
+_SIGN = r"(?:[=<>]|\\(?:in|le|ge|leq|geq|ne|neq)(?![a-z]))"
+_OF_EVENT = rf"((?:(?!\\[{{}}]|\\left|\\right)[^()\[\]])*{_SIGN}(?:(?!\\[{{}}]|\\left|\\right)[^\[\]])*?)"  # a relation
+_EVENT = rf"(?:\\left |\\[bB]igg?l? )?(?:\(|\[|\\\{{) {_OF_EVENT} (?:\\right |\\[bB]igg?r? )?(?:\)|\]|\\\}})"
 _SPELLINGS: Sequence[
     tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]
 ] = (  # of one thing in several tokens, behind what always stands in it, with the usual one
@@ -60,6 +63,22 @@ _SPELLINGS: Sequence[
     (r"\tag ", re.compile(r"(?:(?<!\\right )[.,;] )?\\tag \{[^{}]*\} (?=\\end)"), ""),
     # what is left of 1 as an exponent, in brackets
     ("^ { ( 1 - ", re.compile(r"\^ \{ \( 1 - (\\?[A-Za-z]+) \) \}"), r"^ { 1 - \1 }"),
+    # a one in another type before a relation, which tells whether that holds
+    (
+        " { 1 } ",
+        re.compile(rf"\\math(?:bb|bf|bbm|ds) \{{ 1 \}} {_EVENT}"),
+        r"\\text { i n d i c a t o r } \\left ( \1 \\right )",
+    ),
+    # the probability of a relation in square brackets
+    (r"\mathbb { P }", re.compile(rf"(\\mathbb \{{ P \}} ){_EVENT}"), r"\1\\left ( \2 \\right )"),
+    # what stands below the sign of an expectation
+    (
+        r"\underset ",
+        re.compile(rf"\\underset ({_BRACED}) \{{ (\\mathbb \{{ E \}}|\\mathbb E) \}}"),
+        r"\\mathbb { E } _ \1",
+    ),
+    # the usual names of sets of numbers
+    (r"\in ", re.compile(r"(?<=\\in )\\([RNZQC])(?![A-Za-z])"), r"\\mathbb { \1 }"),
     # more space between two lines
     (r"\\ [", re.compile(r"\\\\ \[ (?:- )?[\d. ]+(?:p t|e m|e x|c m|m m|i n) \]"), r"\\\\"),
     # signs and numbers in upright type
