@@ -66,6 +66,7 @@ class Evidence:
     column: bool = (
         False  # does it stand in brackets that are transposed before a factor, or behind a small letter that is?
     )
+    scaling: bool = False  # is it the factor behind a dot of what is equal to a vector?
     turning: bool = False  # is it the rate of a phase: `\\cos(\\omega (t - t_0))`?
     between: bool = False  # does it stand between brackets that are transposed and others?
     shape: tuple[int, ...] = ()  # of the matrix or the column to which it is equal
@@ -163,6 +164,8 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         for m in each.finditer(formula)
         for x in m.groups()
     }
+    vectors = [m[1] for f in formulas if r"\cdot" in f for m in _OF_VECTOR.finditer(f)]
+    scaling = {canonical(a or b) for other in vectors for a, b in _SCALED.findall(other)}
     turning = {canonical(m[1]) for f in formulas if "omega" in f.lower() for m in _PHASE.finditer(f)}
     forms = [f for f in formulas if _TRANSPOSING.search(f)]
     sums = [m[1] for f in forms for each in (_ROW, _COLUMN) for m in each.finditer(f)]
@@ -191,6 +194,7 @@ def gathered(formulas: Sequence[str], said: Mapping[str, str]) -> dict[str, Evid
         own.shape = shapes.get(latex, ())
         own.below = latex in below
         own.square = latex in square
+        own.scaling = latex in scaling
         own.column, own.between, own.turning = latex in columns, latex in between, latex in turning
         own.angle = latex in angles
         own.endless = latex == "e" and any(r"\infty" in formula or "!" in formula for formula in formulas)
@@ -224,12 +228,20 @@ def _is_mixed(subscript: Sequence[str]) -> bool:
 _ANGLE = re.compile(
     r"\\(?:arc)?(?:sin|cos|tan|cot|sec|csc)(?:\s*\^\s*(?:\d|\{[^{}]*\}))?[\s({]*(?:\\left\s*\()?\s*([A-Z])\b"
 )
+_VECTOR = r"\\(?:mathbf|boldsymbol|bm|vec) \{ [a-z] \}(?: _ (?:\w|\{[^{}]*\}))?"
+_NUMBER = r"([a-z](?: _ (?:\w|\{[^{}]*\}))?)"
+# what a vector is equal to: `\\mathbf{x} = \\mathbf{y} \\cdot b + \\mathbf{a}`
+_OF_VECTOR = re.compile(rf"(?:^|& |\\\\ ){_VECTOR} (?:& )?= (?:& )?((?:(?!\\\\|\\q?quad|=).)*)")
+# and an addend of it, a number times a vector with a dot between them
+_SCALED = re.compile(
+    rf"(?:^|[-+] )(?:{_VECTOR} \\cdot {_NUMBER}|{_NUMBER} \\cdot {_VECTOR})(?= ?[-+,.&]| ?$| \\[,;: ])"
+)
 # the rate of a phase before a time from its beginning
 _PHASE = re.compile(
     r"\\(?:sin|cos|exp) (?:\\left )?\( (?:\\?[a-z]+ )*(\\[oO]mega(?: _ (?:\w|\{[^{}]*\}))?) (?:\\left )?\( t [-+]"
 )
 _TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
-_SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|hat \{ [a-z] \}|bar \{ [a-z] \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
+_SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|(?:hat|bar) \{ \\?[a-z]+ \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
 # one and a rate, to the power T
 _GROWN = re.compile(
     r"\( 1 [-+] (?:[a-z]|\\[a-z]+|\\frac \{ \w \} \{ \w+ \})(?: _ (?:\w|\{[^{}]*\}))? (?:\\right )?\) \^ (?:T|\{ T \})"
@@ -349,6 +361,16 @@ _UNIT_OR_INDEX = re.compile(
 _UNIT_ENTRY = re.compile(r"(?:& |\\\\ |r i x \} )(?:- )?([ij])(?= (?:&|\\\\|\\end))")
 
 
+# what is said to be a limit of its own values
+_OWN_LIMIT = re.compile(
+    r"(?:^|& |quad )([A-Za-z](?: _ (?:\w|\{(?:[^{}]|\{[^{}]*\})*\}))?) (?:& )?= (?:& )?"
+    r"\\lim _ \{[^{}]*\} \1 (?:\\left )?\("
+)
+# a hypothesis, which is a relation
+_HYPOTHESIS = re.compile(
+    r"(?:^|& )(H _ (?:[01aA]|\{ [01aA] \})) (?:: )?= (?:(?!\\\\|\\q?quad).)*"
+    r"(?:[<>]|\\(?:le|ge|leq|geq|ne|neq|in)(?![a-z]))"
+)
 _ENTRY_TRANSPOSED = "an entry of what is transposed, or a transposed block? write the indices in the other order"
 # a transposed letter with two indices: `V^T_{ij}`
 _TRANSPOSED_ENTRY = re.compile(
@@ -416,6 +438,12 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
                 if base in _NO_VARIABLES or base.endswith("}") or re.search(rf"{re.escape(base)} _ (?:\{{ )?1", text)
             ]
         yield from ((canonical(base), f"a power, or an index? say what {run} is above it") for base in over)
+    if r"\lim" in text:
+        yield from (
+            (canonical(x), f"is {x} what its limit is of? name the limit otherwise") for x in _OWN_LIMIT.findall(text)
+        )
+    for x in _HYPOTHESIS.findall(text):
+        yield canonical(x), "equal to what follows, or a name of the relation? write the relation alone"
     for x, base, below in _TRANSPOSED_ENTRY.findall(text):
         entry = x or f"{base} _ {below}"
         yield from ((each, _ENTRY_TRANSPOSED) for each in (canonical(entry), canonical(entry.partition(" _ ")[0])))

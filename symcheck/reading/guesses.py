@@ -152,7 +152,7 @@ def _multiplies(of: Evidence, place: Occurrence) -> bool:
     Or between a row in brackets and a column.
     """
     power = place.superscript or ()
-    raised = of.between or (any(map(str.isdigit, power)) and any(map(str.isalpha, power)))
+    raised = of.between or of.turning or (any(map(str.isdigit, power)) and any(map(str.isalpha, power)))
     if raised or not place.arguments:
         return raised
     printed = " ".join(tex.texts(of.spelling))
@@ -328,7 +328,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         yield Guess(_letter(of, depends=""), "a real number", "nothing else is done with it")
     elif latex.isupper() and not of.indices and not of.bound and any(map(_in_kronecker_product, every.values())):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is capital in a Kronecker product")
-    elif _beside_vectors(of, every):
+    elif not of.scaling and _beside_vectors(of, every):
         kind = "matrix" if latex.startswith(r"\breve") else "vector"  # a dyadic
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is multiplied by a vector")
     else:

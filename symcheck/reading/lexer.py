@@ -24,7 +24,19 @@ SIZES = frozenset(
     {"\\left", "\\right"} | {f"\\{size}{side}" for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r")}
 )
 ENVIRONMENTS = frozenset(
-    {"aligned", "align", "align*", "array", "split", "cases", "gathered", "gather", "equation", "multline"}
+    {
+        "aligned",
+        "align",
+        "align*",
+        "array",
+        "split",
+        "cases",
+        "gathered",
+        "gather",
+        "equation",
+        "multline",
+        "displaymath",
+    }
 )
 VALUES = "values by cases"  # the environment of that kind
 CONDITIONS = frozenset({"if", "for", "when", "where", "as", "in", "on", "at"})
@@ -192,7 +204,9 @@ class Lexer(tex.Reader):
         if self.peek() != "_":
             opening = self.open[-1] if self.open else None
             between = self.out[self.out.index(opening) :] if opening in self.out else []
-            bars = any(each.type in ("MID", "LBAR", "LNORM") for each in between)  # of states
+            kinds = [each.type for each in between if each.type != "GAP"]
+            paired = kinds[1:2] in (["LBAR"], ["LNORM"]) and "MID" not in kinds  # around all of it
+            bars = not paired and any(kind in ("MID", "LBAR", "LNORM") for kind in kinds)  # of states
             listed = self.notation.inferred or any(each.type == "COMMA" for each in between)
             if bars:
                 self.fail("brackets of states are not read; say in other words what they hold", at)

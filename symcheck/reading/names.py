@@ -179,6 +179,8 @@ _HARMONIC = re.compile(
 )
 # two letters below another one
 _PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
+_GREEK_INDICES = frozenset({r"\mu", r"\nu", r"\alpha", r"\beta", r"\rho", r"\sigma", r"\lambda"})
+_INDICES_BELOW = re.compile(r"_ (\\[a-z]+|\{ \\[a-z]+(?: (?:, )?\\[a-z]+)* \})")
 # one of several factors with its exponent: `x_i^{a_i}`
 _ITS_EXPONENT = re.compile(r"\\?[A-Za-z]+ _ (?:\{ )?([i-n])(?: \})? \^ (?:[a-z]|\\[a-z]+) _ (?:\{ )?\1(?: \})?")
 # an exponent of one of several powers, which is named by its base
@@ -212,6 +214,12 @@ class Told:
     def numbers(self) -> Collection[str]:
         """Letters that stand for numbers somewhere."""
         return {word for formula in self.formulas for word in _Numbers(formula).run()} | {*self.said}
+
+    @cached_property
+    def below(self) -> Collection[str]:
+        """Letters that stand alone below another one, or among indices there."""
+        found = {text for formula in self.formulas for pair in _INDICES_BELOW.findall(formula) for text in pair.split()}
+        return found - {"{", "}", ","}
 
     @cached_property
     def multiplied(self) -> bool:
@@ -279,6 +287,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    index = letters == ["".join(inside)] and letters[0] in _GREEK_INDICES and letters[0] in told.below
+    if index and letters[0] not in told.numbers:
+        return POWER_OR_LABEL.format(letters[0])  # summed over
     if told.multiplied and _ITS_EXPONENT.fullmatch(f"{of.bare} ^ {' '.join(inside)}"):
         return None
     if len(letters) == 1 and _EXPONENT.fullmatch(" ".join(inside)):

@@ -100,6 +100,10 @@ LENGTHS = frozenset({"t", r"\tau", "x", "y", "z", "s", "l", "L", r"\ell", "n", "
 AT_OR_TIMES = "at the place in these brackets, or times it? leave out the brackets, or say what is a function"
 _D = re.compile(r"(?:\\[a-z]+\{)?(?:[dD]|\\text\{[dD]\})\}?")  # upright or not, with an accent or without
 _OPERATOR = re.compile(r"\\(?:hat|mathcal)\{[A-Z]\}")  # before the state to which it is applied
+# what is applied to events: the signs of probabilities, and the indicator
+_OF_EVENTS = frozenset(
+    {"P", r"\mathbb{P}", r"\mathcal{P}", r"\text{P}", r"\text{Pr}", r"\text{Prob}", r"\text{indicator}"}
+)
 _STATE = re.compile(r"\\(?:psi|Psi|phi|Phi|varphi|chi)(?![a-z])")  # the usual letters for one
 SCRIPT = (r"\mathcal", r"\mathscr", r"\mathfrak")  # faces of operators
 _REMARK = re.compile(r"\\text\{(?:.*~|[A-Za-z][a-z]{4})")  # several words, or a long one, which is no unit
@@ -381,6 +385,12 @@ class Builder:
                     continue
             last = trees[end] if end < len(trees) else None
             valued = end + 1 < len(trees) and isinstance(trees[end + 1], Number | Dots)
+            if (
+                isinstance(last, Chain)
+                and last.signs[0] != r"\in"
+                and any(map(_is_value, (*trees[k:end], last.members[0])))
+            ):
+                valued = True  # of equations, a value alone begins none
             if self.is_listed(first) and isinstance(last, Chain) and self.is_listed(last.members[0]) and not valued:
                 found += self.having_all(trees[k:end], last, listing.at)
                 k = end + 1
@@ -504,8 +514,9 @@ class Builder:
         return [Values(name, values) for name in names], run
 
     def is_listed(self, tree: Tree) -> bool:
-        """A letter alone, which may share a relation with others: those of `a, b > 0`."""
-        name = tree.function if isinstance(tree, Call) and not tree.arguments else tree
+        """A letter alone, or a value, which may share a relation with others: those of `a, b > 0`."""
+        value = isinstance(tree, Call) and isinstance(tree.function, Name)
+        name = tree.function if isinstance(tree, Call) and value else tree
         name = name.name if isinstance(name, Indexed) else name
         if isinstance(name, Name) and _SEVERAL.match(name.letter):
             return False
@@ -638,6 +649,15 @@ class Builder:
         for term, part in zip(terms[:-1], parts, strict=False):
             last = term.factors[-1] if isinstance(term, Mul) else term
             limits = isinstance(last, Limiting) and last.operator not in ("sum", "prod")  # which end before a sign
+            if (
+                term is last
+                and term is terms[0]
+                and isinstance(last, Limiting)
+                and limits
+                and _is_below(last, terms[-1])
+            ):
+                rest = (_signed(sign, each) for sign, each in zip(signs[1:], terms[1:], strict=True))
+                return replace(last, body=Add((last.body, *rest)))
             if isinstance(last, Limiting) and limits and self.is_open(part):
                 raise self.fail(_place(part), f"does what follows belong to the {last.operator}? write brackets")
         forms = [isinstance(term.factors[-1] if isinstance(term, Mul) else term, Over) for term in terms]
@@ -681,12 +701,25 @@ class Builder:
             return self.derivative(top, bottom, at)
         self.refuse_quotient(top, bottom, at)
         below = self.notation.slash == "denominator" and all(item.kind == "atom" for item in right)
+        whole = isinstance(bottom, Integral | Antiderivative)
+        last = top.factors[-1] if isinstance(top, Mul) else top
+        if isinstance(last, Integral | Antiderivative) and (whole or len(right) == 1 or below):
+            return self.integrated_over(top, bottom)
         if len(right) > 1 and not isinstance(bottom, Call) and not below:
             raise self.fail(at, "a slash before several factors is ambiguous")
         bare = _ends_bare(left) and right[0].kind != "function"
         if any(item.kind in ("sum", "integral", "over", "under") for item in left + right) or bare:
             raise self.fail(at, "a slash behind a sum or a function without brackets is ambiguous")
         return Div(self.checked(top, at, statements=False), self.checked(bottom, at, statements=False))
+
+    def integrated_over(self, top: Tree, bottom: Tree) -> Tree:
+        """An integral before a slash, which reaches on to what is behind it if its variable stands there."""
+        last = top.factors[-1] if isinstance(top, Mul) else top
+        assert isinstance(last, Integral | Antiderivative)
+        if isinstance(bottom, Integral | Antiderivative) or last.variable not in nodes(bottom):
+            return Div(top, bottom)
+        inner = replace(last, body=Div(last.body, bottom))
+        return Mul((*top.factors[:-1], inner)) if isinstance(top, Mul) else inner
 
     def crossed_twice(self, several: list[list[Item]], at: int) -> Tree:
         """`a \\times a \\times b`, which has one reading that is not zero, and products with numbers."""
@@ -1148,7 +1181,7 @@ class Builder:
             return self.atom(item), k + 1
         if not self.applies(name):
             return self.atom(item), k + 1
-        arguments = self.arguments(after.listing)
+        arguments = self.arguments(after.listing, event=name.letter in _OF_EVENTS)
         if self.kind(name) != "function" and not self.is_declared(name, arguments):
             return self.atom(item), k + 1  # refused as a product
         call = Call(name, arguments)
@@ -1396,12 +1429,12 @@ class Builder:
             return Call(inverse, arguments) if self.notation.inverse == "function" else Pow(call, head.power)
         return Pow(call, head.power)
 
-    def arguments(self, listing: Listing | None) -> tuple[Tree, ...]:
-        """What a function is applied to; semicolons part its arguments from its parameters."""
+    def arguments(self, listing: Listing | None, *, event: bool = False) -> tuple[Tree, ...]:
+        """What a function is applied to, an event perhaps; semicolons part its arguments from its parameters."""
         assert listing is not None
         if "SEMI" not in listing.separators:
             placed = self.notation.inferred and all(
-                not isinstance(tree, STATEMENTS) or (isinstance(tree, Chain) and tree.signs == ("=",))
+                not isinstance(tree, STATEMENTS) or (isinstance(tree, Chain) and (event or tree.signs == ("=",)))
                 for _, tree in listing.entries
             )  # f(x = a), the value there
             return (
@@ -1757,6 +1790,21 @@ class Builder:
 
 _RULES = {name.removeprefix("on_"): rule for name, rule in vars(Builder).items() if name.startswith("on_")}
 _HEADS = {name[len("from_") :].upper(): rule for name, rule in vars(Builder).items() if name.startswith("from_")}
+
+
+# the letter that a minimum is taken by
+_TAKEN_BY = re.compile(r"_ ?\{ ?(\\?[A-Za-z]+)(?: ?\\in .*)? ?\}|_ ?(\w)")
+
+
+def _is_below(limiting: Limiting, end: Tree) -> bool:
+    """Does the letter below a minimum, or its like, stand in the last term too, so that it reaches there?"""
+    found = _TAKEN_BY.fullmatch(limiting.scripts.strip())
+    return found is not None and any(isinstance(x, Name) and x.letter == (found[1] or found[2]) for x in nodes(end))
+
+
+def _is_value(tree: Tree) -> bool:
+    """Is this the value of a function at a place?"""
+    return isinstance(tree, Call) and bool(tree.arguments)
 
 
 def _has_no_letters(tree: Tree) -> bool:

@@ -22,6 +22,9 @@ _CELL = rf"(?:\\d?frac {_BRACED} {_BRACED}|(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?
 # spaces between formulas
 _WIDTHS = re.compile(r"(?:\\[,;:] |\\q?quad )+")
 _BARS = r"\|(?: & \|)+"
+_SIGN = r"(?:[=<>]|\\(?:in|le|ge|leq|geq|ne|neq)(?![a-z]))"
+_OF_EVENT = rf"((?:(?!\\[{{}}]|\\left|\\right)[^()\[\]])*{_SIGN}(?:(?!\\[{{}}]|\\left|\\right)[^\[\]])*?)"  # a relation
+_EVENT = rf"(?:\\left |\\[bB]igg?l? )?(?:\(|\[|\\\{{) {_OF_EVENT} (?:\\right |\\[bB]igg?r? )?(?:\)|\]|\\\}})"
 _SPELLINGS: Sequence[
     tuple[str, re.Pattern[str], str | Callable[[re.Match[str]], str]]
 ] = (  # of one thing in several tokens, behind what always stands in it, with the usual one
@@ -45,7 +48,8 @@ _SPELLINGS: Sequence[
         "} (",
         re.compile(
             rf"(\\d?frac \{{ ({_D}|\\partial)(?: \^ (?:\d|\{{ \d \}}))? {_FUNCTION_LETTER}) \}} "
-            rf"(\{{ (?:\2 \w (?:\^ (?:\d|\{{ \d \}}) )?)+\}}) (\( \w(?: , \w)* \))"
+            r"(\{ (?:\2 (?:\w|\\[a-z]+) (?:\^ (?:\d|\{ \d \}) )?)+\}) "
+            r"(\( (?:\w|\\[a-z]+)(?: , (?:\w|\\[a-z]+))* \))"
         ),
         lambda found: _with_place(found),
     ),
@@ -57,6 +61,26 @@ _SPELLINGS: Sequence[
     ),
     # the number of a formula, and the stop before it, in an environment
     (r"\tag ", re.compile(r"(?:(?<!\\right )[.,;] )?\\tag \{[^{}]*\} (?=\\end)"), ""),
+    # what is left of 1 as an exponent, in brackets
+    ("^ { ( 1 - ", re.compile(r"\^ \{ \( 1 - (\\?[A-Za-z]+) \) \}"), r"^ { 1 - \1 }"),
+    # a one in another type before a relation, which tells whether that holds
+    (
+        " { 1 } ",
+        re.compile(rf"\\math(?:bb|bf|bbm|ds) \{{ 1 \}} {_EVENT}"),
+        r"\\text { i n d i c a t o r } \\left ( \1 \\right )",
+    ),
+    # the probability of a relation in square brackets
+    (r"\mathbb { P }", re.compile(rf"(\\mathbb \{{ P \}} ){_EVENT}"), r"\1\\left ( \2 \\right )"),
+    # what stands below the sign of an expectation
+    (
+        r"\underset ",
+        re.compile(rf"\\underset ({_BRACED}) \{{ (\\mathbb \{{ E \}}|\\mathbb E) \}}"),
+        r"\\mathbb { E } _ \1",
+    ),
+    # the usual names of sets of numbers
+    (r"\in ", re.compile(r"(?<=\\in )\\([RNZQC])(?![A-Za-z])"), r"\\mathbb { \1 }"),
+    # more space between two lines
+    (r"\\ [", re.compile(r"\\\\ \[ (?:- )?[\d. ]+(?:p t|e m|e x|c m|m m|i n) \]"), r"\\\\"),
     # signs and numbers in upright type
     (r"\mathrm { ", re.compile(r"(?<![_^] )\\mathrm \{ ([-+=/] [-+=/ ]*|[\d. ]+)\}"), r"\1"),
     # spaces between a function that is defined and its arguments
@@ -294,7 +318,7 @@ _SPACED = re.compile(
 def _with_place(found: re.Match[str]) -> str:
     """A derivative whose letter stands before its place, if the derivative is by letters of that place alone."""
     top, sign, bottom, place = found.groups()
-    by = re.sub(r"\^ (?:\d|\{ \d \})", "", bottom).replace(sign, "").strip("{} ").split()
+    by = re.sub(r"\^ (?:\d|\{ \d \})", "", f" {bottom[2:-2]} ").replace(f" {sign} ", " ").split()
     return rf"{top} {place} }} {bottom}" if {*by} <= {*place.split()} else found[0]
 
 
@@ -329,7 +353,9 @@ def _problem(text: str) -> str:
     r"""What is to be found under conditions, `\min_x f(x) \quad \text{subject to} \quad g(x) = 0`, with words."""
     first = _SUBJECT.search(text) if r"\text {" in text else None
     alone = _OBJECTIVE.fullmatch(text) if first is None else None
-    if alone is not None and alone[2] != "f i n d" and not _RELATED.search(text):  # what it is of reaches to the end
+    if (
+        alone is not None and alone[2] != "f i n d" and not _RELATED.search(alone[5])
+    ):  # what it is of reaches to the end
         return rf"{alone[1]}\{alone[2].replace(' ', '')} {alone[3] or ''}\left ( {alone[5].rstrip(' .,;')} \right )"
     if first is None:
         return text

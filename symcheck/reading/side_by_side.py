@@ -73,6 +73,8 @@ _OWN_PRODUCT = re.compile(
 )
 _FACTORS_FIRST = frozenset("gkmd")  # gravity, springs, masses, differentials
 LONGEST = 3  # small letters of which one that stands elsewhere shows that they are factors
+# a name with a digit on the line: `q1`, beside which others may be typed so, too
+_TYPED = re.compile(r"\\text \{ [a-z] \d \}")
 _CAPITAL_FIRST = re.compile(r"[A-Z][a-z]")  # as in `Tc`
 # a number before a matrix
 _FACTOR_FIRST = re.compile(r"[a-z][A-Z]")
@@ -99,6 +101,7 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         map(_OF_VECTORS.search, formulas)
     )
     matrices = any(map(_OF_MATRICES.search, formulas))
+    typed = any(map(_TYPED.search, formulas))
     for run in _abbreviated(several, runs):
         found |= dict.fromkeys(run, _told(run))
     for run in several:
@@ -116,6 +119,9 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         if alone and left and len(run) == 2 and run.islower():
             found |= dict.fromkeys(alone, _told(run))
         if run[0] in alone and _is_defined(run, alone, texts):
+            found |= dict.fromkeys(alone, _told(run))
+            continue
+        if alone and typed and len(run) == 2 and run.islower() and run[0] not in _FACTORS_FIRST:
             found |= dict.fromkeys(alone, _told(run))
             continue
         unit = run in _UNITS and any(f"{{ {' '.join(run)} }}" in text for text in texts)  # all of a part of a fraction

@@ -53,7 +53,9 @@ BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracke
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
 _ENTRY = r"[A-Z](?:_(?:\w|\{[^{}]*\}))?"
 # two blocks of a matrix, with a space between them
-_BLOCKS = re.compile(rf"[(\[]\s*{_ENTRY}\s*\\(?:hspace\s*\{{[^{{}}]*\}}|;|:|quad|\s)\s*{_ENTRY}\s*[)\]]\s*[.,;]?\s*$")
+_BLOCKS = re.compile(
+    rf"[(\[]\s*{_ENTRY}\s*\\(?:hspace\s*\{{[^{{}}]*\}}|;|:|quad|\s)\s*(?:{_ENTRY}\s*[)\]]\s*[.,;]?\s*$|[^()]*\)\s*\^\s*(?:T|\\top))"
+)
 # a term in brackets with its sign, behind another one
 _OPTIONAL = re.compile(
     r"(?:(?<![A-Za-z])[A-Za-z]|[0-9})\]])\s*(?:\\left\s*)?\(\s*\+\s*(?!\\infty|[\d.\s]*(?:\\right\s*)?\))"

@@ -100,7 +100,13 @@ def _typed_below(toks: Sequence[tex.Tok], k: int) -> str:
     twins = twins or (len(word) == 2 and word.islower() and len({*word}) == 1)  # `I_xx`, or `p_x x`
     twins = twins or (k == 1 and len(word) == 2 and word.isupper() and behind == "=")  # all that a side holds
     meant = len(word) > 2 or (len({*word}) == 2 and ({*word} <= _INDICES or _is_never_apart(toks, word))) or twins
-    return word if meant and behind not in ("_", "^", "(", "'", r"\left") else ""
+    named = len(word) > 2 and word.islower() and behind == "^" and _is_alone(toks, word)
+    return word if meant and (named or behind not in ("_", "^", "(", "'", r"\left")) else ""
+
+
+def _is_alone(toks: Sequence[tex.Tok], word: str) -> bool:
+    """Do the letters behind the first one of a word stand nowhere else?"""
+    return all(sum(tok.text == letter for tok in toks) == word.count(letter) for letter in word[1:])
 
 
 def _is_never_apart(toks: Sequence[tex.Tok], word: str) -> bool:
