@@ -38,9 +38,14 @@ DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|fi
 NAMING = re.compile(
     rf"{DERIVED.pattern}|(?<!in the )\blimit(?:s|ed)?\b|\b(?:laws?|models?|examples?|consider\w*)\b", re.IGNORECASE
 )
+# words before what is chosen, or assumed, which for the rest of a section says what a letter is
+CHOSEN = re.compile(
+    r"\b(?:assum\w*|suppos\w*|cho[io]s\w*|choice|set|setting|satisf\w*|equilibri\w*|such that)\b", re.IGNORECASE
+)
 # words before what holds nearly
 NEARLY = re.compile(
     r"\b(?:lineari[sz]\w*|neglect\w*|approximation\w*|(?:first|second|leading|lowest|higher)[- ]order"
+    r"(?! (?:polynomial|differential|equation|system|tensor|partial|ODE))"
     r"|small[- ](?:\w+ )?(?:angle|perturbation|deviation|oscillation|displacement|rotation|error|motion)s?"
     r"|(?:is|are|be|for|sufficiently|very|enough) small)\b",
     re.IGNORECASE,
@@ -262,6 +267,13 @@ class Derived:
         self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
         self.stated = {k for k, every in self.usable.items() if every and self.is_said(k)}
+        here = Counter((f.part, x) for f, seen in zip(checks.formulas, checks.seen, strict=True) for x in seen.heads)
+        self.chosen = {
+            k
+            for k, f in enumerate(checks.formulas)
+            if self.usable[k] and f.display and k not in self.stated and checks.is_said(k, CHOSEN)
+            if all(each.link.head and here[f.part, each.link.head] == 1 for each in self.usable[k])
+        }
         self.entries: dict[int, list[Definition]] = {}  # of printed matrices, by the formula that prints them
         for each in entries(checks.seen):
             numbers = (r for r in checks.seen[each.number].roles if r.kind == "scalar" and r.letter in each.latex)
@@ -292,7 +304,7 @@ class Derived:
         pool = [
             each
             for m in places
-            if m in stated and self._serves(m, k)
+            if (m in stated or self._is_chosen(m, k)) and self._serves(m, k)
             for each in (*self.usable[m], *self.entries.get(m, ()))
         ]
         found = []
@@ -311,6 +323,10 @@ class Derived:
                 questions[0] = replace(questions[0], worded=True)
             found.append(tuple(questions))
         return found
+
+    def _is_chosen(self, m: int, k: int) -> bool:
+        """Does a formula say what a letter is by choice, before another one in the same section?"""
+        return m in self.chosen and m < k and self.checks.formulas[m].part == self.checks.formulas[k].part
 
     def _serves(self, m: int, k: int) -> bool:
         """Do the letters of a formula mean the same elsewhere? Not if many sections say anew what one of them is.
@@ -482,9 +498,10 @@ def blamed(
     """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
 
     Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
-    of the pen explains it. The fewest that fail together say most, and are explained first. Relations that
-    say the same are right together, and so is what follows from one alone: the line behind a wrong one is no witness
-    for it. `shown` are others with their sources. When the time is over no more than the first ones are explained.
+    of the pen explains it. The fewest that fail together say most, and are explained first, those that fail with what
+    is printed before them before others. Relations that say the same are right together, and so is what follows from
+    one alone: the line behind a wrong one is no witness for it. `shown` are others with their sources. When the time is
+    over no more than the first ones are explained.
     """
     until = math.inf
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
@@ -503,8 +520,9 @@ def blamed(
     left = {question: {m for m in question.places if same[m] not in right} for question in failing}
     with suppress(OutOfTime):
         while left := {q: places for q, places in left.items() if places}:
-            least = min(len(question.sources) for question in left)
-            now = {question: places for question, places in left.items() if len(question.sources) == least}
+            first = {q: places for q, places in left.items() if q.kind != LATER} or left
+            least = min(len(question.sources) for question in first)
+            now = {question: places for question, places in first.items() if len(question.sources) == least}
             votes = Counter(x for places in now.values() for x in {same[m] for m in places})
             share = {x: count / (count + held[x] + 1) for x, count in votes.items()}
             most = {x for x in votes if share[x] == max(share.values())}

@@ -545,6 +545,9 @@ class Lowering:
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
+        one = {shape(a), shape(b)} in ({(), (1,)}, {(), (1, 1)})
+        if one and any(isinstance(part, MatrixOf) for part in nodes(left if isinstance(a, list) else right)):
+            return (next(flat(a)), b) if isinstance(a, list) else (a, next(flat(b)))  # a row times a column, printed
         if shape(a) != shape(b) or isinstance(a, Row) != isinstance(b, Row):
             if left == tree_of.Number("0"):
                 return zero(b), b
