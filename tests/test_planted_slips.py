@@ -229,6 +229,28 @@ $$\frac{\partial \mathcal{L}}{\partial q}
         "",
         11,
     ),
+    "an operator with a name": Planted(
+        "# Oscillators\n\nThe motion is\n$$\\mathcal{D} x(t) = f(t)$$\nwith the operator\n"
+        r"$$\mathcal{D} = \frac{d^2}{dt^2} + 2 \beta \frac{d}{dt} + \omega^2$$"
+        "\nIt reads\n$$\\frac{d^2 x(t)}{dt^2} + SLIP \\beta \\frac{d x(t)}{dt} + \\omega^2 x(t) = f(t)$$\n",
+        "2",
+        "3",
+        8,
+    ),
+    "exchanged entries": Planted(
+        r"$$L = \begin{pmatrix} 1 & 1 \\ 1 & -1 \end{pmatrix} \begin{pmatrix} u \\ v \end{pmatrix}"
+        r" = \begin{pmatrix} SLIP \end{pmatrix}$$",
+        r"u + v \\ u - v",
+        r"u - v \\ u + v",
+        1,
+    ),
+    "an entry beside a zero": Planted(
+        r"$$L = \begin{pmatrix} a & 0 \\ 0 & b \end{pmatrix} \begin{pmatrix} u \\ 0 \end{pmatrix}"
+        r" = \begin{pmatrix} SLIP a u \\ 0 \end{pmatrix}$$",
+        "",
+        "2",
+        1,
+    ),
     "a chain whose first member may be complex": Planted(
         "The solution is\n$$z(t) = A e^{-i \\delta} e^{i \\omega t} = A e^{i (\\omega t SLIP \\delta)}$$\n", "-", "+", 2
     ),

@@ -38,10 +38,6 @@ DERIVED = re.compile(rf"{OF_KNOWN.pattern}|{REFERRING.pattern}|\b(?:replac\w*|fi
 NAMING = re.compile(
     rf"{DERIVED.pattern}|(?<!in the )\blimit(?:s|ed)?\b|\b(?:laws?|models?|examples?|consider\w*)\b", re.IGNORECASE
 )
-# words before what is chosen, or assumed, which for the rest of a section says what a letter is
-CHOSEN = re.compile(
-    r"\b(?:assum\w*|suppos\w*|cho[io]s\w*|choice|set|setting|satisf\w*|equilibri\w*|such that)\b", re.IGNORECASE
-)
 # words before what holds nearly
 NEARLY = re.compile(
     r"\b(?:lineari[sz]\w*|neglect\w*|approximation\w*|(?:first|second|leading|lowest|higher)[- ]order"
@@ -267,13 +263,6 @@ class Derived:
         self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
         self.stated = {k for k, every in self.usable.items() if every and self.is_said(k)}
-        here = Counter((f.part, x) for f, seen in zip(checks.formulas, checks.seen, strict=True) for x in seen.heads)
-        self.chosen = {
-            k
-            for k, f in enumerate(checks.formulas)
-            if self.usable[k] and f.display and k not in self.stated and checks.is_said(k, CHOSEN)
-            if all(each.link.head and here[f.part, each.link.head] == 1 for each in self.usable[k])
-        }
         self.entries: dict[int, list[Definition]] = {}  # of printed matrices, by the formula that prints them
         for each in entries(checks.seen):
             numbers = (r for r in checks.seen[each.number].roles if r.kind == "scalar" and r.letter in each.latex)
@@ -304,7 +293,7 @@ class Derived:
         pool = [
             each
             for m in places
-            if (m in stated or self._is_chosen(m, k)) and self._serves(m, k)
+            if m in stated and self._serves(m, k)
             for each in (*self.usable[m], *self.entries.get(m, ()))
         ]
         found = []
@@ -323,10 +312,6 @@ class Derived:
                 questions[0] = replace(questions[0], worded=True)
             found.append(tuple(questions))
         return found
-
-    def _is_chosen(self, m: int, k: int) -> bool:
-        """Does a formula say what a letter is by choice, before another one in the same section?"""
-        return m in self.chosen and m < k and self.checks.formulas[m].part == self.checks.formulas[k].part
 
     def _serves(self, m: int, k: int) -> bool:
         """Do the letters of a formula mean the same elsewhere? Not if many sections say anew what one of them is.

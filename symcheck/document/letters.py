@@ -11,7 +11,7 @@ from functools import cache
 from symcheck.document.macros import bare, tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
-from symcheck.document.survey import SKEW, UNNAMED, Role, Said, Seen, is_sayable
+from symcheck.document.survey import SKEW, UNNAMED, Role, Said, Seen, is_sayable, surveyed
 from symcheck.document.written_out import partial_rules
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
@@ -33,6 +33,11 @@ _HATTED = re.compile(r"\\hat\{[a-z]\}")  # a letter in plain type with a hat: a 
 _WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
 # a name with a tilde in brackets, and what stands below it
 _TILDE = re.compile(r"\[\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}(_.+)?\]")
+# what a letter is said to be, if derivatives of nothing stand in it
+_OPERATOR = re.compile(
+    r"((?:\\math(?:cal|scr)|\\hat)\s*\{\s*[A-Z]\s*\}|[A-Z])\s*(?:=|:=|\\equiv)"
+    r"((?:[^=]*?)\\[dt]?frac\s*\{\s*(?:d|\\partial)\s*(?:\^\s*(?:\d|\{\s*\d\s*\}))?\s*\}[^=]*)"
+)
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -227,10 +232,29 @@ def rules(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Let
     """Rules of rewriting that make one of what a document prints in two ways.
 
     These are labels in different type below a name, where both types are used, and nowhere beside each other; the
-    frame at the left of vectors, if there is one frame alone, and they stand without it, too; and derivatives by what
-    is written out elsewhere.
+    frame at the left of vectors, if there is one frame alone, and they stand without it, too; derivatives by what is
+    written out elsewhere; and operators that are said to be sums of derivatives.
     """
-    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every))]
+    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every)), *_operators(formulas)]
+
+
+def _operators(formulas: Sequence[Printed]) -> list[str]:
+    """For each letter that is said once to be a sum of operators what it stands for, if it has no index anywhere."""
+    said: dict[str, set[str]] = {}
+    for formula in formulas:
+        if found := _OPERATOR.fullmatch(formula.latex.strip().rstrip(".,; ")):
+            said.setdefault(found[1], set()).add(found[2].strip())
+    return [
+        rf"{letter} -> \left( {sums.pop()} \right)"
+        for letter, sums in said.items()
+        if len(sums) == 1 and _is_operator(*sums)
+        if not any(re.search(rf"{re.escape(letter)}\s*[_']", formula.latex) for formula in formulas)
+    ]
+
+
+def _is_operator(text: str) -> bool:
+    """Is this sum read where it stands before a letter, and not alone?"""
+    return surveyed(rf"\left( {text} \right) \chi_0 = 0").read and not surveyed(f"{text} = 0").is_known
 
 
 def _lists(seen: Sequence[Seen], every: Sequence[Letter]) -> set[str]:
