@@ -213,6 +213,80 @@ $$\frac{\partial \mathcal{L}}{\partial q}
         "a^2 - c^2",
         6,
     ),
+    "fields by several coordinates": Planted(
+        "# Stresses\n\nWe choose a function $\\phi$ to satisfy the equilibrium equations so that\n"
+        "\\begin{align}\n\\sigma_{xx} &= \\frac{\\partial^2 \\phi}{\\partial y^2} + \\psi \\\\\n"
+        "\\sigma_{yy} &= \\frac{\\partial^2 \\phi}{\\partial x^2} + \\psi\n\\end{align}\n"
+        "We must also satisfy the compatibility equations. For plane strain, we have\n"
+        r"$$\left(\frac{\partial^2}{\partial x^2} + \frac{\partial^2}{\partial y^2}\right) (\sigma_{xx} + \sigma_{yy})"
+        r" - c \left(\frac{\partial^2 \psi}{\partial x^2} + \frac{\partial^2 \psi}{\partial y^2}\right) = 0$$"
+        "\nSubstituting in the stress components leads to\n"
+        r"$$\frac{\partial^4 \phi}{\partial x^4} + SLIP \frac{\partial^4 \phi}{\partial x^2 \partial y^2}"
+        r" + \frac{\partial^4 \phi}{\partial y^4} + (2 - c)"
+        r" \left(\frac{\partial^2 \psi}{\partial x^2} + \frac{\partial^2 \psi}{\partial y^2}\right) = 0$$"
+        "\n",
+        "2",
+        "",
+        11,
+    ),
+    "an operator with a name": Planted(
+        "# Oscillators\n\nThe motion is\n$$\\mathcal{D} x(t) = f(t)$$\nwith the operator\n"
+        r"$$\mathcal{D} = \frac{d^2}{dt^2} + 2 \beta \frac{d}{dt} + \omega^2$$"
+        "\nIt reads\n$$\\frac{d^2 x(t)}{dt^2} + SLIP \\beta \\frac{d x(t)}{dt} + \\omega^2 x(t) = f(t)$$\n",
+        "2",
+        "3",
+        8,
+    ),
+    "exchanged entries": Planted(
+        r"$$L = \begin{pmatrix} 1 & 1 \\ 1 & -1 \end{pmatrix} \begin{pmatrix} u \\ v \end{pmatrix}"
+        r" = \begin{pmatrix} SLIP \end{pmatrix}$$",
+        r"u + v \\ u - v",
+        r"u - v \\ u + v",
+        1,
+    ),
+    "an entry beside a zero": Planted(
+        r"$$L = \begin{pmatrix} a & 0 \\ 0 & b \end{pmatrix} \begin{pmatrix} u \\ 0 \end{pmatrix}"
+        r" = \begin{pmatrix} SLIP a u \\ 0 \end{pmatrix}$$",
+        "",
+        "2",
+        1,
+    ),
+    "a chain whose first member may be complex": Planted(
+        "The solution is\n$$z(t) = A e^{-i \\delta} e^{i \\omega t} = A e^{i (\\omega t SLIP \\delta)}$$\n", "-", "+", 2
+    ),
+    "a row times a matrix times a column": Planted(
+        r"The energy is $$T = \frac{1}{2} \begin{pmatrix} u & v \end{pmatrix}"
+        r" \begin{pmatrix} a & b \\ b & c \end{pmatrix}"
+        r" \begin{pmatrix} u \\ v \end{pmatrix} = \frac{1}{2} (a u^2 + SLIP b u v + c v^2)$$",
+        "2",
+        "",
+        1,
+    ),
+    "a chain behind other words for roots": Planted(
+        "The turning points are the roots of the equation. For the potential\n"
+        r"$$W = u^2 - SLIP m u = (u - m)^2 - m^2$$",
+        "2",
+        "",
+        2,
+    ),
+    "a chain before its consequence": Planted(
+        r"It is $$2 a = \frac{p (1 - e) + p (1 + e)}{(1 + e) (1 - e)} = \frac{2 p}{1 SLIP e^2}"
+        r" \implies p = a (1 - e^2), \qquad b = c$$",
+        "-",
+        "+",
+        1,
+    ),
+    "a consequence beside another equation": Planted(r"$$u = m + c \implies c = u SLIP m, \qquad d = v$$", "-", "+", 1),
+    "an identity within a sentence": Planted(
+        "Using the identity $\\mathbf{a} \\times (\\mathbf{b} \\times \\mathbf{c}) = "
+        "\\mathbf{b} (\\mathbf{a} \\cdot \\mathbf{c}) SLIP \\mathbf{c} (\\mathbf{a} \\cdot \\mathbf{b})$, we go on.\n",
+        "-",
+        "+",
+        1,
+    ),
+    "what one formula in a sentence gives": Planted(
+        "The equation $(u - 13) (u - 7) - 16 = 0$ gives $u^2 - 20 u + SLIP = 0$, as we know.\n", "75", "65", 1
+    ),
 }
 
 
@@ -255,6 +329,16 @@ SOUND = {
     "a moment of inertia": "The energy is\n$$T = \\frac{1}{2} (I + m l^2) w^2$$\nwhere $J$ is the identity, and\n"
     "$$T = \\frac{1}{2} I w^2 + \\frac{1}{2} m l^2 w^2$$\nwith\n$$I = \\frac{1}{12} m l^2$$\nso that\n"
     "$$T = \\frac{13}{24} m l^2 w^2$$\n",
+    "some constant": "The momentum is\n$$h = r^2 w = \\text{constant}$$\nand the area\n"
+    "$$\\dot A = \\frac{1}{2} r^2 w = \\frac{h}{2} = \\text{constant}$$\n"
+    "so that\n$$\\ln p = a + \\mathrm{const}$$\nand\n$$\\ln p = 2 a + \\mathrm{const.}$$\n",
+    "symmetric entries": r"The energy is $$T = \begin{pmatrix} u & v \end{pmatrix}"
+    r" \begin{pmatrix} I_{xx} & I_{xy} \\ I_{yx} & I_{yy} \end{pmatrix}"
+    r" \begin{pmatrix} u \\ v \end{pmatrix} = I_{xx} u^2 + 2 I_{xy} u v + I_{yy} v^2$$",
+    "choices in two cases": "# Cases\n\nWe choose\n$$u = a + b$$\nso that\n$$w = (a + b)^2$$\nNow we set\n"
+    "$$u = a - b$$\nand\n$$z = u^2$$\n",
+    "what holds at a place": "The rod is held, so that\n$$u = 0 \\text{ at } x = l$$\nand its displacement is\n"
+    "$$u = \\frac{q x}{2 k} (l - x)$$\n",
     "other sections": "# Orbits\n\n## Circles\n\n$$v = \\sqrt{\\frac{m}{r}}$$\n\n$$h = r v$$\n\n$$h = \\sqrt{m r}$$\n\n"
     "## Escape\n\nThe speed is\n\n$$v = \\sqrt{\\frac{2 m}{r}}$$\n",
 }

@@ -9,6 +9,7 @@ from reading_samples import CHARACTERISTIC, NOTATION, ROTATED, TORQUE
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI
 from symcheck.core.verdicts import SymcheckError
 from symcheck.reading import Letter, Notation, edits, lower, read, relations, split_tag, term, to_latex, to_sympy
+from symcheck.reading.surface import plain
 from symcheck.reading.tree import (
     Chain,
     Cross,
@@ -570,6 +571,7 @@ MALFORMED = {
     r"d^2 c": "differential",
     r"\frac{d^2 f_1}{dJ_2}": "orders",
     r"J_1 = 0 \Rightarrow k = 0, c = 0": "ambiguous",
+    r"\left(\frac{d}{dk} + c\right) f_1(k) J_1 = 0": "applies to is ambiguous",
     r"J_1 \Rightarrow k = 0": "relation is expected",
     r"(J_1 = 1) + 2 = 3": "not a relation",
     r"J_1 = 0, c k": "says nothing",
@@ -641,6 +643,23 @@ SENSELESS = {
 def test_what_has_no_algebraic_meaning_is_an_error_when_lowered(latex):
     with pytest.raises(SymcheckError, match=SENSELESS[latex]):
         formulas(latex)
+
+
+SAME = {  # what is printed, and other prints that together say the same
+    r"\left(\frac{d^2}{dk^2} + 2 c \frac{d}{dk} - J_1\right) f_1(k) = 0": [
+        r"\frac{d^2 f_1(k)}{dk^2} + 2 c \frac{d f_1(k)}{dk} - J_1 f_1(k) = 0"
+    ],
+    r"c: \quad J_1 = k": ["J_1 = k"],
+    r"J_1 = k \text{ at } c = 0": [r"J_1 = k \text{ for } c = 0"],
+    r"J_1 = c \implies k = c, \qquad J_2 = k": [r"J_1 = c \implies k = c", "J_2 = k"],
+    r"\frac{d(c^{-1})}{dc} = k": [r"\frac{d}{dc}(c^{-1}) = k"],
+    r"\begin{pmatrix} c & k \end{pmatrix} \begin{pmatrix} c \\ k \end{pmatrix} = J_1": ["c c + k k = J_1"],
+}
+
+
+@pytest.mark.parametrize("latex", SAME)
+def test_what_is_printed_in_another_way_has_the_same_meaning(latex):
+    assert formulas(plain(latex)) == tuple(found for text in SAME[latex] for found in formulas(plain(text)))
 
 
 LOWERED = {

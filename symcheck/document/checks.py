@@ -13,7 +13,7 @@ from itertools import chain
 from symcheck.document.conditions import holds_elsewhere
 from symcheck.document.letters import Letter, said
 from symcheck.document.macros import bare
-from symcheck.document.points import compared, slips
+from symcheck.document.points import compared, slips, symmetric_entries
 from symcheck.document.printed import Printed
 from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, Link, Seen, is_open, is_sayable, surveyed
 from symcheck.document.written_out import gradient
@@ -42,6 +42,11 @@ IDLE = re.compile(
     re.IGNORECASE,
 )
 PURPOSE = re.compile(r"\bso that\b", re.IGNORECASE)  # or a consequence
+# between two formulas in a sentence, of which the second one follows from the first
+GIVING = re.compile(
+    r"\$,? (?:(?:which|and|this) )?(?:gives?|yields?|implies|(?:reduce|simplifie)s to|is equivalent to)\W*$"
+)
+NAMED = re.compile(r"\bidentit\w+\W*$", re.IGNORECASE)  # what stands behind it at once is an identity
 # words before a formula that say that it holds for all values of its letters
 IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|expand\w*|simplif\w*)\b", re.IGNORECASE)
 INDEFINITE = re.compile(r"\\int(?!\s*[_^])")  # an integral whose derivative is known
@@ -143,6 +148,10 @@ def _explained(question: Question) -> bool:
 
 def _confirmed(question: Question) -> Answer:
     said = dict(question.letters)
+    if entries := symmetric_entries((question.relation, *question.where)):
+        alike = answered(question.relation, question.where, entries, said, wanted=False)
+        if not fails(alike):
+            return replace(alike, verdict=Status.UNDECIDED, reason="the matrix of these entries may be symmetric")
     if question.given:
         together = answered(question.relation, question.where, question.given, said, wanted=False)
         if together.verdict in (Status.PROVED, Status.UNDECIDED, Status.VACUOUS):
@@ -230,7 +239,7 @@ class Checks:
         words = IDLE.sub("", aside.sub("", self._words(k)) if aside else self._words(k))
         return self.seen[k].plain and not CONDITIONAL.search(words)
 
-    def _words(self, k: int) -> str:
+    def _words(self, k: int, most: int = SENTENCES) -> str:
         """The last words before a formula; of displays below each other those before the first.
 
         The sentence that says from what it follows, or what it defines, stands for itself.
@@ -239,19 +248,25 @@ class Checks:
             k -= 1
         sentences = re.split(r"[.;:]\s+(?=[A-Z\\])", self.formulas[k].before)
         last = sentences[-1]
-        alone = DEFINED.search(last) or (REFERRING.search(last) and RESULTING.search(last))
-        return ". ".join(sentences[-1 if alone else -SENTENCES :])
+        alone = DEFINED.search(last) or ((REFERRING.search(last) or USING.search(last)) and RESULTING.search(last))
+        return ". ".join(sentences[-1 if alone else -most :])
 
     def suspicious(self) -> Iterator[Question]:
         """Relations that ought to hold by what stands before them."""
         for k, seen in enumerate(self.seen):
-            stated = self.is_statement(k)
-            if not stated and not self._is_bounded(k):
-                continue
-            for link in seen.links:
-                question = self._chained(k, link) or (self._defined(k, link) if stated else None)
-                if question is not None:
-                    yield question
+            stated = self.is_statement(k) or (seen.plain and seen.is_sayable and self._is_named_identity(k))
+            if stated or self._is_bounded(k):
+                for link in seen.links:
+                    question = self._chained(k, link) or (self._defined(k, link) if stated else None)
+                    if question is not None:
+                        yield question
+            elif self.formulas[k].display and seen.is_sayable and not CONDITIONAL.search(self._words(k, 1)):
+                every = (*(seen.links if seen.plain else ()), *seen.premises, *seen.conclusions)
+                yield from (each for link in every if link.chained and (each := self._chained(k, link)) is not None)
+
+    def _is_named_identity(self, k: int) -> bool:
+        """Does the word for one stand at once before a formula within a sentence?"""
+        return not self.formulas[k].display and NAMED.search(self.formulas[k].before) is not None
 
     def gradients(self, agreed: Container[int]) -> Iterator[Question]:
         """The entries of lists of derivatives of a number that is said before; in what agrees it is said again."""
@@ -366,10 +381,13 @@ class Checks:
     def _step(self, m: int, k: int) -> Question | None:
         """Whether an equation follows from one before it, if both stand below each other and have the same letters."""
         both, seen = (self.formulas[m], self.formulas[k]), (self.seen[m], self.seen[k])
-        if len({(f.display, f.scope) for f in both}) > 1 or not both[0].display or both[1].goes_on:
+        if len({(f.display, f.scope) for f in both}) > 1 or both[1].goes_on:
+            return None
+        given = k == m + 1 and not both[0].display and GIVING.search(both[1].before) is not None
+        if not both[0].display and not given:
             return None
         worded = both[0].before != both[1].before
-        if worded and not (_goes_on(both[1].before) and self.is_said(k)):
+        if worded and not given and not (_goes_on(both[1].before) and self.is_said(k)):
             return None
         if both[0].latex == both[1].latex or any(x.reason or not x.plain or len(x.links) != 1 for x in seen):
             return None

@@ -41,6 +41,7 @@ NAMING = re.compile(
 # words before what holds nearly
 NEARLY = re.compile(
     r"\b(?:lineari[sz]\w*|neglect\w*|approximation\w*|(?:first|second|leading|lowest|higher)[- ]order"
+    r"(?! (?:polynomial|differential|equation|system|tensor|partial|ODE))"
     r"|small[- ](?:\w+ )?(?:angle|perturbation|deviation|oscillation|displacement|rotation|error|motion)s?"
     r"|(?:is|are|be|for|sufficiently|very|enough) small)\b",
     re.IGNORECASE,
@@ -482,9 +483,10 @@ def blamed(
     """The wrong relations, each with what it fails with, and those of which one is wrong, nobody knows which.
 
     Where relations fail together, the wrong one stands in most of them, and seldom in those that hold together; a slip
-    of the pen explains it. The fewest that fail together say most, and are explained first. Relations that
-    say the same are right together, and so is what follows from one alone: the line behind a wrong one is no witness
-    for it. `shown` are others with their sources. When the time is over no more than the first ones are explained.
+    of the pen explains it. The fewest that fail together say most, and are explained first, those that fail with what
+    is printed before them before others. Relations that say the same are right together, and so is what follows from
+    one alone: the line behind a wrong one is no witness for it. `shown` are others with their sources. When the time is
+    over no more than the first ones are explained.
     """
     until = math.inf
     wrong, unlike = dict[int, Question](), list[tuple[int, ...]]()
@@ -503,8 +505,9 @@ def blamed(
     left = {question: {m for m in question.places if same[m] not in right} for question in failing}
     with suppress(OutOfTime):
         while left := {q: places for q, places in left.items() if places}:
-            least = min(len(question.sources) for question in left)
-            now = {question: places for question, places in left.items() if len(question.sources) == least}
+            first = {q: places for q, places in left.items() if q.kind != LATER} or left
+            least = min(len(question.sources) for question in first)
+            now = {question: places for question, places in first.items() if len(question.sources) == least}
             votes = Counter(x for places in now.values() for x in {same[m] for m in places})
             share = {x: count / (count + held[x] + 1) for x, count in votes.items()}
             most = {x for x in votes if share[x] == max(share.values())}

@@ -11,7 +11,7 @@ from functools import cache
 from symcheck.document.macros import bare, tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
-from symcheck.document.survey import SKEW, UNNAMED, Role, Said, Seen, is_sayable
+from symcheck.document.survey import SKEW, UNNAMED, Role, Said, Seen, is_sayable, surveyed
 from symcheck.document.written_out import partial_rules
 from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
@@ -33,6 +33,11 @@ _HATTED = re.compile(r"\\hat\{[a-z]\}")  # a letter in plain type with a hat: a 
 _WORDS = (r"_{\text", r"_{\mathrm")  # in these a label is the same as in plain type
 # a name with a tilde in brackets, and what stands below it
 _TILDE = re.compile(r"\[\\(?:wide)?tilde\{((?:[^{}]|\{[^{}]*\})*)\}(_.+)?\]")
+# what a letter is said to be, if derivatives of nothing stand in it
+_OPERATOR = re.compile(
+    r"((?:\\math(?:cal|scr)|\\hat)\s*\{\s*[A-Z]\s*\}|[A-Z])\s*(?:=|:=|\\equiv)"
+    r"((?:[^=]*?)\\[dt]?frac\s*\{\s*(?:d|\\partial)\s*(?:\^\s*(?:\d|\{\s*\d\s*\}))?\s*\}[^=]*)"
+)
 LONGEST_PRODUCT = 4  # letters, of which exponents are made without a sign
 # of letters that are said to be one of these in one place and another of them elsewhere, the places disagree
 KINDS = {
@@ -83,7 +88,7 @@ def letters(formulas: Sequence[Printed], seen: Sequence[Seen]) -> list[Letter]:
                 own = replace(role, known=False) if doubtful else role
                 places.setdefault(role.letter, []).append((own, formula))
     every = {letter: Counter(role.phrase for role, _ in roles if _tells(role)) for letter, roles in places.items()}
-    found = [_letter(letter, roles, _common(every[letter], every)) for letter, roles in places.items()]
+    found = [_letter(letter, roles, _field(roles) or _common(every[letter], every)) for letter, roles in places.items()]
     vectors = {each.letter: shown(each.letter) for each in found if each.phrase.startswith("vector")}
     named = {bare(face(v)): v for v in vectors.values()} | {bare(x): v for x, v in vectors.items()}
     return [_of_vector(each, named) for each in found]
@@ -122,6 +127,15 @@ def _common(phrases: Counter[str], every: Mapping[str, Counter[str]]) -> str:
     return max(whole, key=lambda phrase: phrases[phrase], default="")
 
 
+def _field(places: Sequence[tuple[Role, Printed]]) -> str:
+    """That a letter depends on all by which it is differentiated partially, here by one and there by another."""
+    telling = [(r.phrase, f) for r, f in places if r.known and r.phrase and (r.sure or r.phrase.startswith("depends"))]
+    if not all(phrase.startswith("depends") and r"\partial" in formula.latex for phrase, formula in telling):
+        return ""
+    several = sorted({x for phrase, _ in telling for x in depends_on(phrase)})
+    return f"depends on {', '.join(several)}" if len(several) > 1 else ""
+
+
 @cache
 def shown(letter: str) -> str:
     """A letter without idle spaces, as somebody would type it."""
@@ -137,7 +151,8 @@ def _letter(letter: str, places: Sequence[tuple[Role, Printed]], phrase: str) ->
             telling.setdefault(role.phrase, (role, formula))
     if not telling:
         role = places[0][0]
-        return Letter(letter, role.taken, role.why, "", count, first)
+        role = next((role for role, _ in places if role.phrase), role) if phrase else role
+        return Letter(letter, role.taken, role.why, phrase, count, first)
     if printed := [role for role, _ in telling.values() if role.why == PRINTED]:
         telling = {said: each for said, each in telling.items() if said == printed[0].phrase}
         phrase = printed[0].phrase
@@ -157,11 +172,19 @@ def said(seen: Seen, known: Mapping[str, Letter]) -> dict[str, str]:
     own = {shown(role.letter) for role in seen.roles}
     for role in seen.roles:
         phrase = known[role.letter].phrase if role.letter in known else ""
-        phrase = phrase if depends_on(phrase) <= own else ""
+        phrase = phrase if is_of(own, phrase) else ""
+        of_less = role.phrase.startswith("depends") and depends_on(role.phrase) <= depends_on(phrase)
         open_ = not role.sure or not role.phrase or phrase.startswith(SKEW)
+        open_ = open_ or (of_less and role.phrase != phrase)
         if open_ and role.kind not in UNNAMED and is_sayable(phrase):
             found[role.letter] = phrase
     return found
+
+
+def is_of(letters: Set[str], phrase: str) -> bool:
+    """Are all letters on which one depends by a phrase among these, or, of a field, some?"""
+    on = depends_on(phrase)
+    return on <= letters or (len(on) > 1 and not on.isdisjoint(letters))
 
 
 def depends_on(phrase: str) -> set[str]:
@@ -209,10 +232,29 @@ def rules(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Let
     """Rules of rewriting that make one of what a document prints in two ways.
 
     These are labels in different type below a name, where both types are used, and nowhere beside each other; the
-    frame at the left of vectors, if there is one frame alone, and they stand without it, too; and derivatives by what
-    is written out elsewhere.
+    frame at the left of vectors, if there is one frame alone, and they stand without it, too; derivatives by what is
+    written out elsewhere; and operators that are said to be sums of derivatives.
     """
-    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every))]
+    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every)), *_operators(formulas)]
+
+
+def _operators(formulas: Sequence[Printed]) -> list[str]:
+    """For each letter that is said once to be a sum of operators what it stands for, if it has no index anywhere."""
+    said: dict[str, set[str]] = {}
+    for formula in formulas:
+        if found := _OPERATOR.fullmatch(formula.latex.strip().rstrip(".,; ")):
+            said.setdefault(found[1], set()).add(found[2].strip())
+    return [
+        rf"{letter} -> \left( {sums.pop()} \right)"
+        for letter, sums in said.items()
+        if len(sums) == 1 and _is_operator(*sums)
+        if not any(re.search(rf"{re.escape(letter)}\s*[_']", formula.latex) for formula in formulas)
+    ]
+
+
+def _is_operator(text: str) -> bool:
+    """Is this sum read where it stands before a letter, and not alone?"""
+    return surveyed(rf"\left( {text} \right) \chi_0 = 0").read and not surveyed(f"{text} = 0").is_known
 
 
 def _lists(seen: Sequence[Seen], every: Sequence[Letter]) -> set[str]:
@@ -287,7 +329,7 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
     """
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
-    told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and depends_on(phrase) <= own}
+    told = {x: phrase for x, phrase in phrases.items() if is_sayable(phrase) and is_of(own, phrase)}
     unlike = SHAPES_DIFFER in seen.reason  # if letters before brackets are functions
     found = {
         r.letter: told[r.letter]

@@ -101,7 +101,7 @@ def _inline(parts: Sequence[Token], lines: Sequence[str], at: int, scanner: Scan
             dollar = "$" if part.type == "math_inline" else ""  # without it a letter is found in words, too
             line = _line(lines, at, f"{dollar}{part.content}{dollar}")
             scanner.put(_unescaped(part.content), line, display=False)
-        elif part.type == "myst_role" and part.meta.get("name") == "eq":
+        elif part.type == "myst_role" and part.meta.get("name") in ("eq", "math:eq", "math:numref"):
             scanner.words(rf"\eqref{{{part.content}}}")
     scanner.end()
 

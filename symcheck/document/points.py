@@ -5,6 +5,7 @@ Nothing is proved or refuted by these points: they tell which questions are wort
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextlib import suppress
@@ -16,7 +17,7 @@ import numpy as np
 
 from symcheck.core.calculus import letters as letters_of
 from symcheck.core.verdicts import SymcheckError
-from symcheck.document.letters import depends_on
+from symcheck.document.letters import depends_on, is_of
 from symcheck.document.macros import bare
 from symcheck.document.survey import Said
 from symcheck.question.antiderivatives import FAULTS
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 
     from symcheck.core.problems import Problem
 
+# a letter with two indices below it
+_ENTRY = re.compile(r"(\\?[A-Za-z]+(?:\{[^{}]*\})?)_\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}")
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
 ANYWHERE = 12  # points for a relation that ought to hold for all values: at many it has no real ones
@@ -87,7 +90,15 @@ def compared(relation: str, sources: tuple[str, ...], letters: Said, further: bo
 def _symmetric(texts: Sequence[str], letters: Said) -> list[str]:
     """That the matrices are symmetric of which no equation says what they are."""
     every = dict.fromkeys(x for text in texts for x in _matrices(text, letters))
-    return [f"{x}^T = {x}" for x in every if not any(bare(text).startswith(f"{bare(x)}=") for text in texts)]
+    whole = [f"{x}^T = {x}" for x in every if not any(bare(text).startswith(f"{bare(x)}=") for text in texts)]
+    return whole + symmetric_entries(texts)
+
+
+def symmetric_entries(texts: Iterable[str]) -> list[str]:
+    """That letters are equal of which one has the two indices of the other below it, the other way round."""
+    found = {(x, first, second) for text in texts for x, first, second in _ENTRY.findall(text)}
+    pairs = sorted((x, a, b) for x, a, b in found if a < b and (x, b, a) in found)
+    return [f"{x}_{{{a}{b}}} = {x}_{{{b}{a}}}" for x, a, b in pairs]
 
 
 @lru_cache(4096)
@@ -135,16 +146,14 @@ def idle(relation: str, sources: tuple[str, ...], letters: Said) -> frozenset[in
     own = [{symbol for equation in every for symbol in equation.symbols} for every in (asked, *each)]
     with np.errstate(all="ignore"):
         found = {n for n, every in enumerate(each) if _hold(every, _with_further(({},) * POINTS, own[n + 1]))}
-    for every, symbols in zip(each, own[1:], strict=True):
-        for rate in _rates(every, unknown):
-            symbols.difference_update({side for equation in every for side in equation.plain} - own[0])
-            symbols.update(rate.symbols)
+    rows = [(n, symbols) for n, symbols in enumerate(own, -1) if n not in found]
+    rows += [(n, {*x.symbols}) for n, every in enumerate(each) if n not in found for x in _rates(every, unknown)]
     while True:
-        count = Counter(symbol for n, symbols in enumerate(own, -1) if n not in found for symbol in symbols)
-        alone = {n for n, symbols in enumerate(own[1:]) if n not in found and any(count[x] == 1 for x in symbols)}
-        if not alone:
-            return frozenset(found)
-        found |= alone
+        count = Counter(symbol for _, symbols in rows for symbol in symbols)
+        left = [(n, symbols) for n, symbols in rows if n < 0 or all(count[x] > 1 for x in symbols)]
+        if len(left) == len(rows):
+            return frozenset({*range(len(each))} - {n for n, _ in rows})
+        rows = left
 
 
 def _with_further(points: Sequence[Mapping[Symbol, float]], own: Set[Symbol]) -> tuple[dict[Symbol, float], ...]:
@@ -274,13 +283,13 @@ def _rates(given: Sequence[Equation], unknown: Set[Expr]) -> Iterator[Equation]:
 
     solved = {side: other for each in given for side, other in (each.plain, each.plain[::-1]) if side.is_Symbol}
     functions = {_letter(x): x for x in unknown if isinstance(x, AppliedUndef)}
-    open_ = {_letter(x): x for x in unknown if isinstance(x, Derivative)}
+    open_ = {_letter(x): x for x in sorted(unknown, key=str) if isinstance(x, Derivative)}
     done = set[Symbol]()
-    while left := [rate for name, rate in open_.items() if name not in done][: MOST_RATES - len(done)]:
-        for rate in left:
-            done.add(_letter(rate))
-            side = solved.get(_letter(rate.expr))
-            if side is None or not all(by.is_Symbol for by in rate.variables):
+    while left := [(x, rate) for x, rate in open_.items() if x not in done and _letter(rate.expr) in solved]:
+        for name, rate in left[: MOST_RATES - len(done)]:
+            done.add(name)
+            side = solved[_letter(rate.expr)]
+            if not all(by.is_Symbol for by in rate.variables):
                 continue
             for by in rate.variables:
                 total = side.diff(by)
@@ -291,7 +300,9 @@ def _rates(given: Sequence[Equation], unknown: Set[Expr]) -> Iterator[Equation]:
                         total += side.diff(symbol) * _letter(of.diff(by))
                 side = total
             if side != 0:  # or nothing is known of what changes
-                yield _equation((_letter(rate), side), frozenset())
+                yield _equation((name, side), frozenset())
+        if len(done) == MOST_RATES:
+            return
 
 
 @lru_cache(1024)
@@ -359,9 +370,8 @@ def _equations(text: str, letters: Said) -> tuple[Equation, ...]:
 def _own(text: str, letters: Said) -> Said:
     """What is said of the letters of a text."""
     whole = bare(text)
-    return tuple(
-        (x, phrase) for x, phrase in letters if bare(x) in whole and all(bare(y) in whole for y in depends_on(phrase))
-    )
+    here = [(x, phrase) for x, phrase in letters if bare(x) in whole]
+    return tuple((x, said) for x, said in here if is_of({y for y in depends_on(said) if bare(y) in whole}, said))
 
 
 @lru_cache(4096)

@@ -15,7 +15,9 @@ from symcheck.reading.faces import face
 
 # words before an equation that make it a law, which says what a letter is all the same
 LAWS = re.compile(
-    r"\b(law|model\w*|equation\w* of|hypothes\w*|assum\w*|consider\w*|example|sets?|setting|choos\w*|choice)\b", re.I
+    r"\b(law|model\w*|equation\w* of(?: equilibrium)?|equilibrium equation\w*|hypothes\w*|assum\w*|consider\w*|example|"
+    r"sets?|setting|choos\w*|choice)\b",
+    re.I,
 )
 
 # words before a relation within the text that make it a definition

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -26,6 +27,7 @@ OPENING, CLOSING = (
     frozenset({"{", "(", "[", r"\{", r"\left", r"\begin"}),
     frozenset({"}", ")", "]", r"\}", r"\right", r"\end"}),
 )
+CONSTANT = re.compile(r"\\text\{(?:~?(?:a|some)~)?(?:const|constant|cst|cte)[.~]*\}")  # a word for any
 # what stands in a formula that is more than a chain of equations
 SMALLEST = 3  # parts of a side that is more than a letter with a sign: of shorter ones nothing can be told
 PARTING = frozenset({",", ";", "&", "<", ">", ":", "|", r"\\", r"\quad", r"\qquad", r"\text"})
@@ -196,10 +198,19 @@ def _surveyed(latex: str, said: Said) -> Seen:
         reasons = tuple(each for each in parts if isinstance(each, str))
         return Seen(str(error), roles=roles, links=links, plain=bool(links), apart=bool(links), parts=reasons)
     links = tuple(_links(tree))
-    plain = isinstance(tree, Chain) or (isinstance(tree, System) and not tree.qualifiers)
-    seen = Seen(reason, partly, tuple(_roles(inferences)), links, plain)
-    if isinstance(tree, Implies) and isinstance(tree.left, Chain) and isinstance(tree.right, Chain):
-        return replace(seen, premises=tuple(_links(tree.left)), conclusions=tuple(_links(tree.right)))
+    if partly and isinstance(tree, Chain) and len(tree.members) > 2:
+        roles = tuple(_roles(inferences))
+        own = tuple(each for each in _links_apart(latex, roles, said) if isinstance(each, Link))
+        return Seen(reason, True, roles, own or links, True, apart=bool(own))
+    several = tree.parts if isinstance(tree, System) and not tree.qualifiers else (tree,)
+    implied = [part for part in several if isinstance(part, Implies)]
+    seen = Seen(reason, partly, tuple(_roles(inferences)), links, not implied and isinstance(tree, Chain | System))
+    if (
+        len(implied) == 1
+        and isinstance(left := implied[0].left, Chain)
+        and isinstance(right := implied[0].right, Chain)
+    ):
+        return replace(seen, premises=tuple(_links(left)), conclusions=tuple(_links(right)))
     return seen
 
 
@@ -208,13 +219,19 @@ def _links(tree: Tree) -> Iterator[Link]:
     before: Tree | None = None
     for place, relation in enumerate(relations(tree)):
         left, right = relation.left, relation.right
-        if left is not None and right is not None and relation.sign in ("=", r"\equiv"):
+        constant = any(_is_constant(part) for side in (left, right) if side is not None for _, part in walk(side))
+        if left is not None and right is not None and relation.sign in ("=", r"\equiv") and not constant:
             names = frozenset(_names(left)), frozenset(_names(right))
             sides = to_latex(left), to_latex(right)
             chained = before is left
             head = "" if chained else next(iter(definitions([" = ".join(sides)])[0]), "")
             yield Link(*sides, names, (_size(left), _size(right)), chained, head, place)
         before = right
+
+
+def _is_constant(tree: Tree) -> bool:
+    """Is it a word for some constant, which is another one in each relation?"""
+    return isinstance(tree, Name) and CONSTANT.fullmatch(tree.letter) is not None
 
 
 def apart(latex: str) -> list[str]:

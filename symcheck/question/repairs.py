@@ -368,6 +368,9 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
                 yield Slip(
                     "letter", f"{to_latex(one)} and {to_latex(other)} exchanged", replaced(tree, path, exchanged), 0.5
                 )
+        if isinstance(node, MatrixOf):
+            for what, rows in _rearranged(node.rows):
+                yield Slip("index", what, replaced(tree, path, MatrixOf(rows)))
         if isinstance(node, Call):
             for letter in notation.letters:
                 if letter.kind == "function" and len((letter.depends or "").split(",")) == len(node.arguments):
@@ -389,6 +392,19 @@ def _further(tree: Tree, notation: Notation) -> Iterator[Slip]:
             if not isinstance(above, Pow):
                 for other in letters:
                     yield Slip("number", f"{node.text} for {to_latex(other)}", replaced(tree, path, other))
+
+
+def _rearranged(rows: tuple[tuple[Tree, ...], ...]) -> Iterator[tuple[str, tuple[tuple[Tree, ...], ...]]]:
+    """A printed matrix transposed, and with two entries beside each other exchanged."""
+    if len(rows) == len(rows[0]) and (across := tuple(zip(*rows, strict=True))) != rows:
+        yield "a matrix transposed", across
+    places = [(k, m) for k, row in enumerate(rows) for m in range(len(row))]
+    for (k, m), (j, n) in itertools.combinations(places, 2):
+        one, other = rows[k][m], rows[j][n]
+        if abs(k - j) + abs(m - n) == 1 and one != other:
+            new = {(k, m): other, (j, n): one}
+            grid = tuple(tuple(new.get((a, b), x) for b, x in enumerate(row)) for a, row in enumerate(rows))
+            yield f"{to_latex(one)} and {to_latex(other)} exchanged", grid
 
 
 def _near(n: int) -> list[int]:

@@ -318,6 +318,7 @@ class Lowering:
         self.arities: dict[str, int] = {}  # how many arguments each function has
         self.tree: Tree = Blank()  # of the relation
         self.kinds: frozenset[type[Tree]] | None = None  # of all parts of the relation, where it is a whole one
+        self.entered = set[str]()  # variables that are entries of printed matrices
         self.aside: list[Formula] = []  # that there are the limits in a relation
         self.inside: tuple[str, ...] = ()  # letters whose components or dependence are being written out
 
@@ -337,6 +338,7 @@ class Lowering:
     def whole(self, relation: Relation) -> list[Formula]:
         """The formulas of a relation, in which every letter that is printed occurs."""
         self.met.clear()
+        self.entered.clear()
         self.tree = relation.tree
         self.kinds = frozenset(type(part) for part in nodes(relation.tree))
         if Total in self.kinds:
@@ -347,7 +349,9 @@ class Lowering:
         formulas = [*self.relation(relation), *dict.fromkeys(self.aside)]
         names = _names(tuple(formulas))
         for name, printed in self.met.items():
-            if name not in names:
+            if name not in names and self.notation.inferred and MatrixOf in self.kinds and name in self.entered:
+                formulas.append(node("=", node("*", 0, name), 0))  # an entry beside a 0: what is said of it is true
+            elif name not in names:
                 raise SymcheckError(
                     f"{to_latex(printed)} is multiplied by 0 and says nothing in {relation.latex}; leave it out"
                 )
@@ -546,6 +550,9 @@ class Lowering:
 
     def _alike(self, a: Value, b: Value, left: Tree, right: Tree) -> tuple[Value, Value]:
         """Both sides in one shape; a printed 0 stands for the zero of any shape."""
+        one = {shape(a), shape(b)} in ({(), (1,)}, {(), (1, 1)})
+        if one and any(isinstance(part, MatrixOf) for part in nodes(left if isinstance(a, list) else right)):
+            return (next(flat(a)), b) if isinstance(a, list) else (a, next(flat(b)))  # a row times a column, printed
         if shape(a) != shape(b) or isinstance(a, Row) != isinstance(b, Row):
             if left == tree_of.Number("0"):
                 return zero(b), b
@@ -1329,6 +1336,7 @@ class Lowering:
 
     def of_matrixof(self, tree: MatrixOf, env: Env) -> Value:
         rows = [[self.scalar(entry, env) for entry in row] for row in tree.rows]
+        self.entered |= {entry for row in rows for entry in row if isinstance(entry, str)}
         return [row[0] for row in rows] if len(rows[0]) == 1 else rows
 
     def of_diag(self, tree: Diag, env: Env) -> Value:

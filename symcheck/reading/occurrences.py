@@ -313,12 +313,25 @@ class Scan(tex.Reader):
         """What stands behind an operator such as d/dx: one factor, or what is in brackets."""
         while self.peek() in _UNPRINTED:
             self.i += 1
-        if self.peek() in OPEN:
+        if self.peek() in _ENDS_OPERATOR and (behind := self.behind_brackets()):
+            here, self.i = self.i, behind  # it is an addend of an operator in brackets
+            yield from self.operand(scope, by)
+            self.i = here
+        elif self.peek() in OPEN:
             yield from self.run(Scope("derived", by), self.closing())
         elif tex.is_letter(self.peek()) and self.peek() not in FUNCTIONS_SPELLED:
             yield from self.letter(Scope("derived", by))
         elif self.i < len(self.texts):
             yield from self.run(Scope("derived", by), len(self.texts))
+
+    def behind_brackets(self) -> int:
+        """The place behind the brackets around what stands here, or 0 where nothing is behind them."""
+        depth = 0
+        for k in range(self.i, len(self.texts) - 1):
+            depth += (self.texts[k] in OPEN) - (self.texts[k] in CLOSE)
+            if depth < 0:
+                return k + 1
+        return 0
 
     def closing(self) -> int:
         """The place of the bracket that closes the one here, or the end."""
@@ -437,6 +450,7 @@ class Scan(tex.Reader):
 # a matrix or an array without brackets of its own
 _MATRIX = re.compile(r"\\begin \{ (m a t r i x|a r r a y) \} (?:(?!\\begin).)*\\end \{ \1 \}(?: \\right)?")
 _UNPRINTED = SPACES | SIZES
+_ENDS_OPERATOR = frozenset({*CLOSE, "+", "-"})
 _OPENING, _CLOSING = frozenset({*OPEN, "{", r"\langle"}), frozenset({*CLOSE, "}", r"\rangle"})
 _OF_DIFFERENTIALS = DIFFERENTIALS | {"^", "{", "}"}
 

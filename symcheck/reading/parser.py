@@ -151,6 +151,39 @@ class Listing:
     loose: bool  # does a logical connective stand here outside of brackets?
 
 
+def _operates(tree: Tree) -> bool:
+    """Is it a sum whose addends are factors, and one or more end with a derivative of nothing?"""
+    terms = tree.terms if isinstance(tree, Add) else (tree,)
+    return any(map(_is_operator, terms)) and not any(
+        isinstance(part, Blank) for term in terms if not _is_operator(term) for part in walked(term)
+    )
+
+
+def _is_operator(term: Tree) -> bool:
+    """Is it a derivative of nothing, with factors before it?"""
+    last = _bare(term)
+    last = last.factors[-1] if isinstance(last, Mul) else last
+    return isinstance(last, Derivative) and isinstance(last.body, Blank)
+
+
+def _bare(term: Tree) -> Tree:
+    return term.value if isinstance(term, Neg) else term
+
+
+def _operated(operator: Tree, body: Tree) -> Tree:
+    """What a sum of operators makes of something: each addend applied to it, or times it."""
+    if isinstance(operator, Add):
+        return Add(tuple(_operated(term, body) for term in operator.terms))
+    if isinstance(operator, Neg):
+        return Neg(_operated(operator.value, body))
+    *before, last = operator.factors if isinstance(operator, Mul) else (operator,)
+    dotted = operator.dotted if isinstance(operator, Mul) else ()
+    if not isinstance(last, Derivative) or not isinstance(last.body, Blank):
+        return body if operator == Number("1") else Mul((*before, last, body), dotted)
+    after = replace(last, body=body)
+    return Mul((*before, after), dotted) if before else after
+
+
 @dataclass(slots=True)
 class Item:
     """One factor before functions, sums and derivatives have taken their arguments.
@@ -280,7 +313,10 @@ class Builder:
             len(node.children) > 1 or node.children[0].value.value not in (",", COMMA_AT_END) for node in nodes[1::2]
         ]
         words = [str(separator.value.value) for separator in separators]
-        loose = any(getattr(node.children[0], "data", "") in _LOOSE for node in nodes[0::2])
+        beside = [node.children[0].value.value == WIDE_COMMA for node in nodes[1::2]]
+        parted = [before and behind for before, behind in itertools.pairwise([True, *beside, True])]
+        logical = [getattr(node.children[0], "data", "") in _LOOSE for node in nodes[0::2]]
+        loose = any(each and not apart for each, apart in zip(logical, parted, strict=True))
         return Listing(entries, [separator.type for separator in separators], _place(nodes[0]), wide, words, loose)
 
     def on_entry(self, nodes: list[ParseNode]) -> tuple[str, Tree]:
@@ -809,7 +845,7 @@ class Builder:
                 dots.append(len(factors))
                 continue
             self.refuse_numbers(items[k : k + 2])
-            node, after = self.factor(items, k, dotted=dotted)
+            node, after = self.operating(items, k) or self.factor(items, k, dotted=dotted)
             factors.append(self.checked(node, item.at, statements=False))
             self.refuse_product(item, factors[-1], items[after:], alone=after == k + 1)
             before, behind = items[max(k - 1, 0) : k], items[k + 1 : k + 2]
@@ -821,6 +857,22 @@ class Builder:
         vectors = {k for k in dots if self.is_vector(factors[k - 1]) and self.is_vector(factors[k])}
         vectors |= {k for k in dots if k - 1 not in vectors and self.contracts(factors[k - 1], factors[k])}
         return factors[0] if len(factors) == 1 else Mul(tuple(factors), tuple(sorted(vectors)))
+
+    def operating(self, items: list[Item], k: int) -> tuple[Tree, int] | None:
+        """A sum of operators in brackets applied to all that is behind it, one factor: `(d/dt + a) x(t)`."""
+        item = items[k]
+        if item.kind != "group" or item.postfix or k + 1 == len(items) or items[k + 1].kind == "dot":
+            return None
+        operator = self.inside(item)
+        if operator is None or not _operates(operator):
+            return None
+        behind = self.operating(items, k + 1)
+        if behind is None:
+            node, end = self.factor(items, k + 1, dotted=False)
+            behind = self.checked(node, items[k + 1].at, statements=False), end
+        if behind[1] < len(items) or isinstance(behind[0], Tuple):
+            raise self.fail(item.at, "what this operator applies to is ambiguous; put it in brackets")
+        return _operated(operator, behind[0]), behind[1]
 
     def refuse_numbers(self, items: list[Item]) -> None:
         """`Re` without a sign between its letters is hardly R times Euler's number; so with other such numbers."""
@@ -1553,8 +1605,10 @@ class Builder:
         if sum(order for _, order in variables) != top.order or len(top.body) != 1 or top.partial != bottom.partial:
             raise self.fail(at, "the orders of this derivative do not agree")
         body = top.body[0]
-        if isinstance(body, Pow) and isinstance(body.base, Name | Call) and body.exponent == Neg(Number("1")):
-            raise self.fail(at, f"the inverse function of {to_latex(body.base)}, or its reciprocal? write a fraction")
+        base = body.base if isinstance(body, Pow) and body.exponent == Neg(Number("1")) else None
+        name = base.function if isinstance(base, Call) else base
+        if isinstance(base, Name | Call) and all(name != variable for variable, _ in variables):
+            raise self.fail(at, f"the inverse function of {to_latex(base)}, or its reciprocal? write a fraction")
         return Derivative(body, variables, top.partial)
 
     def orders(self, bottom: Differential, at: int) -> tuple[tuple[Tree, int], ...]:

@@ -265,6 +265,11 @@ WORDS = tuple(  # that part relations: what stands behind them holds as well, or
         ("f o r ~ a l l|f o r ~ e v e r y|f o r ~ a n y", r"\forall"),
     )
 )
+# words before the place at which relations hold, which an equation tells; below a letter they are labels
+_PLACE = re.compile(
+    rf"(?<![_^] )(?:{_QUADS} )?\\text {{ [\s,~]*(?:o n|a t)[\s,:~]* }}(?: {_QUADS})?"
+    rf"(?=[^{{}},;]*(?:{_BRACED}[^{{}},;]*)*= )"
+)
 _TRANSPOSED = re.compile(r"\^ \{ \\math(?:sf|tt|scr|cal) \{ T \} \}")  # T above in any style
 _BOLD_T = r"\mathbf { T }"
 _DEFINES = re.compile(r"(?<!:) : =(?! =)|= :(?!\s*[=:])")  # `:=`, and the same from right to left
@@ -281,11 +286,20 @@ def phrased(text: str) -> str:
     text = _STOP.sub(lambda found: next((sign for sign in found[0] if sign in ",;"), ""), text)
     for pattern, sign in WORDS if r"\text {" in text or r"\mathrm {" in text else ():
         text = pattern.sub(partial(_parting, sign), text)
+    if r"\text {" in text:
+        text = _PLACE.sub(r" \\text{for} ", text)
     if _SPACE in text:
         text = _SPACED.sub(lambda found: f"{found[1]} {_APART.sub(f'{_PARTING[found[1][-1]]} ', found[2])}", text)
+    if ":" in text:
+        text = _HEADING.sub("", text)
     return _AT_FIRST.sub("", _problem(_MATRIX.sub(_with_cells, text) if "m a t r i x" in text else text))
 
 
+# a letter or word that heads an equation, as the number of one does: `\mathbf{e}_r: \quad a = b`
+_HEADING = re.compile(
+    rf"^(?:& )*(?:(?:\\[a-z]+ {_BRACED}|\\?[A-Za-z]+)(?: _ (?:\w|{_BRACED}))? :|\\text {_BRACED[:-2]}: \}})"
+    r" (?:& )*\\q?quad (?!.*\\(?:to|rightarrow|mapsto|in) )(?=.*= )"
+)
 _AT_FIRST = re.compile(r"^ *, \\quad (?=.*\S)")  # what parted relations where none stands before it
 
 
