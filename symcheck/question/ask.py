@@ -25,7 +25,18 @@ from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
-from symcheck.question import by_parts, indices, jets, known_integrals, named, orders, power_series, series, special
+from symcheck.question import (
+    by_parts,
+    generating,
+    indices,
+    jets,
+    known_integrals,
+    named,
+    orders,
+    power_series,
+    series,
+    special,
+)
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
@@ -270,7 +281,8 @@ def _answered(
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
-            if (known := _of_special_functions(asked, declared) or _by_indices(asked)) is not None:
+            known = _of_generating_function(asked, declared) or _of_special_functions(asked, declared)
+            if (known := known or _by_indices(asked)) is not None:
                 return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
@@ -740,6 +752,43 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _of_generating_function(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
+    """The answer about a sum of members of a family with powers of a letter; None if it is something else."""
+    if (found := generating.generated(special.with_names(asked, declared), declared)) is None:
+        return None
+    taken = _shown(found.reading.tree, found.reading.inference)[1]
+    kept = {x: what for x, what in taken.items() if x in tex.texts(asked.relation)}
+    base = Answer(Status.UNDECIDED, asked.relation, kept | {**found.told}, reason=UNSETTLED)
+    made = list[Certificate]()
+    for k, problem in enumerate(found.first):
+        verdict, certificate_, _ = decided_one(problem)
+        if certificate_ is not None and verdict is Verdict.REFUTED:
+            if not found.declared:
+                letter = next(iter(found.told)).partition("_")[0]
+                reason = f"it is false of the {found.name}: say what {letter} is"
+                return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+            point = {x: term(value) for x, value in certificate_["point"]["values"].items()}
+            reason = f"the coefficients of the power {k} differ"
+            return replace(
+                base,
+                verdict=Status.REFUTED,
+                counterexample=point,
+                values=(reason,),
+                certificate=(certificate_,),
+                reason="",
+            )
+        if k < 2 and (certificate_ is None or verdict is not Verdict.PROVED):
+            return base
+        made += [certificate_] if k < 2 and certificate_ is not None else []
+    if found.equation is None:
+        return replace(base, reason="the sum may not converge; give conditions under which it does, as |t| < 1")
+    verdict, certificate_, _ = decided_one(found.equation)
+    if certificate_ is None or verdict is not Verdict.PROVED:
+        return base
+    proved = _proved_in_cases(base, found.reading, (found.equation,), (certificate_, *made))
+    return replace(proved, reason="") if proved.verdict is Status.PROVED else proved
 
 
 def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
