@@ -36,6 +36,7 @@ from symcheck.question import (
     power_series,
     series,
     special,
+    squares,
 )
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
@@ -746,6 +747,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
+    if status is Status.UNDECIDED and any(of_squares := [squares.squared(each) for each in reading.problems]):
+        shown = _with_values(of_squares, reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is Status.PROVED:
+            return shown
     if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
         return shown
     reason = "; ".join(dict.fromkeys(reasons))
@@ -1201,6 +1206,9 @@ def decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[st
     if found[1] is None and (turned := with_parts_of_turns(problem)) is not None:
         by_parts = _decided_as_stated(turned)
         return by_parts if by_parts[0] is Verdict.PROVED else found
+    if found[1] is None and found[0] is Verdict.UNDECIDED and (formed := squares.with_form(problem)) is not None:
+        by_squares = _decided_as_stated(formed)
+        return by_squares if by_squares[0] is Verdict.PROVED else found
     if found[1] is None and found[2][0].startswith(REFUSED) and (plain := with_plain_divisors(problem)) != problem:
         return _decided_as_stated(plain)
     return found
