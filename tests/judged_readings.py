@@ -40053,7 +40053,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "chemprop/chemprop/chemprop/nn/agg.py",
     ),
     (
-        "\\texttt{im.entropy(data_X, approach=\"discrete\")} = H(X) = -\\sum_{x \\in X} p(x) \\log p(x).",
+        '\\texttt{im.entropy(data_X, approach="discrete")} = H(X) = -\\sum_{x \\in X} p(x) \\log p(x).',
         "Chain(\\text{im.entropy(data\\_X,approach=''discrete'')}, Call(H; X), Neg(Limiting(sum; _{ x \\in X }; Mul(Call(p; x), Call(log; Call(p; x))))); =, =)",
         "cbueth/infomeasure/infomeasure/estimators/functional.py",
     ),

@@ -27,6 +27,7 @@ from symcheck.proof.search.number_points import refute_at, refute_at_corners, re
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import (
     by_parts,
+    generating,
     growth,
     indices,
     jets,
@@ -36,6 +37,7 @@ from symcheck.question import (
     power_series,
     series,
     special,
+    squares,
 )
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
@@ -285,7 +287,8 @@ def _answered(
             used = tuple(spelled.get(text, text) for text in general.used)
             return replace(general, used=used, seconds=time.perf_counter() - started)
         with limited(TOTAL):
-            if (known := _of_special_functions(asked, declared) or _by_indices(asked)) is not None:
+            known = _of_generating_function(asked, declared) or _of_special_functions(asked, declared)
+            if (known := known or _by_indices(asked)) is not None:
                 return replace(known, seconds=time.perf_counter() - started)
             several = readings(asked)
             several = [each for each in several if not any(constant(each))] or several  # nobody differentiates those
@@ -758,12 +761,53 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
+    if status is Status.UNDECIDED and any(of_squares := [squares.squared(each) for each in reading.problems]):
+        shown = _with_values(of_squares, reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is Status.PROVED:
+            return shown
     if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
         return shown
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _of_generating_function(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
+    """The answer about a sum of members of a family with powers of a letter; None if it is something else."""
+    if (found := generating.generated(special.with_names(asked, declared), declared)) is None:
+        return None
+    taken = _shown(found.reading.tree, found.reading.inference)[1]
+    kept = {x: what for x, what in taken.items() if x in tex.texts(asked.relation)}
+    base = Answer(Status.UNDECIDED, asked.relation, kept | {**found.told}, reason=UNSETTLED)
+    made = list[Certificate]()
+    for k, problem in enumerate(found.first):
+        verdict, certificate_, _ = decided_one(problem)
+        if certificate_ is not None and verdict is Verdict.REFUTED:
+            if not found.declared:
+                letter = next(iter(found.told)).partition("_")[0]
+                reason = f"it is false of the {found.name}: say what {letter} is"
+                return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+            point = {x: term(value) for x, value in certificate_["point"]["values"].items()}
+            reason = f"the coefficients of the power {k} differ"
+            return replace(
+                base,
+                verdict=Status.REFUTED,
+                counterexample=point,
+                values=(reason,),
+                certificate=(certificate_,),
+                reason="",
+            )
+        if k < 2 and (certificate_ is None or verdict is not Verdict.PROVED):
+            return base
+        made += [certificate_] if k < 2 and certificate_ is not None else []
+    if found.equation is None:
+        return replace(base, reason="the sum may not converge; give conditions under which it does, as |t| < 1")
+    verdict, certificate_, _ = decided_one(found.equation)
+    if certificate_ is None or verdict is not Verdict.PROVED:
+        return base
+    proved = _proved_in_cases(base, found.reading, (found.equation,), (certificate_, *made))
+    return replace(proved, reason="") if proved.verdict is Status.PROVED else proved
 
 
 def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
@@ -1193,6 +1237,9 @@ def decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[st
     if found[1] is None and (turned := with_parts_of_turns(problem)) is not None:
         by_parts = _decided_as_stated(turned)
         return by_parts if by_parts[0] is Verdict.PROVED else found
+    if found[1] is None and found[0] is Verdict.UNDECIDED and (formed := squares.with_form(problem)) is not None:
+        by_squares = _decided_as_stated(formed)
+        return by_squares if by_squares[0] is Verdict.PROVED else found
     if found[1] is None and found[2][0].startswith(REFUSED) and (plain := with_plain_divisors(problem)) != problem:
         return _decided_as_stated(plain)
     return found

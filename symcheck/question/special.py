@@ -542,6 +542,20 @@ def written(family_letter: str, name: str, order: Fraction) -> Term | None:
     return _part(_parsed(family.step[family_letter]), _Place(0, order - 1, ARGUMENT, earlier), 0)
 
 
+def step_of(name: str, n: str, x: str) -> tuple[Term, Term]:
+    """What the member of order n, and the one before it, are multiplied by in the next one."""
+    usual, family = NAMED[name]
+    now, before = "member_now", "member_before"
+
+    def member(letter: str, shift: Fraction, _: int, __: Term) -> Term:
+        if letter != usual or shift not in (0, -1):
+            raise Malformed("a step with other members")
+        return now if shift == 0 else before
+
+    step = _part(_parsed(family.step[usual]), _Place(n, Fraction(0), x, member), 0)
+    return tuple(substituted(step, {own: 1, other: 0}) for own, other in ((now, before), (before, now)))  # type: ignore[return-value]
+
+
 def _no_member(*_: object) -> Term:
     raise Malformed("no member stands there")
 
