@@ -22,7 +22,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.question.logarithms import with_natural_logarithms
 from symcheck.question.places import INDICES, is_at_one_place, is_one_place, runs
-from symcheck.question.running import refuse_tied, written_under
+from symcheck.question.running import refuse_tied, refuse_tied_bodies, written_in_functions, written_under
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.differentials import differential, slope, total
 from symcheck.reading.evidence import canonical, spelling, spellings
@@ -509,7 +509,9 @@ def _reading(
     claims = tuple(written_under(claim, terms) for claim in claims)
     hypotheses = [(name, tuple(written_under(f, terms) for f in fs)) for name, fs in hypotheses]
     terms = {name: written_under(term, terms) for name, term in terms.items()}
+    hypotheses = [(name, tuple(written_in_functions(f, terms) for f in fs)) for name, fs in hypotheses]
     said = [f for _, fs in hypotheses for f in fs]
+    refuse_tied_bodies(functions_, (asked.relation, *asked.where, *asked.given), said, terms, notation)
     refuse_tied([*claims, *said], len(claims), tree, terms, solved, notation)
     hypotheses, held, regular = _differentiated(claims, hypotheses, terms, notation)
     claims = tuple(map(rooted, claims))
