@@ -888,3 +888,42 @@ def test_entries_of_what_an_equation_defines_are_those_of_its_right_side(
 ) -> None:
     given = [r"A, B, C \in \mathbb{R}^{2 \times 2}", r"x, y \in \mathbb{R}^2"]
     assert decide(relation, where=[where], given=given).verdict == verdict
+
+
+ROOTS = r"x_{1,2} = \frac{-b \pm \sqrt{b^2 - 4 a c}}{2 a}"
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation", "where"),
+    [
+        ("proved", r"x_1 + x_2 = -\frac{b}{a}", ROOTS),
+        ("proved", r"x_1 + x_2 = -\frac{b}{a}", ROOTS.replace("1,2", "12")),
+        ("refuted", r"x_1 + x_2 = \frac{b}{a}", ROOTS),
+        ("proved", r"x_1 = \frac{-b + \sqrt{b^2 - 4 a c}}{2 a}", ROOTS),
+        ("proved", r"\lambda_+ - \lambda_- = b", r"\lambda_\pm = \frac{a \pm b}{2}"),
+        ("refuted", r"\lambda_+ - \lambda_- = -b", r"\lambda_\pm = \frac{a \pm b}{2}"),
+        ("proved", r"\omega_1 \omega_2 = k", r"\omega_{1,2} = \sqrt{\omega^2 + k} \mp \omega"),
+        ("proved", r"x_{1,2}^2 + a x_{1,2} + b = 0", r"x_{1,2} = \frac{-a \pm \sqrt{a^2 - 4 b}}{2}"),
+        ("ambiguous", r"\lambda_1 + \lambda_2 = a", r"\lambda_{1,2}^2 - a \lambda_{1,2} + b = 0"),
+        ("undecided", "R_1 + R_2 = R_{12}", r"R_{12} = R_1 \pm R_2"),
+    ],
+)
+def test_one_letter_with_two_labels_stands_for_two(verdict: str, relation: str, where: str) -> None:
+    assert decide(relation, where=[where]).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation"),
+    [
+        ("proved", r"\det R = 1"),
+        ("proved", r"R (x \times y) = (R x) \times (R y)"),
+        ("refuted", r"R (x \times y) = (R x) \times y"),
+    ],
+)
+def test_a_rotation_is_orthogonal_with_the_determinant_1(verdict: str, relation: str) -> None:
+    assert decide(relation, letters={"R": "rotation", "x": "vector", "y": "vector"}).verdict == verdict
+
+
+def test_a_value_given_at_one_moment_is_not_that_of_all() -> None:
+    assert decide(r"\dot v = 0", given=["v = v_0"]).verdict == "undecided"
+    assert decide(r"v = v_0 + g t", where=[r"\dot v = g", "v(0) = v_0"]).verdict == "proved"

@@ -16,7 +16,7 @@ from symcheck.core.terms import Connective, Formula, Relation, Term
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.conventions import free, mentioned, unsaid
 from symcheck.question.order_of_factors import commuted, relying_on_order
-from symcheck.question.prepare import DEFINED, VARIABLES, Definitions, Reading
+from symcheck.question.prepare import DEFINED, PAIR, VARIABLES, Definitions, Reading
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.commands import OVER
 from symcheck.reading.inference import told_size
@@ -194,6 +194,11 @@ def doubt(reading: Reading, orders: Collection[str] = ()) -> str:
     spelled = {g.letter.latex for g in reading.inference.guesses}
     if slopes := sorted(x for x in spelled - said if x.startswith(r"\nabla")):
         return f"what does {slopes[0]} belong to? write brackets around all that is differentiated"
+    pairs = ((x, PAIR.fullmatch(x)) for x in spelled - said)
+    if both := [
+        x for x, p in pairs if p and p["first"] and not x[-3:-1].isalnum() and f"{p['stem']}_{p['first']}" in spelled
+    ]:
+        return f"is {both[0]} one letter for two of the others? write an equation for each"
     typed = ((x, found[1]) for x in spelled - said if (found := _TYPED.fullmatch(x)))
     if alone := next((x[6:-1] for x, stem in typed if stem in spelled), ""):
         return f"is {alone} a letter, or {alone[0]} times {alone[1:]}? write {alone[0]}_{{{alone[1:]}}}, or a \\cdot"

@@ -22,7 +22,7 @@ from symcheck.proof.algebra.polynomial import Unsupported, constant
 from symcheck.question.cases import CASE, implied, may_all_hold
 from symcheck.question.logarithms import with_natural_logarithms
 from symcheck.question.places import INDICES, is_at_one_place, is_one_place, runs
-from symcheck.question.running import refuse_tied, written_under
+from symcheck.question.running import refuse_tied, refuse_tied_bodies, written_in_functions, written_under
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.complex_letters import with_products_under_lines
 from symcheck.reading.differentials import differential, slope, total
@@ -55,6 +55,11 @@ _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\
 _SCOPED = re.compile(r"\\forall(?![a-zA-Z])|\\in(?![a-zA-Z])|\\text\s*\{\s*[Ff]or")
 # that before a relation, up to a colon
 _ALL_AT_FIRST = re.compile(r"^(\s*\\forall(?![a-zA-Z])[^:=]*?)\s*(?::(?!=)|\\colon(?![a-zA-Z]))")
+# one letter for two: "x_{1,2}", "\\lambda_\\pm"
+PAIR = re.compile(
+    r"(?P<stem>\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<first>\w)\s*[,;/]?\s*(?P<second>\w)\}|\{?(?P<both>\\pm)(?![A-Za-z])\s*\}?)"
+)
+_SIGNS = re.compile(r"(?<!_)(?<!_\{)\\(pm|mp)(?![A-Za-z])\s*")
 OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
@@ -120,6 +125,29 @@ def plainly(asked: Asked) -> Asked:
     known |= {match[1].strip() for text in given if (match := _MEMBER.match(text)) and _COMPLEX.match(match[2])}
     relation, *where = with_products_under_lines((made(asked.relation), *map(made, asked.where)), known)
     return Asked(relation, tuple(where), given, said)
+
+
+def with_each_sign(asked: Asked) -> Asked:
+    r"""The question with two equations for each of two letters with two signs, if these stand in the relation."""
+    return replace(asked, where=tuple(x for text in asked.where for x in _with_each_sign(text, asked.relation)))
+
+
+def _with_each_sign(equation: str, relation: str) -> tuple[str, ...]:
+    r"""An equation of two letters, as `x_{1,2} = a \pm b` of x_1 and x_2, as one of each, if the relation has these."""
+    pair = PAIR.search(equation)
+    if pair is None or not _SIGNS.search(equation):
+        return (equation,)
+    stem, *labels = pair["stem"], *(("+", "-") if pair["both"] else (pair["first"], pair["second"]))
+    found, own = spellings(relation), {canonical(f"{stem}_{{{x}}}") for x in labels}
+    if canonical(pair[0]) in found or not own & found or own & {*spellings(equation)}:
+        return (equation,)
+    lower = _SIGNS.sub(
+        lambda sign: "-" if sign[1] == "pm" else "+", equation.replace(pair[0], f"{stem}_{{{labels[1]}}}")
+    )
+    upper = _SIGNS.sub(
+        lambda sign: "+" if sign[1] == "pm" else "-", equation.replace(pair[0], f"{stem}_{{{labels[0]}}}")
+    )
+    return upper, lower
 
 
 def with_scopes(asked: Asked) -> Asked:
@@ -229,7 +257,6 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
         match = _MEMBER.match(condition.strip())
         if match and re.fullmatch(r"(?:\\(?:mathrm|operatorname|text)\s*\{)?SO\}?\s*\(\s*3\s*\)", match[2].strip()):
             phrases[match[1]] = "rotation"
-            conditions += [rf"{match[1]}^T {match[1]} = \operatorname{{diag}}(1, 1, 1)", rf"\det({match[1]}) = 1"]
             continue
         kind = _SET.match(match[2].strip()) if match else None
         if not match or not kind or (kind[2] == "0" and kind[1] != "N"):
@@ -246,6 +273,8 @@ def members(given: Iterable[str], said: Mapping[str, str]) -> tuple[list[str], d
             conditions.append(f"{latex} > 0")
         elif part or which == "N":
             conditions.append(rf"{latex} \ge 0")
+    for latex in (x for x, phrase in phrases.items() if phrase == "rotation"):
+        conditions += [rf"{latex}^T {latex} = \operatorname{{diag}}(1, 1, 1)", rf"\det({latex}) = 1"]
     return conditions, phrases
 
 
@@ -486,7 +515,9 @@ def _reading(
     claims = tuple(written_under(claim, terms) for claim in claims)
     hypotheses = [(name, tuple(written_under(f, terms) for f in fs)) for name, fs in hypotheses]
     terms = {name: written_under(term, terms) for name, term in terms.items()}
+    hypotheses = [(name, tuple(written_in_functions(f, terms) for f in fs)) for name, fs in hypotheses]
     said = [f for _, fs in hypotheses for f in fs]
+    refuse_tied_bodies(functions_, (asked.relation, *asked.where, *asked.given), said, terms, notation)
     refuse_tied([*claims, *said], len(claims), tree, terms, solved, notation)
     hypotheses, held, regular = _differentiated(claims, hypotheses, terms, notation)
     claims = tuple(map(rooted, claims))

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
-from symcheck.core.calculus import letters, nodes
+from symcheck.core.calculus import letters, nodes, substituted
 from symcheck.core.terms import Binder, Call, Formula, Node, T, Term, mapped, node
 from symcheck.core.verdicts import NoForm
 from symcheck.core.words import term
-from symcheck.reading import Notation, Tree
+from symcheck.reading import Notation, Tree, to_latex
 from symcheck.reading.lowering import written
+from symcheck.reading.occurrences import occurrences
 from symcheck.reading.tree import Antiderivative, Evaluated, Name, walk
 
 RUNNING = ("integral", "sum", "product", "mean")
@@ -29,6 +30,43 @@ def written_under(tree: T, terms: Mapping[str, Term]) -> T:
     while named := sorted(x for x in letters(body) & terms.keys() - {new.letter} if new.letter in needed(x, terms)):
         body = written(body, named[0], terms[named[0]])
     return node(new.tag, body, new.letter, *new.outside)  # type: ignore[return-value]
+
+
+def written_in_functions(equation: Formula, terms: Mapping[str, Term]) -> Formula:
+    """An equation between functions with definitions written out where these depend on arguments of the functions."""
+    places = {x for part in nodes(equation) if isinstance(part, Call) for x in part.terms if isinstance(x, str)}
+    while named := sorted(x for x in letters(equation) & terms.keys() - places if needed(x, terms) & places):
+        equation = substituted(equation, {named[0]: terms[named[0]]})
+    return equation
+
+
+def refuse_tied_bodies(
+    functions: Mapping[str, tuple[tuple[Tree, ...], Tree]],
+    formulas: Iterable[str],
+    hypotheses: Iterable[Formula],
+    terms: Mapping[str, Term],
+    notation: Notation,
+) -> None:
+    """NoForm where an equation ties a letter to an argument by which a function is said, and that is asked elsewhere.
+
+    With f(x) = u^2 and u - x = 1 nobody says what f(3) is.
+    """
+    said = [(term(f), needed(f, terms)) for f in hypotheses if f.tag == "=" and not _is_between_functions(f)]
+    known = set().union(*(names for _, names in said))
+    calls = [place for text in formulas for place in occurrences(text) if place.arguments] if said else []
+    for name, (own, body) in functions.items():
+        printed = tuple(to_latex(x) for x in own)
+        if all(place.arguments == printed for place in calls if place.word == name):
+            continue
+        inside = _names(known, [each for _, each in walk(body)], notation)
+        for by in _names(known, own, notation):
+            _refuse_tied(by, inside, said)
+
+
+def _names(known: Iterable[str], parts: Iterable[Tree], notation: Notation) -> set[str]:
+    """Those of some names whose letters are among parts of a formula."""
+    owners = {notation.find(n.letter, len(n.subscripts)) for n in parts if isinstance(n, Name)}
+    return {name for name in known if notation.owner(name) in owners}
 
 
 def refuse_tied(
@@ -71,14 +109,10 @@ def _printed(tree: Tree, known: Iterable[str], notation: Notation) -> Iterator[t
     Of such integrals also the names that stand beside them: these are differentiated, what is integrated is not.
     """
 
-    def names(parts: Iterable[Tree]) -> set[str]:
-        owners = {notation.find(n.letter, len(n.subscripts)) for n in parts if isinstance(n, Name)}
-        return {name for name in known if notation.owner(name) in owners}
-
     found = [(path, part) for path, part in walk(tree) if isinstance(part, Evaluated | Antiderivative)]
     for at, part in found:
-        inside = names(each for _, each in walk(part.body))
-        beside = names(each for path, each in walk(tree) if path[: len(at)] != at)
+        inside = _names(known, (each for _, each in walk(part.body)), notation)
+        beside = _names(known, (each for path, each in walk(tree) if path[: len(at)] != at), notation)
         variable = part.variable
         if not isinstance(variable, Name):
             continue

@@ -122,6 +122,8 @@ def _determined(equation: Formula, function: str, x: str, formulas: Sequence[For
         return None
     if not isinstance(slopes[top], int) and not _is_proved(node("!=", slopes[top], 0), given):
         return None
+    if not top and x not in letters(rest) | letters(slopes[0]):
+        return None  # as v = v_0, which may be said of one moment
     if not top:
         return from_sympy(-to_sympy(rest) / to_sympy(slopes[0]))
     starts = _starts(formulas, function)

@@ -638,7 +638,7 @@ def _as_said(of: Evidence, every: Mapping[str, Evidence]) -> Guess:
     raise SymcheckError(
         f"{of.spelling} is said to be {phrase!r}, which is not understood; say scalar, constant, complex, vector, "
         "constant vector, vector that depends on t, matrix, integer, index, function of x, depends on t, differential, "
-        "imaginary unit, identity matrix or skew matrix of a vector"
+        "imaginary unit, identity matrix, rotation or skew matrix of a vector"
     )
 
 

@@ -647,6 +647,8 @@ class Lowering:
     def of_name(self, tree: Name, env: Env) -> Value:
         if tree in self.standing:
             return self.standing[tree]
+        if self.standing and self.changes(tree, env):
+            return self.value(self.defined[tree.letter][1], env)
         if _is_index(tree, self.notation):
             return self.index(tree.letter, env)
         if not tree.subscripts and tree.letter in env and self.notation.index(tree.letter) is not None:
@@ -1209,6 +1211,9 @@ class Lowering:
         kept, inside = self.standing, self.inside
         if name.letter in inside:
             raise SymcheckError(f"{to_latex(tree)}: {name.letter} is defined by itself")
+        taken = {x for value in values for x in _names(tuple(flat(value)))} & self.bound_over(body, own, env)
+        if taken and not order:
+            raise Unsaid(f"{to_latex(tree)}: {min(taken)} runs in what {name.letter} is; write another letter")
         self.inside = (*inside, name.letter)
         self.standing = {} if order else {x: v for x, v in zip(own, values, strict=True) if isinstance(x, Name)}
         value = self.value(body, env)
@@ -1217,6 +1222,36 @@ class Lowering:
             value = each_part(lambda t: node("diff", t, by, order, values[0]), value)
         self.standing, self.inside = kept, inside
         return value
+
+    def bound_over(self, body: Tree, own: Sequence[Tree], env: Env) -> set[str]:
+        """The letters that run under integrals, sums and products of the arguments of a function."""
+        parts = [*nodes(body)]
+        integrals = [part for part in parts if isinstance(part, Integral | Antiderivative) and self.has(part.body, own)]
+        sums = [part for part in parts if isinstance(part, BigSum | BigProduct) and self.has(part.body, own)]
+        indices = {self.notation.index(x) for part in sums for x in part.indices}
+        found = {self.variable(part.variable, env) for part in integrals}
+        return found | {letter.stem for letter in indices if letter is not None}
+
+    def has(self, body: Tree, own: Sequence[Tree]) -> bool:
+        """May one of some letters stand in a term, or in what is defined there?"""
+        return any(isinstance(part, Name) and (part in own or part.letter in self.defined) for part in nodes(body))
+
+    def changes(self, name: Name, env: Env) -> bool:
+        """Is a letter in the body of a function defined by arguments for which others stand there?"""
+        kept, self.standing = self.standing, {}
+        moved = {x for x, value in kept.items() if self.value(x, env) != value}
+        self.standing = kept
+        todo, seen = [name], set[Name]()
+        while moved and todo:
+            each = todo.pop()
+            seen.add(each)
+            own, body = self.defined.get(each.letter, ((each,), each))
+            if not own and each.letter not in self.inside and each == Name(each.letter):
+                inside = {part for part in nodes(body) if isinstance(part, Name)}
+                if inside & moved:
+                    return True
+                todo += inside - seen
+        return False
 
     def partial(self, function: str, values: list[Value], tree: Tree, env: Env, by: Sequence[str]) -> Value:
         """A partial derivative of a defined function at its arguments."""
