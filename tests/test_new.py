@@ -594,6 +594,17 @@ def test_a_misprint_passes_through_the_rules(tmp_path: Path) -> None:
     assert re.search(r"^printed +2 \\fun\{B\}\{E\} = m v\^3$", listed, re.MULTILINE)
 
 
+def test_some_constant_is_no_letter_and_an_implication_does_not_follow_from_itself(tmp_path: Path) -> None:
+    text = (
+        "The momentum is\n$$h = r^2 w = \\text{constant}$$\nand the area changes by\n"
+        "$$s = \\frac{1}{2} r^2 w = \\frac{h}{2} = \\text{constant}$$\n"
+        "so that\n$$m = 2 s \\implies s = \\frac{m}{2}$$\n"
+        "With\n$$u = m + c \\implies c = u - m, \\qquad d = 3 v$$\nwe are done.\n"
+    )
+    audit = begun(tmp_path, text, "paper.md")
+    assert "refuted" not in verdicts(audit).values()
+
+
 def test_nothing_sound_is_refuted(tmp_path: Path) -> None:
     """Cases, equations to be solved and conditions printed elsewhere: what fails may still be meant."""
     audit = begun(tmp_path, SOUND)

@@ -12,7 +12,7 @@ from symcheck.document.derived import Derived, Outcome, blamed, sought, with_pro
 from symcheck.document.letters import Letter, shown
 from symcheck.document.printed import Printed
 from symcheck.document.roles import Guess, Roles
-from symcheck.document.survey import Said, is_sayable
+from symcheck.document.survey import CONSTANT, Said, is_sayable
 from symcheck.document.work import Work, proved_of, undecided
 from symcheck.question import Status
 from symcheck.question.ask import TOTAL
@@ -23,7 +23,10 @@ def guessed(checks: Checks, letters: Sequence[Letter], work: Work) -> tuple[list
     roles = Roles(checks)
     guesses = [*_with_what_is_near(roles.guesses(), checks.formulas, letters, work)]
     guesses = _with_steps(guesses, checks, letters, work)
-    return _with_derivations(guesses, Derived(checks, roles), letters, work)
+    found, unlike = _with_derivations(guesses, Derived(checks, roles), letters, work)
+    constant = {k for k, seen in enumerate(checks.seen) if any(CONSTANT.fullmatch(r.letter) for r in seen.roles)}
+    # that something is some constant, which is another one in each relation, is no claim about a letter
+    return [Guess("premise") if k in constant and _claims(each) else each for k, each in enumerate(found)], unlike
 
 
 def _with_what_is_near(
@@ -56,8 +59,11 @@ def _with_steps(guesses: Sequence[Guess], checks: Checks, letters: Sequence[Lett
     wrong = [step for step in unlike if answers[step].verdict is Status.REFUTED]
     sure = work.all(confirmed, wrong, SEARCH, undecided)
     claimed: dict[int, tuple[int, ...]] = {k: (k - 1,) for k, step in lines.steps.items() if step in proved}
-    claimed |= {step.number: step.sources for step in wrong if sure[step].verdict is Status.REFUTED}
-    claimed |= {k: step.sources for k, step in lines.referred.items() if step in proved}
+    refuted = [step for step in wrong if sure[step].verdict is Status.REFUTED]
+    claimed |= {step.number: tuple(m for m in step.sources if m != step.number) for step in refuted}
+    for k, step in lines.referred.items():
+        if step in proved and not (k in step.sources and checks.seen[k].links):  # all that stands there follows
+            claimed[k] = tuple(m for m in step.sources if m != k)
     claimed |= {k + 1: (k - 1,) for k, step in lines.beyond.items() if step in proved and k + 1 not in claimed}
     said = _said(letters)
     asked = {k: _inquired(guesses, k, guesses[k].follows, checks.formulas, said) for k in claimed}
