@@ -64,6 +64,7 @@ UNDECIDED = (  # true and false ones
     (r"\int F\,dx = Fx + C", (SPRING,), "does F depend on x"),
     (r"\left. y\right|_{x=0} = y", ("y - x = 1",), "does y depend on x"),
     (r"\left. y\right|_{x=2} = y", ("2y = x",), "does y depend on x"),
+    (r"\lim_{t \to 0} v = c u", ("v = c u", "2u = t"), "do other letters depend on t"),
     (r"\int_0^1 x\,dy = x", ("y = 3x",), "does x depend on y"),
     (r"\int_0^1 \frac{u}{v}\,dy = \frac{u}{v}", ("\\frac{u}{v} = y",), "which of u, v depends on y"),
     (r"\int_0^{2\pi} \omega\,d\theta = 2\pi\omega", (r"\theta = \omega t",), "does omega depend on theta"),
