@@ -52,10 +52,11 @@ _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\
 _SCOPED = re.compile(r"\\forall(?![a-zA-Z])|\\in(?![a-zA-Z])|\\text\s*\{\s*[Ff]or")
 # that before a relation, up to a colon
 _ALL_AT_FIRST = re.compile(r"^(\s*\\forall(?![a-zA-Z])[^:=]*?)\s*(?::(?!=)|\\colon(?![a-zA-Z]))")
-# one letter for two: "x_{1,2}", "\\lambda_\\pm"
+# one letter for two: "x_{1,2}", "\lambda_\pm"
 PAIR = re.compile(
     r"(?P<stem>\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<first>\w)\s*[,;/]?\s*(?P<second>\w)\}|\{?(?P<both>\\pm)(?![A-Za-z])\s*\}?)"
 )
+# a double sign that is no label
 _SIGNS = re.compile(r"(?<!_)(?<!_\{)\\(pm|mp)(?![A-Za-z])\s*")
 OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
