@@ -927,3 +927,14 @@ def test_a_rotation_is_orthogonal_with_the_determinant_1(verdict: str, relation:
 def test_a_value_given_at_one_moment_is_not_that_of_all() -> None:
     assert decide(r"\dot v = 0", given=["v = v_0"]).verdict == "undecided"
     assert decide(r"v = v_0 + g t", where=[r"\dot v = g", "v(0) = v_0"]).verdict == "proved"
+
+
+@pytest.mark.parametrize(("verdict", "divergence"), [("proved", "3"), ("refuted", "1")])
+def test_a_vector_with_three_components_has_no_divergence_in_the_plane(verdict: str, divergence: str) -> None:
+    answer = decide(rf"\nabla \cdot \mathbf r = {divergence}", where=[r"\mathbf r = (x, y, z)"])
+    assert answer.verdict == verdict
+
+
+@pytest.mark.parametrize(("verdict", "relation"), [("proved", r"v = 2 v_\infty"), ("refuted", r"v = 3 v_\infty")])
+def test_infinity_is_no_sign_of_membership(verdict: str, relation: str) -> None:
+    assert decide(relation, given=[r"v = v_\infty u, u = 2"]).verdict == verdict

@@ -350,6 +350,8 @@ class _Fields(Lowering):
             return each_part(lambda t: plus(_slope(_slope(t, x), x) for x in self.coordinates), value)
         if not isinstance(value, list):
             raise NoForm("only vectors have a divergence and a curl")
+        if len(value) != len(self.coordinates):
+            raise NoForm("a vector has as many components as there are coordinates")
         if name == "div":
             return plus(_slope(t, x) for t, x in zip(value, self.coordinates, strict=True))
         if len(value) != len(COORDINATES):

@@ -37,7 +37,7 @@ from symcheck.reading.placed import with_places
 from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
-_MEMBER = re.compile(r"^(.+?)\s*\\in\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
+_MEMBER = re.compile(r"^(.+?)\s*\\in(?![a-zA-Z])\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 _COMPLEX = re.compile(r"\s*\\mathbb\s*\{?C\}?\s*$")
 # the sign of a relation
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
@@ -55,10 +55,11 @@ _SIZE_OF = re.compile(r"\\mathbb\s*\{?R\}?\s*\^\s*\{?\s*([A-Za-z])\s*(?:\\times\
 _SCOPED = re.compile(r"\\forall(?![a-zA-Z])|\\in(?![a-zA-Z])|\\text\s*\{\s*[Ff]or")
 # that before a relation, up to a colon
 _ALL_AT_FIRST = re.compile(r"^(\s*\\forall(?![a-zA-Z])[^:=]*?)\s*(?::(?!=)|\\colon(?![a-zA-Z]))")
-# one letter for two: "x_{1,2}", "\\lambda_\\pm"
+# one letter for two: "x_{1,2}", "\lambda_\pm"
 PAIR = re.compile(
     r"(?P<stem>\\[A-Za-z]+|[A-Za-z])_(?:\{(?P<first>\w)\s*[,;/]?\s*(?P<second>\w)\}|\{?(?P<both>\\pm)(?![A-Za-z])\s*\}?)"
 )
+# a double sign that is no label
 _SIGNS = re.compile(r"(?<!_)(?<!_\{)\\(pm|mp)(?![A-Za-z])\s*")
 OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
@@ -188,7 +189,7 @@ def with_whole_ends(asked: Asked) -> Asked | None:
 
     None where nothing is summed up to a letter of which nothing is said.
     """
-    known = {letter for letter, _ in asked.letters} | {text.split()[0] for text in asked.given if r"\in" in text}
+    known = {letter for letter, _ in asked.letters} | {text.split()[0] for text in asked.given if _MEMBER.match(text)}
     texts = (asked.relation, *asked.where)
     ends = [place.arguments for text in texts for place in occurrences(text) if place.role == "index"]
     firsts = {end: int(first) for first, end in filter(None, ends) if first.isdigit() and _is_name(end)}
@@ -203,7 +204,7 @@ def apart(conditions: Iterable[str]) -> Iterator[str]:
     r"""Conditions, each of one letter where they are about members of sets: "m, n \in \mathbb{N}, m \ne n"."""
     for condition in conditions:
         found, waiting = list[str](), list[str]()
-        for part in _between_commas(condition) if r"\in" in condition else ():
+        for part in _between_commas(condition) if _MEMBER.match(condition) else ():
             if match := _MEMBER.match(part.strip()):
                 found += (rf"{letter.strip()} \in {match[2]}" for letter in (*waiting, match[1]))
                 waiting = []
@@ -529,7 +530,8 @@ def _reading(
     order = in_order(terms)
     limiting = any(isinstance(part, Limiting) for _, part in walk(tree))
     if limiting or any(letter.order is not None for letter in notation.letters):
-        _refuse_unsolved(claims, [f for _, fs in hypotheses for f in fs])
+        beside = [node("=", x, terms[x]) for x in solved & set().union(*map(letters, claims))]
+        _refuse_unsolved(claims, [*(f for _, fs in hypotheses for f in fs), *beside])
     cases = [(name, case) for name, claim in _numbered(claims) for case in _cases(claim, tree)]
     others = [*(f for _, fs in hypotheses for f in fs), *(terms[name] for name in order)]
     problems = list[Problem]()

@@ -89,7 +89,8 @@ def refuse_tied(
     undone = any(isinstance(part, Antiderivative) for _, part in walk(tree))  # their derivatives are nowhere printed
     for part in signs(*formulas, *terms.values(), also=() if undone else ("diff",)):
         own = [values[part.letter]] if part.letter in values else []
-        _refuse_tied(part.letter, needed(part.body, terms), [*said, *own])
+        others = {x: t for x, t in terms.items() if x != part.letter}
+        _refuse_tied(part.letter, needed(part.body, others), [*said, *own])
     known = set().union(*(names for _, names in printed))
     for by, inside, beside in _printed(tree, known, notation):
         for each in printed:
@@ -100,7 +101,8 @@ def refuse_tied(
 def _refuse_tied(by: str, inside: set[str], said: Iterable[tuple[str, set[str]]]) -> None:
     for text, names in said:
         if by in names and (tied := sorted(inside & names - {by})):
-            raise NoForm(f"does {tied[0]} depend on {by}, as {text}? solve that for {tied[0]}")
+            which = f"does {tied[0]} depend" if len(tied) == 1 else f"which of {', '.join(tied)} depends"
+            raise NoForm(f"{which} on {by}, as {text}? solve that for it")
 
 
 def _printed(tree: Tree, known: Iterable[str], notation: Notation) -> Iterator[tuple[str, set[str], set[str] | None]]:
