@@ -822,7 +822,8 @@ def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, c
     shown = _with_values([by_parts.with_primitives(each) for each in reading.problems], reading, asked, wanted, claimed)
     if shown is not None and shown.verdict is Status.PROVED:
         return shown
-    for problem in reading.problems if all(map(by_parts.is_law, reading.problems)) else ():
+    laws = reading.problems if all(map(by_parts.is_law, reading.problems)) else ()
+    for problem in laws if any(map(_is_law_but_for_a_slip, laws)) else ():
         for chosen, there in by_parts.with_samples(problem):
             verdict, made, _ = decided_one(there)
             if made is not None and verdict is Verdict.REFUTED:
@@ -832,6 +833,16 @@ def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, c
                 point |= {x: term(value) for x, value in made["point"]["values"].items()}
                 return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
     return None
+
+
+def _is_law_but_for_a_slip(problem: Problem) -> bool:
+    """Is a claim about integrals of all functions true with another sign or factor?"""
+    for other in by_parts.with_slips(problem):
+        if (found := by_parts.with_primitives(other)) is not None:
+            claims = (*found.sides, found.problem)
+            if all(decided_one(each)[0] is Verdict.PROVED for each in claims):
+                return True
+    return False
 
 
 def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
