@@ -34,7 +34,7 @@ F_AND_G = {"f": "function of x", "g": "function of x"}
         ),
         (
             r"\int_a^b f(x)\,dx = \int_{a+c}^{b+c} f(x-c)\,dx",
-            r"\int_a^b f(x)\,dx = \int_{a+c}^{b+c} f(x+c)\,dx",
+            r"\int_a^b f(x)\,dx = -\int_{a+c}^{b+c} f(x-c)\,dx",
         ),
         (
             r"\int_a^b\left(\alpha f(x)+\beta g(x)\right)dx = \alpha\int_a^b f(x)\,dx+\beta\int_a^b g(x)\,dx",
@@ -54,6 +54,7 @@ def test_laws_of_integrals_of_all_functions_are_decided(true: str, false: str) -
         (r"\int_0^1 x f(x)\,dx = \int_0^1 f(x)\,dx", ""),  # some functions are so
         (r"\int_0^t f(\tau)\,d\tau = f(t)", ""),
         (r"\int_a^b f'(x)\,dx = f(b)+C", ""),
+        (r"\int_a^c f(x)\,dx = \int_c^b f(x)\,dx", ""),  # where c is
         (r"\int_{-a}^a f(x)\,dx = 2\int_0^a f(x)\,dx", "f(-x) = f(x)"),
         (r"\int_a^b \frac{f'(x)}{f(x)}\,dx = \ln f(b)+\ln f(a)", "f(x) > 0"),
     ],

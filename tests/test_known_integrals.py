@@ -49,6 +49,37 @@ PAIRS = [
 ]
 
 
+TURNS = [
+    (
+        r"\int_0^{\pi}\frac{dx}{a+b\cos x} = \frac{\pi}{\sqrt{a^2-b^2}}",
+        r"\int_0^{\pi}\frac{dx}{a+b\cos x} = \frac{2\pi}{\sqrt{a^2-b^2}}",
+        "a > b > 0",
+    ),
+    (
+        r"\int_0^{2\pi}\frac{dx}{(a+b\cos x)^2} = \frac{2\pi a}{(a^2-b^2)^{3/2}}",
+        r"\int_0^{2\pi}\frac{dx}{(a+b\cos x)^2} = \frac{2\pi b}{(a^2-b^2)^{3/2}}",
+        "a > b > 0",
+    ),
+    (
+        r"\int_0^{\pi/2}\frac{dx}{a^2\cos^2 x+b^2\sin^2 x} = \frac{\pi}{2ab}",
+        r"\int_0^{\pi/2}\frac{dx}{a^2\cos^2 x+b^2\sin^2 x} = \frac{\pi}{ab}",
+        "a > 0, b > 0",
+    ),
+    (
+        r"\int_0^{2\pi}\frac{\cos 2x}{5+4\cos x}\,dx = \frac{\pi}{6}",
+        r"\int_0^{2\pi}\frac{\cos 2x}{5+4\cos x}\,dx = -\frac{\pi}{6}",
+        "",
+    ),
+]
+
+
+@pytest.mark.parametrize("case", every(2, TURNS), ids=lambda case: case[0])
+def test_an_integral_over_turns_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
+    right, wrong, given = case
+    assert decide(right, given=given).verdict == "proved"
+    assert decide(wrong, given=given).verdict == "refuted"
+
+
 @pytest.mark.parametrize("case", every(3, PAIRS), ids=lambda case: case[0])
 def test_a_known_integral_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
     right, wrong, given = case
@@ -64,6 +95,9 @@ def test_a_known_integral_is_proved_and_its_slip_refuted(case: tuple[str, str, s
         (r"\int_0^\infty e^{x^k}\,dx = \Gamma\left(1+\frac1k\right)", "k > 0"),
         (rf"\int_{{-\infty}}^{{x_0}} {CAUCHY}\,dt = \frac12", r"\gamma < 0"),
         (r"\int_{-\infty}^{\infty} \left(\sqrt{x} - \sqrt{x} + \frac{1}{1+x^2}\right) dx = \pi", ""),  # no value
+        (r"\int_0^{2\pi}\frac{dx}{4+5\cos x} = \frac{2\pi}{3}", ""),  # it diverges
+        (r"\int_0^{\pi}\frac{dx}{3+2\sin x} = \frac{\pi}{\sqrt{5}}", ""),  # no half turns of a sine are alike
+        (r"\int_{\pi/2}^{3\pi/2}\frac{dx}{2+\cos x} = \frac{\pi}{\sqrt{3}}", ""),  # nor those from elsewhere
         (r"\int_{-\infty}^x \frac{1}{t^2-1}\,dt = \arctan x + \frac\pi2", "x < -1"),
     ],
 )

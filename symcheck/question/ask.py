@@ -26,6 +26,7 @@ from symcheck.proof.search.decide import UNSETTLED
 from symcheck.proof.search.number_points import refute_at, refute_at_corners, refute_at_some
 from symcheck.proof.search.wellformed import checked
 from symcheck.question import (
+    bases,
     by_parts,
     generating,
     growth,
@@ -762,6 +763,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
+    if status is Status.UNDECIDED and (shown := _with_bases(reading, asked, wanted, claimed)) is not None:
+        return shown
     if status is Status.UNDECIDED and any(of_squares := [squares.squared(each) for each in reading.problems]):
         shown = _with_values(of_squares, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is Status.PROVED:
@@ -772,6 +775,24 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _with_bases(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with a letter for e^t, where t stands in exponents alone."""
+    found = [bases.with_base(problem) for problem in reading.problems]
+    based = [each for each in found if each is not None]
+    if not based:
+        return None
+    problems = tuple(
+        problem if each is None else each.problem for problem, each in zip(reading.problems, found, strict=True)
+    )
+    answer = _decided(replace(reading, problems=problems), asked, wanted, claimed)
+    if answer.verdict is not Status.PROVED and (
+        answer.verdict is not Status.REFUTED or not all(each.whole for each in based)
+    ):
+        return None
+    names = {each.name: f"e^{each.letter}" for each in based}
+    return replace(answer, counterexample={names.get(x, x): value for x, value in answer.counterexample.items()})
 
 
 def _of_generating_function(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
@@ -816,7 +837,8 @@ def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, c
     shown = _with_values([by_parts.with_primitives(each) for each in reading.problems], reading, asked, wanted, claimed)
     if shown is not None and shown.verdict is Status.PROVED:
         return shown
-    for problem in reading.problems if all(map(by_parts.is_law, reading.problems)) else ():
+    laws = reading.problems if all(map(by_parts.is_law, reading.problems)) else ()
+    for problem in laws if any(map(_is_law_but_for_a_slip, laws)) else ():
         for chosen, there in by_parts.with_samples(problem):
             verdict, made, _ = decided_one(there)
             if made is not None and verdict is Verdict.REFUTED:
@@ -826,6 +848,16 @@ def _of_primitives(base: Answer, reading: Reading, asked: Asked, wanted: bool, c
                 point |= {x: term(value) for x, value in made["point"]["values"].items()}
                 return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
     return None
+
+
+def _is_law_but_for_a_slip(problem: Problem) -> bool:
+    """Is a claim about integrals of all functions true with another sign or factor?"""
+    for other in by_parts.with_slips(problem):
+        if (found := by_parts.with_primitives(other)) is not None:
+            claims = (*found.sides, found.problem)
+            if all(decided_one(each)[0] is Verdict.PROVED for each in claims):
+                return True
+    return False
 
 
 def _of_special_functions(asked: Asked, declared: Mapping[str, str]) -> Answer | None:

@@ -172,7 +172,10 @@ def _moved(part: Binder, at: _Jets) -> tuple[Expr, Expr, tuple[Term, Term]]:
 
 
 def is_law(problem: Problem) -> bool:
-    """Whether a claim is meant for all functions: its ends are letters, and it is so of multiples of the functions."""
+    """Whether a claim may be meant for all functions: its ends are letters, and it is so of multiples of the functions.
+
+    It may still say where one of the ends is, unless a slip explains why it fails.
+    """
     if problem.claim.tag != "=":
         return False
     integrals = _integrals(problem.claim)
@@ -181,6 +184,20 @@ def is_law(problem: Problem) -> bool:
     same = functions(left) == functions(right) != set()
     degrees = {_degree(left), _degree(right)}
     return same and len({*free}) > 1 and not problem.hypotheses and len(degrees) == 1 and not degrees & {0, None}
+
+
+def with_slips(problem: Problem) -> Iterator[Problem]:
+    """The claims with another sign of one addend, or twice or half of one side."""
+    for k, side in enumerate(problem.claim.terms):
+        addends = side.outside if isinstance(side, Node) and side.tag == "+" else (side,)
+        others: list[Term] = [node("*", 2, side), node("/", side, 2)]
+        for j, each in enumerate(addends):
+            changed = [*addends[:j], node("-", each), *addends[j + 1 :]]
+            others.append(node("+", *changed) if len(changed) > 1 else changed[0])
+        for other in others:
+            sides = [*problem.claim.terms]
+            sides[k] = other
+            yield replace(problem, claim=node("=", *sides))
 
 
 def _degree(tree: Term) -> int | None:

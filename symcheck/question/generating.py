@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 # the sum over all orders, and a member of a family there
 _SUM = re.compile(r"\\sum_\{(?P<n>[a-z])=0\}\^\{\\infty\}(?P<body>.*)")
+# a member of a family with a letter for its order and one for its argument
 _MEMBER = re.compile(
     r"(?:\\(?:mathrm|text)\{)?(?P<letter>[A-Z][a-z]?)\}?_\{?(?P<n>[a-z])\}?(?:\\left)?\((?P<x>[a-z])(?:\\right)?\)"
 )

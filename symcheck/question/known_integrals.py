@@ -1,8 +1,11 @@
 """Integrals that everybody knows, for what no proof by an antiderivative reaches: of the Cauchy and Weibull densities.
 
-An integrand is, for all t between the ends, C/((t - m)^2 + s^2), or a sum of c t^u exp(-a t^v), with what does not
-depend on t. That it is that is proved, and that s, a, v and u + 1 are positive. What is left to trust is the arctangent
-as an antiderivative with its limits, and the substitution that makes Euler's integral of t^v.
+An integrand is, for all t between the ends, C/((t - m)^2 + s^2), or a sum of c t^u exp(-a t^v), or one of multiples of
+whole powers of a + b cos(m t) + c sin(m t), with what does not depend on t. That it is that is proved, and that s, a,
+v, u + 1 and a^2 - b^2 - c^2 are positive. What is left to trust is the arctangent as an antiderivative with its limits,
+the substitution that makes Euler's integral of t^v, and Laplace's integrals: with r^2 = a^2 - b^2 - c^2 the means of
+the powers k and -k - 1 over a turn are r^k P_k(a/r) and r^(-k - 1) P_k(a/r), where P_k are Legendre polynomials. Where
+c is 0 they are those over half a turn from a multiple of it on, too.
 """
 
 from __future__ import annotations
@@ -44,7 +47,7 @@ def with_values(problem: Problem) -> Series | None:
         between += [node("<", t, high)] if high != INFINITY else []
         given = (*problem.hypotheses, ("between", tuple(between))) if between else problem.hypotheses
         sides += [replace(problem, claim=each) for each in needed]
-        valued = [each for each in domain(body, divisors=True) if t in letters(each)]
+        valued = [each for each in domain(body, divisors=True) if t in letters(each) and not _is_turned(form)]
         sides += [replace(problem, claim=each, hypotheses=given) for each in (*valued, node("=", body, form))]
 
     def put(tree: T) -> T:
@@ -55,13 +58,88 @@ def with_values(problem: Problem) -> Series | None:
     return Series(replace(problem, claim=put(problem.claim)), tuple(sides))
 
 
+def _is_turned(form: Term) -> bool:
+    """Is it defined for all angles as what has to hold says that what is divided by is positive?"""
+    return isinstance(form, Node) and any(part.tag in ("sin", "cos") for part in nodes(form))
+
+
 def _known(body: Term, t: str, low: Term, high: Term) -> Iterator[Known]:
     """The value of an integral, if it is in the table."""
     from sympy import PolynomialError
 
-    for way in (_arctangent, _exponential):
+    for way in (_arctangent, _exponential, _turned):
         with suppress(*FAULTS, PolynomialError):
             yield way(body, t, low, high)
+
+
+def _turned(body: Term, t: str, low: Term, high: Term) -> Known:
+    """The integral over whole turns, or over half turns, of a rational function of a sine and cosine."""
+    import sympy
+
+    x, c, s = sympy.Symbol(t, real=True), sympy.Symbol("cosine_there"), sympy.Symbol("sine_there")
+    own = sympy.Symbol("base_there")
+    if {low, high} & {INFINITY, MINUS_INFINITY}:
+        raise SymcheckError("no turn")
+    expr, times, cosine = _in_cosines(to_sympy(body), x, c, s)
+    above, below = sympy.fraction(sympy.together(expr))
+    constant, factors = sympy.factor_list(below, c, s)
+    if len(factors) != 1 or sympy.Poly(factors[0][0], c, s).total_degree() != 1 or above.has(x):
+        raise SymcheckError("no power of one sum below the line")
+    ((base, power),) = factors
+    if (start := base.subs({c: 0, s: 0})).is_negative or start.could_extract_minus_sign():
+        base, constant = -base, constant * (-1) ** power
+    a, b, e = base.subs({c: 0, s: 0}), sympy.diff(base, c), sympy.diff(base, s)
+    above = sympy.rem(sympy.expand(above), s**2 + c**2 - 1, s)
+    if e == 0 and b != 0 and not above.has(s):
+        sums = sympy.Poly(sympy.expand(above.subs(c, (own - a) / b)), own)
+    elif not above.has(c, s):
+        sums = sympy.Poly(above, own)
+    else:
+        raise SymcheckError("a sine above the line")
+    first, last = (sympy.expand(to_sympy(end) * times / sympy.pi) for end in (low, high))
+    halves = last - first
+    even = e == 0 and first.is_Integer
+    if not halves.is_Integer or not (even or halves.is_even):
+        raise SymcheckError("no whole turn")
+    square = sympy.factor(a**2 - b**2 - e**2)
+    size = sympy.Symbol("size_there") if square.free_symbols else sympy.sqrt(square)
+    mean, form = sympy.Integer(0), sympy.Integer(0)
+    for (j,), n in sums.terms():
+        k = j - power
+        order = k if k >= 0 else -k - 1
+        mean += n / constant * size**k * sympy.legendre(order, a / size)
+        form += n / constant * own**k
+    angle = cosine * b + sympy.sin(times * x) * e + a
+    value = from_sympy(sympy.simplify(mean) * (to_sympy(high) - to_sympy(low)))
+    value = substituted(value, {str(size): node("sqrt", from_sympy(square))})
+    both = [a, square] if b != 0 and e != 0 else [sympy.factor(a - b - e), sympy.factor(a + b + e)]
+    needed = [node(">", from_sympy(each), 0) for each in both]
+    needed += [node("!=", from_sympy(b), 0)] if sums.degree() > 0 and b.free_symbols else []
+    return value, substituted(from_sympy(form), {str(own): from_sympy(angle)}), needed
+
+
+def _in_cosines(expr: Expr, x: Symbol, c: Symbol, s: Symbol) -> tuple[Expr, Expr, Expr]:
+    """The same with cosine and sine of a multiple of the letter, which multiple, and that cosine as it is printed."""
+    import sympy
+
+    waves = [each for each in sympy.preorder_traversal(expr) if isinstance(each, sympy.sin | sympy.cos) and each.has(x)]
+    counts = [sympy.cancel(each.args[0] / x) for each in waves]
+    if not counts or not all(n.is_Rational and n for n in counts):
+        raise SymcheckError("no functions of multiples of the letter")
+    times = sympy.gcd(list(map(abs, counts)))
+    by = {}
+    for each, n in zip(waves, counts, strict=True):
+        whole = sympy.expand_trig(each.func(n / times * x))
+        by[each] = whole.subs({sympy.cos(x): c, sympy.sin(x): s})
+    above, below = (
+        sympy.rem(sympy.expand(each), s**2 + c**2 - 1, s)
+        for each in sympy.fraction(sympy.together(sympy.expand_power_base(expr).subs(by, simultaneous=True)))
+    )
+    polys = [sympy.Poly(each, c, s) for each in (above, below)]
+    if all(j % 2 == 0 and k == 0 for poly in polys for j, k in poly.monoms()):
+        half, doubled = sympy.sqrt((1 + c) / 2), 2 * sympy.cos(times * x) ** 2 - 1
+        return sympy.expand(above.subs(c, half)) / sympy.expand(below.subs(c, half)), 2 * times, doubled
+    return above / below, times, sympy.cos(times * x)
 
 
 def _positive(body: Term, t: str) -> tuple[Expr, Symbol, dict[Symbol, Symbol]]:

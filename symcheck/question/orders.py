@@ -25,15 +25,17 @@ from symcheck.question.whole import with_half_turns
 from symcheck.question.whole_powers import inlined, with_claim, with_whole_powers
 from symcheck.reading import from_sympy, tex, to_sympy
 
+# the beginning of a derivative, and its order
 HEAD = re.compile(r"\\[dt]?frac\{(?P<d>d|\\partial)\^\{?(?P<order>[^{}]+)\}?")
+# a letter, so many times it, or so many more
 ORDER = re.compile(r"(?P<times>[1-9]?)(?P<letter>[a-zA-Z])(?:\+(?P<more>\d))?")
 PRIMED = re.compile(r"(?P<f>[a-zA-Z])\^\{\((?P<order>[^(){}]+)\)\}\((?P<x>[a-zA-Z])\)")  # f^{(n)}(x)
 FRESH = "kmpqrshlj"  # letters that may stand for n + 1
 TRIED = 3  # orders at which a claim is looked at, and the next ones
 # what bounds a letter below; and what bounds it above, so that it holds of smaller ones too
 _MEMBER = re.compile(r"\\in\\mathbb\{?(?P<set>[NZ])\}?(?P<part>_.*)?")
+# a bound below
 _BELOW = re.compile(r"(?:>|\\geq?(?:slant)?)(?P<number>\d)")
-_OTHERS = re.compile(r"\\(?:leq?|geq?)(?![a-zA-Z])|[<>]")
 
 
 @dataclass(frozen=True)

@@ -38,6 +38,7 @@ from symcheck.reading.surface import plain, with_plain_differentials
 from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, System, walk
 
 _MEMBER = re.compile(r"^(.+?)\s*\\in(?![a-zA-Z])\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
+# the set of complex numbers
 _COMPLEX = re.compile(r"\s*\\mathbb\s*\{?C\}?\s*$")
 # the sign of a relation
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")

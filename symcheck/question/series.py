@@ -9,6 +9,7 @@ is left to trust is that such sums telescope, and the series in the table.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -72,9 +73,11 @@ def with_values(problem: Problem) -> Series | None:
         low, inside = total.outside[0], letters(total.body)
         if not isinstance(low, int) or not 0 <= low <= LARGEST or inside & meant or total.letter in others:
             return None
-        try:
-            values[total], more = _summed(total.body, total.letter, low)
-        except FAULTS:
+        for apart in (False, True):
+            with suppress(*FAULTS):
+                values[total], more = _summed(total.body, total.letter, low, apart)
+                break
+        else:
             return None
         given = (*problem.hypotheses, ("place", (node(">=", total.letter, low),)))
         sides += [replace(problem, claim=_as_said(claim, given), hypotheses=given) for claim in more]
@@ -97,13 +100,14 @@ def _as_said(claim: Formula, given: Hypotheses) -> Formula:
     return claim
 
 
-def _summed(body: Term, letter: str, low: int) -> tuple[Term, list[Formula]]:
+def _summed(body: Term, letter: str, low: int, apart: bool) -> tuple[Term, list[Formula]]:
     """The value of an endless sum, and the claims that show it."""
     import sympy
 
     k, powers = sympy.Symbol(letter, real=True), _Powers(letter)
     addend = plainly(to_sympy(body), k)
-    base = next((each for each in known(addend, k) if each.first <= low and each.multiple != 0), None)
+    addend = _apart(addend) if apart else addend
+    base = next((each for each in known(addend, k, apart) if each.first <= low and each.multiple != 0), None)
     rest = addend
     if base is not None:
         relative = sympy.gammasimp(sympy.simplify(addend / base.addend)) - base.multiple
@@ -122,6 +126,13 @@ def _summed(body: Term, letter: str, low: int) -> tuple[Term, list[Formula]]:
     stated = node("=", powers.without(body), worked_out(right))
     valued = [each for whole in domain(stated, divisors=True) for each in not_zero(whole) if letter in letters(each)]
     return worked_out(value), [*valued, stated, *claims]
+
+
+def _apart(expr: Expr) -> Expr:
+    """The same with powers of products as products of powers, as their exponents are whole."""
+    from sympy import expand_power_base
+
+    return expand_power_base(expr, force=True)
 
 
 class _Powers:
@@ -144,6 +155,13 @@ class _Powers:
     def _power(self, base: Term, exponent: Term) -> Term:
         import sympy
 
+        match base:
+            case 1:
+                return 1
+            case Node(tag="*", outside=factors):
+                return node("*", *(self._power(each, exponent) for each in factors))
+            case Node(tag="/", outside=(top, bottom)):
+                return node("/", self._power(top, exponent), self._power(bottom, exponent))
         k = sympy.Symbol(self.k, real=True)
         line = sympy.Poly(sympy.expand(to_sympy(exponent)), k)
         steps, start = line.nth(1), line.nth(0)
@@ -193,14 +211,14 @@ def _vanishing(rest: Expr, gap: Expr, k: Symbol) -> Iterator[Formula]:
         yield node("<", node("^", from_sympy(quotient), 2), 1)
 
 
-def known(addend: Expr, k: Symbol) -> Iterator[Known]:
-    """Multiples of known series that may stand in an addend."""
+def known(addend: Expr, k: Symbol, apart: bool = False) -> Iterator[Known]:
+    """Multiples of known series that may stand in an addend, with powers of products as such or apart."""
     import sympy
 
     step = ratio(addend, k)
     quotient = sympy.limit(step, k, sympy.oo)
     if quotient == 0:
-        yield from _exponential(addend, step, k)
+        yield from _exponential(addend, step, k, apart)
     elif quotient == 1 and addend.is_rational_function(k):
         for power, value in ((2, 6), (4, 90)):
             yield Known(_residue(addend, k, power), k**-power, 1, node("/", node("^", PI, power), value))
@@ -260,13 +278,13 @@ def _binomial(addend: Expr, step: Expr, x: Expr, k: Symbol) -> Iterator[Known]:
             yield Known(multiple, own, 0, node("pow", from_sympy(1 - x), from_sympy(-a)), x)
 
 
-def _exponential(addend: Expr, step: Expr, k: Symbol) -> Iterator[Known]:
+def _exponential(addend: Expr, step: Expr, k: Symbol, apart: bool) -> Iterator[Known]:
     """Series of exponentials, and of cosines and sines."""
     import sympy
 
     x = sympy.limit(step * k, k, sympy.oo)
     if x != 0 and x.is_finite is not False:
-        own = x**k / sympy.gamma(k + 1)
+        own = (_apart(x**k) if apart else x**k) / sympy.gamma(k + 1)
         factor = sympy.expand(sympy.gammasimp(sympy.simplify(addend / own)))
         if factor.is_polynomial(k):
             multiple, falling = sympy.Integer(0), sympy.Poly(factor, k)

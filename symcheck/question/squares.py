@@ -19,6 +19,7 @@ from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Applied, Form, Problem
 from symcheck.core.terms import Node, Relation, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
+from symcheck.proof.algebra.forms import number_term
 from symcheck.proof.algebra.polynomial import number_of
 from symcheck.proof.algebra.simplex import Column, positive_relation
 from symcheck.question.limit import OutOfTime, limited
@@ -95,6 +96,15 @@ class _Order:
         self.squares = {
             root: square.subs(self.letters) for root, square in self.squares.items() if square not in self.letters
         }
+        self.least: dict[str, Fraction] = {}
+        if not self.symbols:  # then letters stand for what they are above their least values
+            self.least = {x: least for x, least in self.positive.items() if least > 0}
+            above = {
+                s: s + sympy.Rational(n.numerator, n.denominator)
+                for x, n in self.least.items()
+                for s in [sympy.Symbol(x, real=True)]
+            }
+            self.sides = tuple(sympy.together(side.subs(above, simultaneous=True)) for side in self.sides)
         self.gap = self.reduced(self.sides[1] - self.sides[0])
 
     def hints(self) -> list[Applied[Term]]:
@@ -112,7 +122,7 @@ class _Order:
         import sympy
 
         match inner:
-            case Node(tag="*", outside=(one, other)) if {one, other} <= self.positive:
+            case Node(tag="*", outside=(one, other)) if {one, other} <= self.positive.keys():
                 self.products.append((one, other))
                 return node("*", self._root(one), self._root(other))
         root = node("sqrt", inner)
@@ -168,6 +178,8 @@ class _Order:
         def put(tree: T) -> T:
             if isinstance(tree, str) and tree in self.roots:
                 return self.roots[tree]  # type: ignore[return-value]
+            if isinstance(tree, str) and tree in self.least:
+                return node("+", tree, node("-", number_term(self.least[tree])))  # type: ignore[return-value]
             return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 
         return put(from_sympy(expr))
@@ -203,29 +215,24 @@ class _Order:
             sympy.Mul(*(s ** ((e - k) // 2) for s, e, k in zip(gens, powers, common, strict=True)))
             for powers in (one, other)
         )
-        number = from_sympy(sympy.Rational(c.numerator, c.denominator))
-        factors = [
-            number,
-            *(
-                node("^", self.term(s), int(e)) if e > 1 else self.term(s)
-                for s, e in outside.as_powers_dict().items()
-                if s != 1
-            ),
-        ]
-        return node("*", *factors, node("^", self.term(u + sign * v), 2)) if one != other else node("*", 1, *factors)
+        powers = [(self.term(x), int(e)) for x, e in outside.as_powers_dict().items() if x != 1]
+        factors = [node("^", x, e) if e > 1 else x for x, e in powers]
+        factors += [node("^", self.term(u + sign * v), 2)] if one != other else []
+        factors = [number_term(c), *factors] if c != 1 or not factors else factors
+        return node("*", *factors) if len(factors) > 1 else factors[0]
 
 
-def _positive(problem: Problem) -> set[str]:
-    """The letters that are said not to be negative."""
-    found = set[str]()
+def _positive(problem: Problem) -> dict[str, Fraction]:
+    """The letters that are said not to be negative, with a number that they are not below."""
+    found = dict[str, Fraction]()
     stated = [part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)]
     for _ in range(len(stated)):
         for formula in stated:
             if isinstance(formula, Relation) and formula.tag in (">", ">=", "<", "<="):
                 small, large = formula.terms if formula.tag[0] == "<" else formula.terms[::-1]
-                number = number_of(small)
-                if isinstance(large, str) and ((number is not None and number >= 0) or small in found):
-                    found.add(large)
+                number = found.get(small) if isinstance(small, str) else number_of(small)
+                if isinstance(large, str) and number is not None and number >= 0:
+                    found[large] = max(number, found.get(large, Fraction(0)))
     return found
 
 

@@ -20,7 +20,9 @@ _CONJUGATE = re.compile(r"\\(?:bar|overline)\{(.+)\}|(.+?) \^ (?:\{ )?(?:\*|\\as
 _PARTS = re.compile(
     r"\\(?:Re|Im|arg|Arg)(?![A-Za-z])|\\(?:operatorname|mathrm|text)\s*\{\s*(?:R\s*e|I\s*m|a\s*r\s*g)\s*\}"
 )
+# a line above something
 _LINE = re.compile(r"\\overline\{((?:[^{}]|\{\w+\})*)\}")
+# one letter with its subscript
 _LETTER = re.compile(r"(?:[A-Za-z]|\\[A-Za-z]+)(?:_(?:\{\w+\}|\w))?")
 _LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")  # bars of an absolute value
 # the part of one letter
