@@ -40053,7 +40053,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "chemprop/chemprop/chemprop/nn/agg.py",
     ),
     (
-        "\\texttt{im.entropy(data_X, approach=\"discrete\")} = H(X) = -\\sum_{x \\in X} p(x) \\log p(x).",
+        '\\texttt{im.entropy(data_X, approach="discrete")} = H(X) = -\\sum_{x \\in X} p(x) \\log p(x).',
         "Chain(\\text{im.entropy(data\\_X,approach=''discrete'')}, Call(H; X), Neg(Limiting(sum; _{ x \\in X }; Mul(Call(p; x), Call(log; Call(p; x))))); =, =)",
         "cbueth/infomeasure/infomeasure/estimators/functional.py",
     ),
@@ -40281,6 +40281,341 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "\\mathcal{U} \\circ \\mathcal{P}_k = \\mathcal{P}'_k \\circ \\mathcal{U}",
         "Chain(Operated(\\circ; \\mathcal{U}; \\mathcal{P}_k), Operated(\\circ; \\mathcal{P}_k'; \\mathcal{U}); =)",
         "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "\\alpha_y(y, x) = -|\\gamma| \\, y, \\qquad \\alpha_x(y, x) = +|\\gamma| \\, x.",
+        "System(Chain(Call(\\alpha_y; y, x), Neg(Mul(Bars(\\gamma), y)); =), Chain(Call(\\alpha_x; y, x), Mul(Bars(\\gamma), x); =))",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/sheets/external_shear.py",
+    ),
+    (
+        "t \\in \\{1, \\dots, T\\}",
+        "Chain(t, Tuple(1, Dots(), T; {}); \\in)",
+        "chemprop/chemprop/chemprop/nn/message_passing/base.py",
+    ),
+    (
+        "r_\\theta \\cdot f = f \\cdot r_{-\\theta}",
+        "Chain(Mul(r_\\theta, f), Mul(f, r_{-\\theta}); =)",
+        "QUVA-Lab/e2cnn/e2cnn/group/groups/o2group.py",
+    ),
+    (
+        "j \\in \\mathcal{T}",
+        "Chain(j, \\mathcal{T}; \\in)",
+        "rwnobrega/komm/komm/_sources/MarkovChain.py",
+    ),
+    (
+        "p = a*(1.0-e^2)",
+        "Chain(p, Operated(*; a; Add(1.0, Neg(Pow(e; 2)))); =)",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/examples/hohmann_transfer/hohmann_transfer.ipynb",
+    ),
+    (
+        "\\begin{equation}\n    \\begin{bmatrix} E_x' \\\\ E_y' \\end{bmatrix} =\n    \\begin{bmatrix} \\cos\\theta & \\sin\\theta \\\\ -\\sin\\theta & \\cos\\theta \\end{bmatrix}\n    \\begin{bmatrix} E_x \\\\ E_y \\end{bmatrix}. \\tag{1}\n\\end{equation}",
+        "Chain(MatrixOf(E_x', E_y'), Mul(MatrixOf(Call(cos; \\theta), Call(sin; \\theta), Neg(Call(sin; \\theta)), Call(cos; \\theta)), MatrixOf(E_x, E_y)); =)",
+        "edsonportosilva/OptiCommPy/optic/models/devices.py",
+    ),
+    (
+        "\\mathcal{D}_p(\\rho) = p\\,\\rho + (1-p)\\,I/d",
+        "Chain(Call(\\mathcal{D}_p; \\rho), Add(Mul(p, \\rho), Div(Mul(Add(1, Neg(p)), I); d)); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "\\vec S = \\vec \\sigma/2",
+        "Chain(\\vec{S}, Div(\\vec{\\sigma}; 2); =)",
+        "QuSpin/QuSpin/quspin/basis/basis_1d/spin.py",
+    ),
+    (
+        "h(x) = \\ln(x/2) + f(x)",
+        "Chain(Call(h; x), Add(Call(ln; Div(x; 2)), Call(f; x)); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/dark/nfw.py",
+    ),
+    (
+        "\\mathrm{ENCE} = \\frac{1}{N} \\sum_{i=1}^{N} \\frac{|\\mathrm{RMV}_i - \\mathrm{RMSE}_i|}{\\mathrm{RMV}_i}",
+        "Chain(\\text{ENCE}, Mul(Div(1; N), BigSum(i; 1; N; Div(Bars(Add(\\text{RMV}_i, Neg(\\text{RMSE}_i))); \\text{RMV}_i))); =)",
+        "chemprop/chemprop/chemprop/uncertainty/evaluator.py",
+    ),
+    (
+        "\\bold{p} \\in \\R^n",
+        "Chain(\\mathbf{p}, Pow(\\mathbb{R}; n); \\in)",
+        "QUVA-Lab/escnn/escnn/kernels/polar_basis.py",
+    ),
+    (
+        "\\begin{bmatrix} T_{11} & T_{12} \\\\ 0 & T_{22} \\end{bmatrix}\n           \\begin{bmatrix} Z_{11} & Z_{12} \\\\ Z_{21} & Z_{22} \\end{bmatrix}\n           \\begin{bmatrix} I \\\\ g_x \\end{bmatrix} g_x \\hat{x} =\n           \\begin{bmatrix} S_{11} & S_{12} \\\\ 0 & S_{22} \\end{bmatrix}\n           \\begin{bmatrix} Z_{11} & Z_{12} \\\\ Z_{21} & Z_{22} \\end{bmatrix}\n           \\begin{bmatrix} g_x \\\\ I \\end{bmatrix} \\hat{x}",
+        "Chain(Mul(MatrixOf(T_{11}, T_{12}, 0, T_{22}), MatrixOf(Z_{11}, Z_{12}, Z_{21}, Z_{22}), MatrixOf(I, g_x), g_x, \\hat{x}), Mul(MatrixOf(S_{11}, S_{12}, 0, S_{22}), MatrixOf(Z_{11}, Z_{12}, Z_{21}, Z_{22}), MatrixOf(g_x, I), \\hat{x}); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/model.py",
+    ),
+    (
+        "\\lambda_i \\to \\infty",
+        "Chain(\\lambda_i, Infinity(); \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "(\\delta_\\mathrm{I}, \\delta_\\mathrm{Q}) = (2, 4)",
+        "Chain(Pair(\\delta_I; \\delta_Q), Pair(2; 4); =)",
+        "rwnobrega/komm/komm/_constellations/QAMConstellation.py",
+    ),
+    (
+        "\\begin{align}\nE - e \\sin{E} = M\n\\end{align}",
+        "Chain(Add(E, Neg(Mul(e, Call(sin; E)))), M; =)",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/examples/keplers_equation.ipynb",
+    ),
+    (
+        "T_{in} = 1/F_{in}",
+        "Chain(T_{in}, Div(1; F_{in}); =)",
+        "edsonportosilva/OptiCommPy/optic/dsp/core.py",
+    ),
+    (
+        "\\frac {S} {R} = -a_{1}\\frac {T^{-2}} {2} - a_2 \\frac {1} {T} + a_{3} \\ln {T} + a_{4} T + a_{5} \\frac {T^{2}} {2} + a_{6} \\frac {T^{3}} {3} + a_{7}\\frac {T^{4}} {4} + a_{9}",
+        "Chain(Div(S; R), Add(Neg(Mul(a_1, Div(Pow(T; Neg(2)); 2))), Neg(Mul(a_2, Div(1; T))), Mul(a_3, Call(ln; T)), Mul(a_4, T), Mul(a_5, Div(Pow(T; 2); 2)), Mul(a_6, Div(Pow(T; 3); 3)), Mul(a_7, Div(Pow(T; 4); 4)), a_9); =)",
+        "VlachosGroup/pMuTT/pmutt/empirical/nasa.py",
+    ),
+    (
+        "a_{X,i}(k) = \\log_2 \\frac{p(x^{(k)}_i, x_{i+1})}{p(x^{(k)}_i)p(x_{i+1})}.",
+        "Chain(Call(a_{X,i}; k), Call(lb; Div(Call(p; x _ { i } ^ { ( k ) }, x_{i+1}); Mul(Call(p; x _ { i } ^ { ( k ) }), Call(p; x_{i+1})))); =)",
+        "ELIFE-ASU/PyInform/pyinform/activeinfo.py",
+    ),
+    (
+        "\\mathcal{E} = \\mathcal{S} \\circ \\mathcal{U}_{\\mathrm{err}} \\circ \\mathcal{U}_{\\mathrm{gate}}",
+        "Chain(\\mathcal{E}, Operated(\\circ; Operated(\\circ; \\mathcal{S}; \\mathcal{U}_{err}); \\mathcal{U}_{gate}); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "1 + r d = \\frac{v_{start}}{v_{end}}",
+        "Chain(Add(1, Mul(r, d)), Div(v_{start}; v_{end}); =)",
+        "attack68/rateslib/rateslib/curves/curves.py",
+    ),
+    (
+        "\\kappa(R) = \\Upsilon \\, \\frac{I}{2\\pi\\sigma^2}\n            \\exp\\!\\left(-\\frac{R^2}{2\\sigma^2}\\right)",
+        "Chain(Call(\\kappa; R), Mul(\\Upsilon, Div(I; Mul(2, \\pi, Pow(\\sigma; 2))), Call(exp; Neg(Div(Pow(R; 2); Mul(2, Pow(\\sigma; 2)))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/stellar/gaussian.py",
+    ),
+    (
+        "f(g h) = \\psi(h^{-1}) f(g)",
+        "Chain(Call(f; Mul(g, h)), Mul(Call(\\psi; Pow(h; Neg(1))), Call(f; g)); =)",
+        "QUVA-Lab/escnn/escnn/group/homspace.py",
+    ),
+    (
+        "\\mathcal{L} = \\text{obj}\n    - \\mu \\cdot \\left( Y - A \\left( \\sum_i \\text{share}_i \\cdot x_i^s \\right)^{1/s} \\right)",
+        "Chain(\\mathcal{L}, Add(\\text{obj}, Neg(Mul(\\mu, Add(Y, Neg(Mul(A, Pow(BigSum(i; Mul(\\text{share}_i, Pow(x_i; s))); Div(1; s)))))))); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/ces.py",
+    ),
+    (
+        "L_{post} = [0, I]'",
+        "Chain(L_{post}, Marked(Tuple(0, I; []); '); =)",
+        "jordandeklerk/moderndid/moderndid/didhonest/arp_nuisance.py",
+    ),
+    (
+        "P_0 \\otimes I + P_1 \\otimes Z = \\begin{pmatrix} 1&0&0&0 \\\\ 0&1&0&0 \\\\ 0&0&1&0 \\\\ 0&0&0&-1 \\end{pmatrix}",
+        "Chain(Add(Operated(\\otimes; P_0; I), Operated(\\otimes; P_1; Z)), MatrixOf(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, Neg(1)); =)",
+        "rigetti/pyquil/pyquil/simulation/matrices.py",
+    ),
+    (
+        "Z=Tr\\left(e^{-\\beta H}I\\right)",
+        "Chain(Z, Call(Tr; Mul(Pow(e; Neg(Mul(\\beta, H))), I)); =)",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_FTLM.py",
+    ),
+    (
+        "v=\\sum_g v_g e_g",
+        "Chain(v, BigSum(g; Mul(v_g, e_g)); =)",
+        "QUVA-Lab/e2cnn/e2cnn/group/group.py",
+    ),
+    (
+        "\\hat{T}(Y_{t+1}|Y^{(k)}, X^{(l)}) = \\frac{1}{N} \\sum_{i=1}^{N} \\log \\frac{g(\\hat{y}_{i+1}, y_i^{(k)}, x_i^{(l)}) g(\\hat y_i^{(k)})}{g(y_i^{(k)}, x_i^{(l)}) g(\\hat{y}_{i+1}, y_i^{(k)})}",
+        "Chain(Call(\\hat{T}; Given(Y_{t+1}; Y ^ { ( k ) }, X ^ { ( l ) }; |)), Mul(Div(1; N), BigSum(i; 1; N; Call(log; Div(Mul(Call(g; \\hat{y}_{i+1}, y _ { i } ^ { ( k ) }, x _ { i } ^ { ( l ) }), Call(g; \\hat { y } _ { i } ^ { ( k ) })); Mul(Call(g; y _ { i } ^ { ( k ) }, x _ { i } ^ { ( l ) }), Call(g; \\hat{y}_{i+1}, y _ { i } ^ { ( k ) })))))); =)",
+        "cbueth/infomeasure/infomeasure/estimators/utils/te_slicing.py",
+    ),
+    (
+        "n = 2^{\\mu} - 1",
+        "Chain(n, Add(Pow(2; \\mu), Neg(1)); =)",
+        "rwnobrega/komm/komm/_error_control_block/BCHCode.py",
+    ),
+    (
+        "\\begin{align*}\n    r_{x} &= R_x(x) = x - 1 = 0, \\\\\n    r_{y_1} &= R_{y_1}(y_1, y_2) = y_1-y_2^2 = 0, \\\\\n    r_{y_2} &= R_{y_2}(x, y_1, y_2) = e^{-y_1 y_2} - x y_1 = 0, \\\\\n    r_{f} &= R_{f}(f, y_1, y_2) = f - y_1^2 - y_2 + 3 = 0. \\\\\n    \\end{align*}",
+        "System(Chain(r_x, Call(R_x; x), Add(x, Neg(1)), 0; =, =, =), Chain(r_{y_1}, Call(R_{y_1}; y_1, y_2), Add(y_1, Neg(Pow(y_2; 2))), 0; =, =, =), Chain(r_{y_2}, Call(R_{y_2}; x, y_1, y_2), Add(Pow(e; Neg(Mul(y_1, y_2))), Neg(Mul(x, y_1))), 0; =, =, =), Chain(r_f, Call(R_f; f, y_1, y_2), Add(f, Neg(Pow(y_1; 2)), Neg(y_2), 3), 0; =, =, =))",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/theory_manual/total_derivs_theory.ipynb",
+    ),
+    (
+        "|E_{out}(t)| = |E_{in}(t)|",
+        "Chain(Bars(Call(E_{out}; t)), Bars(Call(E_{in}; t)); =)",
+        "edsonportosilva/OptiCommPy/optic/models/devices.py",
+    ),
+    (
+        "\\mathcal{N} \\circ \\mathcal{R} = \\mathcal{E}",
+        "Chain(Operated(\\circ; \\mathcal{N}; \\mathcal{R}), \\mathcal{E}; =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "v'(t) = f(v(t),t)\\qquad v(t_0)=v_0",
+        "System(Chain(Call(v'; t), Call(f; Call(v; t), t); =), Chain(Call(v; t_0), v_0; =))",
+        "QuSpin/QuSpin/quspin/tools/evolution.py",
+    ),
+    (
+        "A_R = \\sum_{i=1}^N \\frac{1/f}{(1 + R / f)^{i}}",
+        "Chain(A_R, BigSum(i; 1; N; Div(Div(1; f); Pow(Add(1, Div(R; f)); i))); =)",
+        "attack68/rateslib/rateslib/data/fixings.py",
+    ),
+    (
+        "\\kappa(r) \\approx \\sum_{j} A_j \\, \\kappa_{\\rm CSE}(r; s_j)",
+        "Chain(Call(\\kappa; r), BigSum(j; Mul(A_j, Call(\\kappa_{CSE}; Given(r; s_j; ;)))); \\approx)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/abstract/cse.py",
+    ),
+    (
+        "\\alpha \\in [0, 1]",
+        "Chain(\\alpha, Interval(0; 1; []); \\in)",
+        "chemprop/chemprop/chemprop/uncertainty/calibrator.py",
+    ),
+    (
+        "k \\in \\mathbb{N}",
+        "Chain(k, \\mathbb{N}; \\in)",
+        "QUVA-Lab/e2cnn/e2cnn/group/groups/o2group.py",
+    ),
+    (
+        "\\frac{\\partial \\mathcal{L}}{\\partial x_i}\n    = \\frac{\\partial \\text{obj}}{\\partial x_i} + \\mu \\cdot a_i \\cdot \\frac{Y}{x_i}",
+        "Chain(Derivative(Call(\\mathcal{L}); x_i, 1; True), Add(Derivative(Call(\\text{obj}); x_i, 1; True), Mul(\\mu, a_i, Div(Y; x_i))); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/cobb_douglas.py",
+    ),
+    (
+        "{R}_{batt} = V1 - V0 - V_{source}^{*}",
+        "Chain(R_{batt}, Add(\\text{V1}, Neg(\\text{V0}), Neg(V _ { s o u r c e } ^ { * })); =)",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/advanced_user_guide/models_implicit_components/implicit_with_balancecomp.ipynb",
+    ),
+    (
+        "\\sum_{n} p[n] = 1, \\tag{1}",
+        "Chain(BigSum(n; Indexed(p; n)), 1; =)",
+        "edsonportosilva/OptiCommPy/optic/dsp/core.py",
+    ),
+    (
+        "E_a = \\alpha H + \\beta",
+        "Chain(E_a, Add(Mul(\\alpha, H), \\beta); =)",
+        "VlachosGroup/pMuTT/pmutt/reaction/bep.py",
+    ),
+    (
+        "\\mathcal{E} = \\Lambda_{\\text{post}} \\circ \\mathcal{U}",
+        "Chain(\\mathcal{E}, Operated(\\circ; \\Lambda_{post}; \\mathcal{U}); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "Z=Tr\\left(e^{-\\beta H}\\right)",
+        "Chain(Z, Call(Tr; Pow(e; Neg(Mul(\\beta, H)))); =)",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_FTLM.py",
+    ),
+    (
+        "v_1 = v_2 \\frac{1}{1 + [f d_i(1 - \\xi_y) - 1] y / f} \\qquad \\text{if settlement before quasi-coupon in long stub}",
+        "System(Chain(v_1, Mul(v_2, Div(1; Add(1, Div(Mul(Add(Mul(f, d_i, Add(1, Neg(\\xi_y))), Neg(1)), y); f)))); =), Words(\\text{if~settlement~before~quasi-coupon~in~long~stub}))",
+        "attack68/rateslib/rateslib/instruments/bonds/conventions/__init__.py",
+    ),
+    (
+        "\\gamma_1 = -\\kappa(\\theta) \\, \\frac{x^2 - y^2}{x^2 + y^2}",
+        "Chain(\\gamma_1, Neg(Mul(Call(\\kappa; \\theta), Div(Add(Pow(x; 2), Neg(Pow(y; 2))); Add(Pow(x; 2), Pow(y; 2))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/total/isothermal.py",
+    ),
+    (
+        "\\mathrm{NLL} = -\\log(\\hat{y} \\cdot y + (1 - \\hat{y}) \\cdot (1 - y))",
+        "Chain(\\text{NLL}, Neg(Call(log; Add(Mul(\\hat{y}, y), Mul(Add(1, Neg(\\hat{y})), Add(1, Neg(y)))))); =)",
+        "chemprop/chemprop/chemprop/uncertainty/evaluator.py",
+    ),
+    (
+        "\\kappa(gx) = \\rho_\\text{out}(g) \\kappa(x) \\rho_\\text{in}(g)^{-1}  \\qquad \\forall g \\in G, x \\in \\R^2",
+        "System(Chain(Call(\\kappa; Mul(g, x)), Mul(Call(\\rho_{out}; g), Call(\\kappa; x), Pow(Call(\\rho_{in}; g); Neg(1))); =), Forall(Chain(g, G; \\in)), Chain(x, Pow(\\mathbb{R}; 2); \\in))",
+        "QUVA-Lab/e2cnn/e2cnn/gspaces/r2/general_r2.py",
+    ),
+    (
+        "\\sqrt{n} (1 - \\kappa) \\to 0",
+        "Chain(Mul(Sqrt(n), Add(1, Neg(\\kappa))), 0; \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/wald.py",
+    ),
+    (
+        "\\hat{x}_{MAP} = \\arg\\max_{x \\in \\mathcal{X}}\\, p(x \\mid y)\n= \\arg\\max_{x \\in \\mathcal{X}}\\left[-\\frac{|y - x|^2}{\\sigma^2}\n+ \\ln p(x)\\right], \\tag{1}",
+        "Chain(\\hat{x}_{MAP}, Limiting(argmax; _{ x \\in \\mathcal { X } }; Call(p; Given(x; y; |))), Limiting(argmax; _{ x \\in \\mathcal { X } }; Add(Neg(Div(Pow(Bars(Add(y, Neg(x))); 2); Pow(\\sigma; 2))), Call(ln; Call(p; x)))); =, =)",
+        "edsonportosilva/OptiCommPy/optic/comm/modulation.py",
+    ),
+    (
+        "HoRT_{exp} = HoRT_{dft} + offset",
+        "Chain(\\text{HoRT}_{exp}, Add(\\text{HoRT}_{dft}, \\text{offset}); =)",
+        "VlachosGroup/pMuTT/pmutt/empirical/references.py",
+    ),
+    (
+        "\\mathcal{N} = \\mathcal{E} \\circ \\mathcal{R}^{+}",
+        "Chain(\\mathcal{N}, Operated(\\circ; \\mathcal{E}; \\mathcal { R } ^ { + }); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "v_j = \\sum_{i=1}^{m} c_i \\left(Q^T\\right)_{ij}",
+        "Chain(v_j, BigSum(i; 1; m; Mul(c_i, Marked(Transpose(Q); _{ i j }))); =)",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_lanczos_utils.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\rho_s}{(r/r_s)^{\\gamma}(1 + r/r_s)^{3-\\gamma}}",
+        "Chain(Call(\\rho; r), Div(\\rho_s; Mul(Pow(Div(r; r_s); \\gamma), Pow(Add(1, Div(r; r_s)); Add(3, Neg(\\gamma))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/dark/abstract.py",
+    ),
+    (
+        "(j, \\theta) = (1, 0.)",
+        "Chain(Pair(j; \\theta), Pair(1; 0); =)",
+        "QUVA-Lab/e2cnn/e2cnn/group/groups/o2group.py",
+    ),
+    (
+        "g \\in G, h\\in H",
+        "System(Chain(g, G; \\in), Chain(h, H; \\in))",
+        "QUVA-Lab/escnn/escnn/nn/modules/nonlinearities/fourier_quotient.py",
+    ),
+    (
+        "\\hat{p}_i = \\frac{n_i}{N}",
+        "Chain(\\hat{p}_i, Div(n_i; N); =)",
+        "cbueth/infomeasure/infomeasure/estimators/entropy/discrete.py",
+    ),
+    (
+        "\\lambda_i \\to 0",
+        "Chain(\\lambda_i, 0; \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "Y_n = X_n + Z_n,",
+        "Chain(Y_n, Add(X_n, Z_n); =)",
+        "rwnobrega/komm/komm/_channels/BinarySymmetricChannel.py",
+    ),
+    (
+        "x = 10^{x_{dB}/10}. \\tag{1}",
+        "Chain(x, Pow(10; Div(x_{dB}; 10)); =)",
+        "edsonportosilva/OptiCommPy/optic/utils.py",
+    ),
+    (
+        "E^{AH_{x}^*}=\\Delta E^{AH_x} + E^* + E^{AH_{x(g)}}",
+        "Chain(E ^ { A H _ { x } ^ { * } }, Add(\\Delta E ^ { A H _ { x } }, E ^ { * }, E ^ { A H _ { x ( g ) } }); =)",
+        "VlachosGroup/pMuTT/pmutt/statmech/lsr.py",
+    ),
+    (
+        "\\gamma_k \\to \\text{power} \\cdot \\gamma_k",
+        "Chain(\\gamma_k, Mul(\\text{power}, \\gamma_k); \\to)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "\\kappa(r) = \\Upsilon \\, I_e \\exp\\!\\left\\{\n    -b_4 \\left[\\left(\\frac{r}{R_e}\\right)^{1/4} - 1\\right]\n\\right\\}",
+        "Chain(Call(\\kappa; r), Mul(\\Upsilon, I_e, Call(exp; Neg(Mul(b_4, Add(Pow(Div(r; R_e); Div(1; 4)), Neg(1)))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/stellar/dev_vaucouleurs.py",
+    ),
+    (
+        "s(x, y) &= \\max \\left\\{ \\hat{t}_{\\alpha/2}(x) - y, y - \\hat{t}_{1-\\alpha/2}(x) \\right\\}",
+        "Chain(Call(s; x, y), Call(max; Add(Call(\\hat{t}_{\\alpha/2}; x), Neg(y)), Add(y, Neg(Call(\\hat{t}_{1-\\alpha/2}; x)))); =)",
+        "chemprop/chemprop/chemprop/uncertainty/calibrator.py",
+    ),
+    (
+        "\\rho: G \\to \\mathbb{R}^{c \\times c}",
+        "Located(\\rho; Chain(G, Pow(\\mathbb{R}; Cross(c; c)); \\to))",
+        "QUVA-Lab/e2cnn/e2cnn/gspaces/gspace.py",
+    ),
+    (
+        "W \\rho_\\text{in}(g) v = \\rho_\\text{out}(g) W v \\qquad\\qquad \\forall g \\in G, u \\in \\R^{c_\\text{in}}",
+        "System(Chain(Mul(W, Call(\\rho_{in}; g), v), Mul(Call(\\rho_{out}; g), W, v); =), Forall(Chain(g, G; \\in)), Chain(u, Pow(\\mathbb{R}; c_{in}); \\in))",
+        "QUVA-Lab/escnn/escnn/nn/modules/linear.py",
+    ),
+    (
+        "\\text{share}_1 = \\alpha^{1/\\psi}",
+        "Chain(\\text{share}_1, Pow(\\alpha; Div(1; \\psi)); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/ces.py",
+    ),
+    (
+        "\\lambda = \\frac{ 1 - \\sum_{x=1}^{K} (\\hat{p}_x^{\\text{SHR}})^2}{(n-1) \\sum_{x=1}^K (t_x - \\hat{p}_x^{\\text{ML}})^2}",
+        "Chain(\\lambda, Div(Add(1, Neg(BigSum(x; 1; K; Pow(\\hat { p } _ { x } ^ { \\text { S H R } }; 2)))); Mul(Add(n, Neg(1)), BigSum(x; 1; K; Pow(Add(t_x, Neg(\\hat { p } _ { x } ^ { \\text { M L } })); 2)))); =)",
+        "cbueth/infomeasure/infomeasure/estimators/entropy/shrink.py",
     ),
 )
 
@@ -41412,5 +41747,13 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "H_0 := \\mathrm{rank}(\\Pi) < m_X,",
         "mlondschien/ivmodels/ivmodels/tests/rank.py",
+    ),
+    (
+        "\\hat{p}_i^{CS} = C \\cdot \\hat{p}_i^{ML}",
+        "cbueth/infomeasure/infomeasure/estimators/entropy/chao_shen.py",
+    ),
+    (
+        "\\mathbf h_0 &= \\mathbf W_0 \\mathbf x \\,+ \\mathbf b_{0} \\\\\n\\mathbf h_l &= \\mathbf W_l \\left( \\mathtt{dropout} \\left( \\sigma ( \\,\\mathbf h_{l-1}\\, ) \\right) \\right) + \\mathbf b_l\\\\",
+        "chemprop/chemprop/chemprop/nn/ffn.py",
     ),
 )

@@ -771,6 +771,8 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"H_0 := f(x) < m": r"h_0 := f(x) < m",
     r"T = \lim_{k \to \infty} T(k)": r"T = \lim_{k \to \infty} S(k)",
     r"M = (W \ y - b)^T c": r"M = (W y - b)^T c",
+    r"p_i^{CS} = C p_i^{ML}": r"p_i^{2 C} = C p_i",
+    r"y = \mathbf{W}_0 \mathbf{x} + \mathbf{W}_1(f(x))": r"y = \mathbf{W}_0 \mathbf{x} + \mathbf{W}_1 f(x)",
     r"S x = x \star w": r"S x = y \star w",
     r"G_{ij} = X_i \cdot X_j": r"G_{ij} = X_i X_j",
     r"hs = 4 \sqrt{m}": r"ax = 4 \sqrt{m}",

@@ -123,6 +123,8 @@ def _before_brackets(of: Evidence, every: Mapping[str, Evidence], found: list[Gu
     negative = of.spelling[:1].isupper() and any(map(_holds_negative, of.places))
     if shifted or negative or any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    if of.capital and _has_members_bare(of, every):
+        found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     if of.spelling.endswith(r"\dagger }"):  # which is done to factors
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     form = of.spelling not in _TYPICAL and any(map(_holds_form, of.places))
@@ -197,6 +199,15 @@ def _has_coefficients_beside(of: Evidence, every: Mapping[str, Evidence]) -> boo
     """Does the same letter stand with another index, and nothing in brackets behind it, as b_0 beside `b_1 (T)^2`?"""
     stem, _, below = of.spelling.partition("_")
     return bool(below) and any(x.partition("_")[0] == stem and not each.arguments for x, each in every.items())
+
+
+def _has_members_bare(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same letter stand with another index, and before a letter, as W_0 in `W_0 x` beside `W_1 (x + b)`?"""
+    stem, _, below = of.spelling.partition("_")
+    alike = (each for x, each in every.items() if x != of.spelling and x.partition("_")[0] == stem)
+    return bool(below) and any(
+        p.arguments is None and (p.after in OVER or tex.is_letter(p.after)) for each in alike for p in each.places
+    )
 
 
 def in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -694,6 +705,10 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [unit]
         if any((place.before, place.after) == ("", "=") and not place.superscript for place in of.places):
             return [replace(plain, why="it is equal to something", remote=False), unit]
+        if any(place.after == r"\in" for place in of.places):
+            return [replace(plain, why="it is a member of a set", remote=False)]
+        if any((place.before, place.after) == ("(", ",") for place in of.places):
+            return [replace(plain, why="a list begins with it", remote=False), unit]
         if of.below or of.orbital:
             return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]
