@@ -66,6 +66,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "PMEAL/OpenPNM": "MIT",
     "PMEAL/porespy": "MIT",
     "PennyLaneAI/pennylane": "Apache-2.0",
+    "PhasesResearchLab/ESPEI": "MIT",
     "PhiLFitters/kafe2": "GPL-3.0",
     "PlasmaPy/PlasmaPy": "BSD-3-Clause",
     "Project-MONAI/MONAI": "Apache-2.0",
@@ -92,6 +93,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "SatCloP/pyrtlib": "GPL-3.0",
     "SeldonIO/alibi": "Business Source 1.1",
     "SheffieldML/GPy": "BSD-3-Clause",
+    "ThibHlln/hydroeval": "GPL-3.0",
     "Trusted-AI/AIF360": "Apache-2.0",
     "Unidata/MetPy": "BSD-3-Clause",
     "VlachosGroup/pMuTT": "MIT",
@@ -326,6 +328,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "ocean-eddy-cpt/gcm-filters": "LGPL-3.0",
     "odlgroup/odl": "MPL-2.0",
     "oemof/oemof-solph": "MIT",
+    "oemof/oemof-thermal": "MIT",
     "oemof/tespy": "MIT",
     "online-ml/river": "BSD-3-Clause",
     "opencobra/cobrapy": "LGPL-2.0-or-later",
@@ -336,6 +339,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "optiland/optiland": "MIT",
     "optimagic-dev/optimagic": "MIT",
     "ott-jax/ott": "Apache-2.0",
+    "ovito-org/ovito": "MIT",
     "owkin/PyDESeq2": "MIT",
     "pace-neutrons/Euphonic": "GPL-3.0",
     "pactools/pactools": "BSD-3-Clause",
@@ -427,6 +431,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "raphaelvallat/pingouin": "GPL-3.0",
     "reflectometry/refl1d": "BSD-3-Clause",
     "refnx/refnx": "BSD-3-Clause",
+    "relf/pyDOE3": "BSD-3-Clause",
     "reservoirpy/reservoirpy": "MIT",
     "rigetti/pyquil": "Apache-2.0",
     "rlabbe/filterpy": "MIT",
@@ -451,6 +456,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "scverse/scanpy": "BSD-3-Clause",
     "scverse/scvi-tools": "BSD-3-Clause",
     "sczesla/PyAstronomy": "MIT",
+    "sdv-dev/Copulas": "Business Source 1.1",
     "sebp/scikit-survival": "GPL-3.0-or-later",
     "secondmind-labs/trieste": "Apache-2.0",
     "sfepy/sfepy": "BSD-3-Clause",
@@ -487,6 +493,8 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "the-virtual-brain/tvb-root": "GPL-3.0-or-later",
     "thomas-haslwanter/scikit-kinematics": "BSD-3-Clause",
     "thouska/spotpy": "MIT",
+    "timflow-org/ttim": "MIT",
+    "timml/timml": "MIT",
     "tmancal74/quantarhei": "MIT",
     "torch-uncertainty/torch-uncertainty": "Apache-2.0",
     "tskit-dev/msprime": "GPL-3.0-or-later",
@@ -40927,6 +40935,286 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Pow(\\phi_r; 2), Pow(\\phi_c; 2), 0; =, =)",
         "tenpy/tenpy/tenpy/networks/mpo.py",
     ),
+    (
+        "U_4(\\chi, \\alpha) = \\begin{cases}\n        \\frac{\\alpha \\chi^2 - 2 + 2 \\cos(\\sqrt{\\alpha} \\chi)}{2 \\alpha^2} & \\alpha > 0 \\\\\n        \\frac{\\alpha \\chi^2 - 2 + 2 \\cosh(\\sqrt{-\\alpha} \\chi)}{2 \\alpha^2} & \\alpha < 0 \\\\\n        \\frac{\\chi^4}{24} & \\alpha = 0\n        \\end{cases}",
+        "Chain(Call(U_4; \\chi, \\alpha), Piecewise(Div(Add(Mul(\\alpha, Pow(\\chi; 2)), Neg(2), Mul(2, Call(cos; Mul(Sqrt(\\alpha), \\chi)))); Mul(2, Pow(\\alpha; 2))), Chain(\\alpha, 0; >), Div(Add(Mul(\\alpha, Pow(\\chi; 2)), Neg(2), Mul(2, Call(cosh; Mul(Sqrt(Neg(\\alpha)), \\chi)))); Mul(2, Pow(\\alpha; 2))), Chain(\\alpha, 0; <), Div(Pow(\\chi; 4); 24), Chain(\\alpha, 0; =)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_uniformulas.py",
+    ),
+    (
+        "\\mathrm{mAICc} = n \\ln \\frac{\\mathrm{RSS}}{n} + 2pk + \\frac {2p^2k^2 + 2pk} {n - pk - 1}",
+        "Chain(\\text{mAICc}, Add(Mul(n, Call(ln; Div(\\text{RSS}; n))), Mul(2, p, k), Div(Add(Mul(2, Pow(p; 2), Pow(k; 2)), Mul(2, p, k)); Add(n, Neg(Mul(p, k)), Neg(1)))); =)",
+        "PhasesResearchLab/ESPEI/espei/parameter_selection/selection.py",
+    ),
+    (
+        "{\\Delta} = r_b - r_a",
+        "Chain(\\Delta, Add(r_b, Neg(r_a)); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "Q_i = 2\\pi r_w(h_i - h_w)/c",
+        "Chain(Q_i, Div(Mul(2, \\pi, r_w, Add(h_i, Neg(h_w))); c); =)",
+        "timml/timml/timml/well.py",
+    ),
+    (
+        "Q_i = 2\\pi r_wH_i(h_i - h_w)/c",
+        "Chain(Q_i, Div(Mul(2, \\pi, r_w, H_i, Add(h_i, Neg(h_w))); c); =)",
+        "timflow-org/ttim/ttim/well.py",
+    ),
+    (
+        "b_i = \\hat{y}_i - y_i + 1",
+        "Chain(b_i, Add(\\hat{y}_i, Neg(y_i), 1); =)",
+        "Trusted-AI/AIF360/aif360/metrics/classification_metric.py",
+    ),
+    (
+        "G = \\frac{r_0 U_1 + \\sigma_0 U_2}{\\sqrt{\\mu}}",
+        "Chain(G, Div(Add(Mul(r_0, U_1), Mul(\\sigma_0, U_2)); Sqrt(\\mu)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_lagrange.py",
+    ),
+    (
+        "F(v|u) = \\frac{\\partial C(u,v)}{\\partial u} =\nu^{- \\theta - 1}(u^{-\\theta} + v^{-\\theta} - 1)^{-\\frac{\\theta+1}{\\theta}}",
+        "Chain(Call(F; Given(v; u; |)), Derivative(Call(C; u, v); u, 1; True), Mul(Pow(u; Add(Neg(\\theta), Neg(1))), Pow(Add(Pow(u; Neg(\\theta)), Pow(v; Neg(\\theta)), Neg(1)); Neg(Div(Add(\\theta, 1); \\theta)))); =, =)",
+        "sdv-dev/Copulas/copulas/bivariate/clayton.py",
+    ),
+    (
+        "\\gamma = \\frac{\\sigma(s) / \\mu(s)}{\\sigma(e) / \\mu(e)}",
+        "Chain(\\gamma, Div(Div(Call(\\sigma; s); Call(\\mu; s)); Div(Call(\\sigma; e); Call(\\mu; e))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "E_{coll} = E^*_{coll} \\cdot X^{3/2}",
+        "Chain(E_{coll}, Mul(E _ { c o l l } ^ { * }, Pow(X; Div(3; 2))); =)",
+        "oemof/oemof-thermal/oemof/thermal/concentrating_solar_power.py",
+    ),
+    (
+        "{\\Delta'} = r_b' - r_a",
+        "Chain(\\Delta', Add(r_b', Neg(r_a)); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "N = k^2 + k + C",
+        "Chain(N, Add(Pow(k; 2), k, C); =)",
+        "relf/pyDOE3/pyDOE3/doe_doehlert.py",
+    ),
+    (
+        "\\sigma = w(h_{aq} - h_{ls})/c",
+        "Chain(\\sigma, Div(Mul(w, Add(h_{aq}, Neg(h_{ls}))); c); =)",
+        "timflow-org/ttim/ttim/linesink.py",
+    ),
+    (
+        "r_p = \\frac{p}{1 + e}",
+        "Chain(r_p, Div(p; Add(1, e)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "D_1(x) = \\frac{1}{x}\\int_0^x\\frac{t}{e^t -1} \\mathrm{d}t.",
+        "Chain(Call(D_1; x), Mul(Div(1; x), Integral(Div(t; Add(Pow(e; t), Neg(1))); t; 0; x)); =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "\\alpha_{\\text{NP}} = 1 - \\frac{1}{2} \\sum_{k=1}^{N}\n\\Bigl| \\frac{s_{I(k)}}{N \\cdot \\mu(s)}\n- \\frac{e_{J(k)}}{N \\cdot \\mu(e)} \\Bigr|",
+        "Chain(\\alpha_{NP}, Add(1, Neg(Mul(Div(1; 2), BigSum(k; 1; N; Bars(Add(Div(s_{I(k)}; Mul(N, Call(\\mu; s))), Neg(Div(e_{J(k)}; Mul(N, Call(\\mu; e)))))))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "Q_{coll} = E_{coll} \\cdot \\eta_C",
+        "Chain(Q_{coll}, Mul(E_{coll}, \\eta_C); =)",
+        "oemof/oemof-thermal/oemof/thermal/concentrating_solar_power.py",
+    ),
+    (
+        "{\\Delta} = (r_b - r_a)",
+        "Chain(\\Delta, Add(r_b, Neg(r_a)); =)",
+        "ovito-org/ovito/ovito/data/_particles_class.py",
+    ),
+    (
+        "\\begin{align*}\n        \\boldsymbol{r} &= F \\boldsymbol{r}_0 + G \\boldsymbol{v}_0 \\\\\n        \\boldsymbol{v} &= F_t \\boldsymbol{r}_0 + G_t \\boldsymbol{v}_0\n        \\end{align*}",
+        "System(Chain(\\boldsymbol{r}, Add(Mul(F, \\boldsymbol{r}_0), Mul(G, \\boldsymbol{v}_0)); =), Chain(\\boldsymbol{v}, Add(Mul(F_t, \\boldsymbol{r}_0), Mul(G_t, \\boldsymbol{v}_0)); =))",
+        "adxorg/astrodynx/astrodynx/prop/_kepler.py",
+    ),
+    (
+        "τ = \\frac{θ−1}{θ}",
+        "Chain(τ, Div(Add(θ, Neg(1)); θ); =)",
+        "sdv-dev/Copulas/copulas/bivariate/gumbel.py",
+    ),
+    (
+        "E_{\\text{MARE}} = \\frac{\\sum_{i=1}^{N} \\left| e_i-s_i \\right|}\n{\\sum_{i=1}^{N} e_i}",
+        "Chain(E_{MARE}, Div(BigSum(i; 1; N; Bars(Add(e_i, Neg(s_i)))); BigSum(i; 1; N; e_i)); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\dot{Q}_{chill, max} = \\frac{\\dot{Q}_{evap}}{max(\\dot{Q}_{evap})}",
+        "Chain(Call(\\dot{Q}_{chill,max}), Div(Call(\\dot{Q}_{evap}); Call(max; Call(\\dot{Q}_{evap}))); =)",
+        "oemof/oemof-thermal/oemof/thermal/absorption_heatpumps_and_chillers.py",
+    ),
+    (
+        "r_b' = r_b - H*n",
+        "Chain(r_b', Add(r_b, Neg(Operated(*; H; n))); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "C(u,v) = e^{-((-\\ln u)^{\\theta} + (-\\ln v)^{\\theta})^{\\frac{1}{\\theta}}}",
+        "Chain(Call(C; u, v), Pow(e; Neg(Pow(Add(Pow(Neg(Call(ln; u)); \\theta), Pow(Neg(Call(ln; v)); \\theta)); Div(1; \\theta)))); =)",
+        "sdv-dev/Copulas/copulas/bivariate/gumbel.py",
+    ),
+    (
+        "E_{\\text{NSE}} = 1 - \\frac{\\sum_{i=1}^{N}[e_{i}-s_{i}]^2}\n{\\sum_{i=1}^{N}[e_{i}-\\mu(e)]^2}",
+        "Chain(E_{NSE}, Add(1, Neg(Div(BigSum(i; 1; N; Pow(Add(e_i, Neg(s_i)); 2)); BigSum(i; 1; N; Pow(Add(e_i, Neg(Call(\\mu; e))); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "n = (n_x,n_y,n_z)",
+        "Chain(n, Tuple(n_x, n_y, n_z; ()); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "M_X = (1/n) X^T X",
+        "Chain(M_X, Mul(Div(1; n), Transpose(X), X); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/efficiency.py",
+    ),
+    (
+        "F = 1 - \\frac{U_2}{r_0}",
+        "Chain(F, Add(1, Neg(Div(U_2; r_0))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_lagrange.py",
+    ),
+    (
+        "c(U,V) = \\frac{\\partial^2 C(u,v)}{\\partial v \\partial u}",
+        "Chain(Call(c; U, V), Derivative(Call(C; u, v); v, 1, u, 1; True); =)",
+        "sdv-dev/Copulas/copulas/bivariate/base.py",
+    ),
+    (
+        "E_{\\text{KGE',C2M}} = \\frac{E_{\\text{KGE'}}}\n{2 - E_{\\text{KGE'}}}",
+        "Chain(E_{KGE',C2M}, Div(E_{KGE'}; Add(2, Neg(E_{KGE'}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\eta_C = \\eta_0 - a_1 \\cdot \\frac{\\Delta T}{E_{coll}} - a_2 \\cdot \\frac{{\\Delta T}^2}{E_{coll}}",
+        "Chain(\\eta_C, Add(\\eta_0, Neg(Mul(a_1, Div(\\Delta T; E_{coll}))), Neg(Mul(a_2, Div(Pow(\\Delta T; 2); E_{coll})))); =)",
+        "oemof/oemof-thermal/oemof/thermal/solar_thermal_collector.py",
+    ),
+    (
+        "\\hat{\\beta} = (X^{T}X)^{-1}X^{T}y",
+        "Chain(\\hat{\\beta}, Mul(Pow(Mul(Transpose(X), X); Neg(1)), Transpose(X), y); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/__init__.py",
+    ),
+    (
+        "r = r_0 U_0 + \\sigma_0 U_1 + U_2",
+        "Chain(r, Add(Mul(r_0, U_0), Mul(\\sigma_0, U_1), U_2); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "E_{\\text{KGE,C2M}} = \\frac{E_{\\text{KGE}}}\n{2 - E_{\\text{KGE}}}",
+        "Chain(E_{KGE,C2M}, Div(E_{KGE}; Add(2, Neg(E_{KGE}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "P_X = X (X^T X)^{-1} X^T",
+        "Chain(P_X, Mul(X, Pow(Mul(Transpose(X), X); Neg(1)), Transpose(X)); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/criterion.py",
+    ),
+    (
+        "P = \\sum_{i=1}^n \\mathbb{1}[y_i = 1]",
+        "Chain(P, BigSum(i; 1; n; Call(\\text{indicator}; Chain(y_i, 1; =))); =)",
+        "Trusted-AI/AIF360/aif360/metrics/binary_label_dataset_metric.py",
+    ),
+    (
+        "R_z(\\theta) = \\begin{bmatrix}\n        \\cos(\\theta) & -\\sin(\\theta) & 0 \\\\\n        \\sin(\\theta) & \\cos(\\theta) & 0 \\\\\n        0 & 0 & 1\n        \\end{bmatrix}",
+        "Chain(Call(R_z; \\theta), MatrixOf(Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta), 0, 0, 0, 1); =)",
+        "adxorg/astrodynx/astrodynx/utils/_rot_mat.py",
+    ),
+    (
+        "E_{\\text{KGE'}} = 1 - \\sqrt{[r - 1]^2 + [\\gamma - 1]^2\n+ [\\beta - 1]^2}",
+        "Chain(E_{KGE'}, Add(1, Neg(Sqrt(Add(Pow(Add(r, Neg(1)); 2), Pow(Add(\\gamma, Neg(1)); 2), Pow(Add(\\beta, Neg(1)); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\alpha = 0",
+        "Chain(\\alpha, 0; =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/utils.py",
+    ),
+    (
+        "\\begin{aligned}\n        \\boldsymbol{r}_{pf} &= \\frac{p}{1 + e \\cos(f)} \\begin{bmatrix} \\cos(f) \\\\ \\sin(f) \\\\ 0 \\end{bmatrix} \\\\\n        \\boldsymbol{v}_{pf} &= \\sqrt{\\frac{\\mu}{p}} \\begin{bmatrix} -\\sin(f) \\\\ e + \\cos(f) \\\\ 0 \\end{bmatrix}\n        \\end{aligned}",
+        "System(Chain(\\boldsymbol{r}_{pf}, Mul(Div(p; Add(1, Mul(e, Call(cos; f)))), MatrixOf(Call(cos; f), Call(sin; f), 0)); =), Chain(\\boldsymbol{v}_{pf}, Mul(Sqrt(Div(\\mu; p)), MatrixOf(Neg(Call(sin; f)), Add(e, Call(cos; f)), 0)); =))",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_elements.py",
+    ),
+    (
+        "E_{\\text{KGE}_\\text{NP}\\text{,C2M}} = \\frac{E_{\\text{KGE}_\\text{NP}}}\n{2 - E_{\\text{KGE}_\\text{NP}}}",
+        "Chain(E_{KGE_NP,C2M}, Div(E_{KGE_NP}; Add(2, Neg(E_{KGE_NP}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "X = \n\\begin{bmatrix}\n1 & x_1 & x_2 \\\\\n1 & -1 & -1 \\\\\n1 & -1 & 1 \\\\\n1 & 1 & -1 \\\\\n1 & 1 & 1 \\\\\n\\end{bmatrix}",
+        "Chain(X, MatrixOf(1, x_1, x_2, 1, Neg(1), Neg(1), 1, Neg(1), 1, 1, 1, Neg(1), 1, 1, 1); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/model.py",
+    ),
+    (
+        "\\boldsymbol{r} = [x, y, z]",
+        "Chain(\\boldsymbol{r}, Tuple(x, y, z; []); =)",
+        "adxorg/astrodynx/astrodynx/gravity/_general.py",
+    ),
+    (
+        "E_{\\text{NSE,C2M}} = \\frac{E_{\\text{NSE}}}\n{2 - E_{\\text{NSE}}}",
+        "Chain(E_{NSE,C2M}, Div(E_{NSE}; Add(2, Neg(E_{NSE}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\dot Q_{coll} = E_{coll} \\cdot \\eta_C",
+        "Chain(Call(\\dot{Q}_{coll}), Mul(E_{coll}, \\eta_C); =)",
+        "oemof/oemof-thermal/oemof/thermal/concentrating_solar_power.py",
+    ),
+    (
+        "\\text{degree}=1",
+        "Chain(\\text{degree}, 1; =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/model.py",
+    ),
+    (
+        "\\chi = \\alpha \\sqrt{\\mu} \\Delta t + \\sigma - \\sigma_0",
+        "Chain(\\chi, Add(Mul(\\alpha, Sqrt(\\mu), \\Delta t), \\sigma, Neg(\\sigma_0)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_kep_equ.py",
+    ),
+    (
+        "g(x) = e^{-\\theta x} - 1",
+        "Chain(Call(g; x), Add(Pow(e; Neg(Mul(\\theta, x))), Neg(1)); =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "r_{\\text{S}} = \\frac{\\sum_{i=1}^{N} [E_i-\\mu(E)] [S_i-\\mu(S)]}\n{\\sqrt{ \\big[ \\sum_{i=1}^{N}[E_i-\\mu(E)]^2 \\big]\n\\big[ \\sum_{i=1}^{N} [S_i-\\mu(S)]^2 \\big]}}",
+        "Chain(r_S, Div(BigSum(i; 1; N; Mul(Add(E_i, Neg(Call(\\mu; E))), Add(S_i, Neg(Call(\\mu; S))))); Sqrt(Mul(BigSum(i; 1; N; Pow(Add(E_i, Neg(Call(\\mu; E))); 2)), BigSum(i; 1; N; Pow(Add(S_i, Neg(Call(\\mu; S))); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\eta = \\frac{\\dot{Q}_\\mathrm{chilled,nominal}}{P_\\mathrm{el}} / \\frac{T_\\mathrm{low, nominal}}{T_\\mathrm{high, nominal} - T_\\mathrm{low, nominal}}",
+        "Chain(\\eta, Div(Div(Call(\\dot{Q}_{chilled,nominal}); P_{el}); Div(T_{low,nominal}; Add(T_{high,nominal}, Neg(T_{low,nominal})))); =)",
+        "oemof/oemof-thermal/oemof/thermal/compression_heatpumps_and_chillers.py",
+    ),
+    (
+        "\\boldsymbol{a} = -\\frac{\\mu}{r^3} \\boldsymbol{r}",
+        "Chain(\\boldsymbol{a}, Neg(Mul(Div(\\mu; Pow(r; 3)), \\boldsymbol{r})); =)",
+        "adxorg/astrodynx/astrodynx/gravity/_general.py",
+    ),
+    (
+        "F(v|u) = \\frac{\\partial}{\\partial u}C(u,v) =\n\\frac{g(u)g(v) + g(v)}{g(u)g(v) + g(1)}",
+        "Chain(Call(F; Given(v; u; |)), Derivative(Call(C; u, v); u, 1; True), Div(Add(Mul(Call(g; u), Call(g; v)), Call(g; v)); Add(Mul(Call(g; u), Call(g; v)), Call(g; 1))); =, =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "E_{\\text{KGE}} = 1 - \\sqrt{[r - 1]^2 + [\\alpha - 1]^2\n+ [\\beta - 1]^2}",
+        "Chain(E_{KGE}, Add(1, Neg(Sqrt(Add(Pow(Add(r, Neg(1)); 2), Pow(Add(\\alpha, Neg(1)); 2), Pow(Add(\\beta, Neg(1)); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "R_x(\\theta) = \\begin{bmatrix}\n        1 & 0 & 0 \\\\\n        0 & \\cos(\\theta) & -\\sin(\\theta) \\\\\n        0 & \\sin(\\theta) & \\cos(\\theta)\n        \\end{bmatrix}",
+        "Chain(Call(R_x; \\theta), MatrixOf(1, 0, 0, 0, Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta)); =)",
+        "adxorg/astrodynx/astrodynx/utils/_rot_mat.py",
+    ),
+    (
+        "0 = 1 + \\frac{4}{\\theta}(D_1(\\theta) - 1) - \\tau",
+        "Chain(0, Add(1, Mul(Div(4; \\theta), Add(Call(D_1; \\theta), Neg(1))), Neg(\\tau)); =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "E_{\\text{RMSE}} = \\sqrt{\\frac{1}{N}\\sum_{i=1}^{N}[e_i-s_i]^2}",
+        "Chain(E_{RMSE}, Sqrt(Mul(Div(1; N), BigSum(i; 1; N; Pow(Add(e_i, Neg(s_i)); 2)))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -42081,5 +42369,17 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "\\xi_+ = \\langle z_1 z_2^* \\rangle\n\\xi_- = \\langle z_1 z_2 \\rangle",
         "rmjarvis/TreeCorr/treecorr/zzcorrelation.py",
+    ),
+    (
+        "u = u_1, ..., u_n,",
+        "sdv-dev/Copulas/copulas/multivariate/vine.py",
+    ),
+    (
+        "\\dot{Q} = s \\cdot \\Delta\\Delta T + r",
+        "oemof/oemof-thermal/oemof/thermal/absorption_heatpumps_and_chillers.py",
+    ),
+    (
+        "\\Delta\\Delta T = t_{G} - a \\cdot t_{AC} + e \\cdot t_{E}",
+        "oemof/oemof-thermal/oemof/thermal/absorption_heatpumps_and_chillers.py",
     ),
 )

@@ -256,7 +256,7 @@ _COLUMN = re.compile(
 )
 # a small letter behind another one that is transposed
 _BEHIND_ROW = re.compile(
-    r"(?<![A-Za-z\\])[a-df-z] (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
+    r"(?<![A-Za-z\\])(?:[a-df-z]|[A-Z]) (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
     r"([abcp-z](?: _ (?:\w|\{[^{}]*\}))?)(?! [A-Za-z^(\\])"
 )
 # what stands between brackets that are transposed and others, perhaps inverse
@@ -447,6 +447,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     for x, base, below in _TRANSPOSED_ENTRY.findall(text):
         entry = x or f"{base} _ {below}"
         yield from ((each, _ENTRY_TRANSPOSED) for each in (canonical(entry), canonical(entry.partition(" _ ")[0])))
+    if r"\Delta \Delta " in text:
+        yield r"\Delta", "the change of a change, or a factor before one? say what it is"
     if r"\cdot" in text:
         yield from ((x or y, "numbers, or vectors? say what they are") for x, y in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
