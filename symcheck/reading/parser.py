@@ -547,6 +547,9 @@ class Builder:
         plain = all(type(part) in _PLAIN for value in values for part in nodes(value))
         if Dots() not in values or not plain or (finite and all(map(self.is_index, names))):
             return [], 1
+        first_value = values[0].letter.partition("_") if isinstance(values[0], Name) else ("", "", "")
+        if first_value[1] and any(name.letter == first_value[0] for name in names):
+            raise self.fail(0, "the values of a letter, or its components? write brackets around these")
         return [Values(name, values) for name in names], run
 
     def is_listed(self, tree: Tree) -> bool:

@@ -165,7 +165,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     return phrased(_printed(_made_plain(parts)))
 
 
-_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:\w|\{(?:[^{}]|\{[^{}]*\})*\})|'|\([A-Za-z, ]*\))*"
+_SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:[\w+*-]|\{(?:[^{}]|\{[^{}]*\})*\})|'|\([A-Za-z, ]*\))*"
 # a line of the source that begins with what is equal to something
 _DEFINES = re.compile(
     rf"&?\s*(?:\\(?!frac|sqrt|left)[A-Za-z]+(?:\{{[^{{}}]*\}})?|[A-Za-z]|\\frac\s*\{{\s*(?:d|\\partial)(?![A-Za-z])[^{{}}]*\}}"
@@ -669,7 +669,8 @@ _WORDS = re.compile(
 # a function of the usual letters that is said to be something without an integral, a product or a factorial
 _FUNCTION_OF = re.compile(
     r"\s*\\Gamma\s*\(\s*(?:[fhjkrtuvEG]|\\omega|\\theta|\\tau)\s*\)\s*="
-    r"(?!.*\\(?:[Gg]amma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)",
+    r"(?!.*\\(?:[Gg]amma\s*\(|int|lim|prod|sum|frac\s*\{\s*\\pi))(?!.*!)"
+    r"|\s*\\Gamma\s*\([^(),]*,[^(),]*,[^()]*\)\s*:?=",
     re.DOTALL,
 )
 # the gamma function, which stands before its argument
