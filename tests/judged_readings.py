@@ -126,7 +126,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "astropy/photutils": "BSD-3-Clause",
     "astropy/reproject": "BSD-3-Clause",
     "atcollab/at": "Apache-2.0",
-    "attack68/rateslib": "source available",
+    "attack68/rateslib": "not stated",
     "awslabs/gluonts": "Apache-2.0",
     "bashtage/arch": "NCSA",
     "bashtage/linearmodels": "NCSA",
@@ -183,7 +183,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "dipy/dipy": "BSD-3-Clause",
     "dit/dit": "BSD-3-Clause",
     "do-mpc/do-mpc": "LGPL-3.0",
-    "dralgroup/mlatom": "MIT",
+    "dralgroup/mlatom": "Apache-2.0",
     "dstl/Stone-Soup": "MIT",
     "dswah/pyGAM": "Apache-2.0",
     "dwavesystems/dimod": "Apache-2.0",
@@ -230,7 +230,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "gplepage/vegas": "GPL-3.0-or-later",
     "graspologic-org/graspologic": "MIT",
     "gromacs/gromacs": "LGPL-2.1-or-later",
-    "guidorice/pyturb": "see package",
+    "jacotay7/pyturb": "MIT",
     "gustavochm/phasepy": "MIT",
     "gwastro/pycbc": "GPL-3.0",
     "handley-lab/anesthetic": "MIT",
@@ -252,7 +252,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "jeffgortmaker/pyblp": "MIT",
     "jeffgortmaker/pyhdfe": "MIT",
     "jeshraghian/snntorch": "MIT",
-    "jessegrabowski/gEconpy": "MIT",
+    "jessegrabowski/gEconpy": "GPL",
     "jkitchin/pycse": "GPL-3.0-or-later",
     "jobovy/galpy": "BSD-3-Clause",
     "johannfaouzi/pyts": "BSD-3-Clause",
@@ -295,10 +295,10 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "mdanalysis/mdanalysis": "LGPL-3.0-or-later",
     "mdtraj/mdtraj": "LGPL-2.1-or-later",
     "meta-pytorch/botorch": "MIT",
-    "meta-pytorch/captum": "BSD-3-Clause",
+    "pytorch/captum": "BSD-3-Clause",
     "mfouesneau/pyphot": "MIT",
     "mhostetter/galois": "MIT",
-    "michelbierlaire/biogeme": "free of charge",
+    "michelbierlaire/biogeme": "not stated",
     "mikgroup/sigpy": "BSD-3-Clause",
     "mir-group/nequip": "MIT",
     "mj-will/nessai": "MIT",
@@ -349,7 +349,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "pastas/pastas": "MIT",
     "patrick-kidger/diffrax": "Apache-2.0",
     "patrick-kidger/equinox": "Apache-2.0",
-    "patrick-kidger/lineax": "Apache-2.0",
+    "google/lineax": "Apache-2.0",
     "petercorke/robotics-toolbox-python": "MIT",
     "peterdsharpe/AeroSandbox": "MIT",
     "petrobras/ross": "Apache-2.0",
@@ -504,7 +504,7 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "usnistgov/fipy": "public domain",
     "usnistgov/teqp": "NIST",
     "veeresht/CommPy": "BSD-3-Clause",
-    "vibrationtoolbox/vibration_toolbox": "GPL-3.0",
+    "vibrationtoolbox/vibration_toolbox": "not stated",
     "vinecopulib/pyvinecopulib": "MIT",
     "vnmabus/dcor": "MIT",
     "vprusso/toqito": "BSD",
@@ -38518,7 +38518,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "x = h_x(x')",
         "Chain(x, Call(h_x; x'); =)",
-        "meta-pytorch/captum/captum/attr/_utils/interpretable_input.py",
+        "pytorch/captum/captum/attr/_utils/interpretable_input.py",
     ),
     (
         "\\chi^2 = -2 \\log \\mathcal{L}",
@@ -39333,7 +39333,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "A^* A x = A^* b",
         "Chain(Mul(A ^ { * }, A, x), Mul(A ^ { * }, b); =)",
-        "patrick-kidger/lineax/lineax/_solver/normal.py",
+        "google/lineax/lineax/_solver/normal.py",
     ),
     (
         "p_c = \\frac{\\left(\\frac{S_w}{a}\\right)^{\\frac{1}{b}}\n\\sigma \\cos \\tau}{\\sqrt{\\frac{k}{\\phi}}}",
@@ -39413,7 +39413,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "r_i = \\| Ax_i - b \\|",
         "Chain(r_i, Norm(Add(Mul(A, x_i), Neg(b))); =)",
-        "patrick-kidger/lineax/lineax/_solver/cg.py",
+        "google/lineax/lineax/_solver/cg.py",
     ),
     (
         "y = \\sum_{i=1}^{d}\\left(\\sum_{j=1}^{d}(j + \\beta)\\left(x_j^i-\\frac{1}{j^i}\\right)\\right)^2",
@@ -39473,7 +39473,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "\\min_x \\|x\\|_2 \\text{ subject to } Ax = b",
         "System(Words(Limiting(min; _{ x }; Marked(Norm(x); _{ 2 }))), Words(\\text{subject~to}), Chain(Mul(A, x), b; =))",
-        "patrick-kidger/lineax/lineax/_solve.py",
+        "google/lineax/lineax/_solve.py",
     ),
     (
         "\\epsilon_{LOOCV} = \\frac{\\frac{1}{N}\\sum_{i=1}^N \\left( \\frac{y(\\xi_i) - \\hat{y}(\\xi_i)}{1-h_i}\n\\right)^2}{\\frac{1}{N-1}\\sum_{i=1}^N \\left( y(\\xi_i) - \\bar{y} \\right)^2}",
@@ -40008,7 +40008,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "\\tau_0 = 0.314\\, r_0 / \\bar v",
         "Chain(\\tau_0, Div(Mul(0.314, r_0); \\bar{v}); =)",
-        "guidorice/pyturb/pyturb/profiles.py",
+        "jacotay7/pyturb/pyturb/profiles.py",
     ),
     (
         "r := || x - x0 ||_2",
@@ -40053,7 +40053,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "f_G = 0.134 / \\tau_0",
         "Chain(f_G, Div(0.134; \\tau_0); =)",
-        "guidorice/pyturb/pyturb/profiles.py",
+        "jacotay7/pyturb/pyturb/profiles.py",
     ),
     (
         "\\mathbf{L} = \\sum_{i} \\mathbf{r_i} \\times \\mathbf{v_i}",
@@ -40093,7 +40093,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "\\theta_0 = 0.314\\, r_0 / \\bar h",
         "Chain(\\theta_0, Div(Mul(0.314, r_0); \\bar{h}); =)",
-        "guidorice/pyturb/pyturb/profiles.py",
+        "jacotay7/pyturb/pyturb/profiles.py",
     ),
     (
         "-0.5 \\le t_x,t_y,t_z < 0.5",
@@ -40143,7 +40143,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "h_{\\mathrm{eq}} = \\Big(\\frac{\\int C_n^2\\,h^{5/3}\\,dh}\n{\\int C_n^2\\,dh}\\Big)^{3/5},",
         "Chain(h_{eq}, Pow(Div(Antiderivative(Mul(Pow(C_n; 2), Pow(h; Div(5; 3))); h); Antiderivative(Pow(C_n; 2); h)); Div(3; 5)); =)",
-        "guidorice/pyturb/pyturb/profiles.py",
+        "jacotay7/pyturb/pyturb/profiles.py",
     ),
     (
         "E_k = \\sum_{i} \\frac{1}{2} m v^2",
@@ -40183,7 +40183,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "\\bar v = (\\sum f_i v_i^{5/3})^{3/5}",
         "Chain(\\bar{v}, Pow(Limiting(sum; ; Mul(f_i, Pow(v_i; Div(5; 3)))); Div(3; 5)); =)",
-        "guidorice/pyturb/pyturb/profiles.py",
+        "jacotay7/pyturb/pyturb/profiles.py",
     ),
     (
         "\\mathbf{p} = \\sum_i \\mathbf{m_i} \\mathbf{v_i}",
@@ -40223,7 +40223,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     (
         "\\bar h = (\\sum f_i h_i^{5/3})^{3/5}",
         "Chain(\\bar{h}, Pow(Limiting(sum; ; Mul(f_i, Pow(h_i; Div(5; 3)))); Div(3; 5)); =)",
-        "guidorice/pyturb/pyturb/profiles.py",
+        "jacotay7/pyturb/pyturb/profiles.py",
     ),
     (
         "\\forall g \\in G,\\ \\rho(g) = 1",

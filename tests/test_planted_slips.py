@@ -49,7 +49,22 @@ so that the pericentre lies at
 $$q = a (e - 1)$$
 """
 
+CHOICES = r"""# Choices
+
+We choose $u = x^2 + 1$. With it
+$$\frac{du}{dx} = 2 x.$$
+Now we choose $u = x^3 - 1$ and obtain
+$$\frac{du}{dx} = 3 x^2.$$
+Take $c = p + q$. Then
+$$c^2 = p^2 + 2 p q + q^2.$$
+Take $c = p - q$. Then
+$$c^2 = p^2 - 2 p q + q^2.$$
+Setting $c = 2 p$ we find
+$$c^2 = SLIP p^2.$$
+"""
+
 PLANTED = {
+    "the last of several choices": Planted(CHOICES, "4", "5", 12),
     "numbers in a chain": Planted(
         r"The area is $$A = 1 \cdot \left(\frac{1}{2} SLIP \frac{1}{2}\right) = 1$$", "+", "-", 1
     ),

@@ -321,7 +321,7 @@ class Derived:
         if m in self.named[k]:
             return True
         names, own = self.checks.seen[m].names, self.roles.anew
-        if names & (own[k] ^ own[m]):
+        if names & (own[k] ^ own[m]) or not self.roles.is_same_choice(m, k, names):
             return False
         theirs, here = (self.checks.formulas[n].chapter for n in (m, k))
         within = here if theirs == here else None

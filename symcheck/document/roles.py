@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass
 
@@ -22,6 +23,8 @@ LAWS = re.compile(
 
 # words before a relation within the text that make it a definition
 INTRODUCED = re.compile(r"\b(?:where|let|denot\w*|put|call\w*|writ\w*|defin\w*)\W*$", re.I)
+# words before a relation that choose what a letter is, which may be chosen otherwise behind it
+CHOSEN = re.compile(r"\b(?:let|set|setting|choos\w*|chose|tak(?:e|es|ing)|put|putting|pick\w*)\W*$", re.I)
 # bars of a length, and spaces
 BARS = re.compile(r"\\(?:left|right)(?![a-zA-Z])|\\[lr][vV]ert(?![a-zA-Z])|\\?\||\s")
 # words before a relation within the text that make it a place or a case
@@ -66,6 +69,26 @@ class Roles:
         self.defined: dict[str, list[Definition]] = {}  # by letter: where it is said what it is
         self.otherwise: dict[str, list[int]] = {}  # by letter: where it is something else
         self.anew = [frozenset(x for text in f.anew for x in _letters(text)) for f in self.formulas]
+        self.chosen = [*self._choices()]
+
+    def _choices(self) -> Iterator[Counter[str]]:
+        """For each relation how often letters have been chosen otherwise before it in its section."""
+        section, said, often = None, dict[str, set[str]](), Counter[str]()
+        for formula, seen in zip(self.formulas, self.seen, strict=True):
+            if formula.scope[0] != section:
+                section, said, often = formula.scope[0], {}, Counter()
+            for x, link in seen.heads.items():
+                own = said.setdefault(x, set())
+                if own - {link.right} and CHOSEN.search(formula.before):
+                    often = often + Counter([x])
+                    own.clear()
+                own.add(link.right)
+            yield often
+
+    def is_same_choice(self, m: int, k: int, names: Iterable[str]) -> bool:
+        """Has none of these letters been chosen otherwise between two relations of a section?"""
+        alike = self.formulas[m].scope[0] != self.formulas[k].scope[0]
+        return alike or all(self.chosen[m][x] == self.chosen[k][x] for x in names)
 
     def guesses(self) -> list[Guess]:
         """The role of each relation, and the earlier ones that it seems to follow from."""
@@ -111,6 +134,7 @@ class Roles:
         for letter, every in self.defined.items():
             if letter in self.anew[k]:
                 every = [each for each in every if letter in self.anew[each.number]]
+            every = [each for each in every if self.is_same_choice(each.number, k, (letter,))]
             own = [each for each in every if self.is_same_part(each.number, k)]
             others = [m for m in self.otherwise.get(letter, ()) if self.is_same_part(m, k)]
             if len(own) == 1 and not others:

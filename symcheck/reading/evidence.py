@@ -240,6 +240,7 @@ _SCALED = re.compile(
 _PHASE = re.compile(
     r"\\(?:sin|cos|exp) (?:\\left )?\( (?:\\?[a-z]+ )*(\\[oO]mega(?: _ (?:\w|\{[^{}]*\}))?) (?:\\left )?\( t [-+]"
 )
+# what says that something is transposed
 _TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
 _SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|(?:hat|bar) \{ \\?[a-z]+ \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
 # one and a rate, to the power T

@@ -180,6 +180,7 @@ _HARMONIC = re.compile(
 # two letters below another one
 _PAIR = re.compile(r"_ \{ (?:\\,|- )?([a-z]|\\[a-z]+) (?:, )?([a-z]|\\[a-z]+) \}")
 _GREEK_INDICES = frozenset({r"\mu", r"\nu", r"\alpha", r"\beta", r"\rho", r"\sigma", r"\lambda"})
+# Greek indices below a letter, as those of tensors are
 _INDICES_BELOW = re.compile(r"_ (\\[a-z]+|\{ \\[a-z]+(?: (?:, )?\\[a-z]+)* \})")
 # one of several factors with its exponent: `x_i^{a_i}`
 _ITS_EXPONENT = re.compile(r"\\?[A-Za-z]+ _ (?:\{ )?([i-n])(?: \})? \^ (?:[a-z]|\\[a-z]+) _ (?:\{ )?\1(?: \})?")
