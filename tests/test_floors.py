@@ -67,6 +67,7 @@ def test_floors_and_ceilings_are_decided(true: str, false: str, given: list[str]
         (r"\lfloor x + n\rfloor = \lfloor x\rfloor + n", []),  # true if n is whole, of which nothing is said
         (r"\sum_{k=1}^n \lfloor k x\rfloor = n x", []),
         (r"\frac{d}{dx} \lfloor x\rfloor = 0", []),
+        (r"\arctan x = \arctan\frac{p}{q} + \arctan w, \quad p = \lfloor qx \rfloor", []),  # it says what p is
     ],
 )
 def test_what_is_not_known_of_floors_is_not_decided(relation: str, given: list[str]) -> None:

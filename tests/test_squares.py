@@ -63,3 +63,17 @@ def test_no_sum_of_squares_and_no_squaring_is_found_for_orders_that_fail_somewhe
         if least < 0:
             assert with_form(problem) is None
             assert squared(problem) is None
+
+
+@pytest.mark.parametrize(
+    "relation",
+    [
+        r"|a+b| \le |a|+|b|, \quad |a/b| \le |a|/c",
+        r"\left|\frac{1}{\sqrt{x+a}} - \frac{1}{\sqrt{x}}\right| \le \frac{|a|}{2(x-|a|)^{3/2}}",
+        r"\left|\frac{1}{b+k}\right| \le \frac{1}{|b+n|}",
+    ],
+)
+def test_what_squaring_does_not_show_is_an_answer_with_a_reason(relation: str) -> None:
+    answer = decide(relation)
+    assert answer.verdict == "undecided"
+    assert "internal" not in answer.reason

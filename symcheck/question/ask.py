@@ -765,16 +765,29 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             return shown
     if status is Status.UNDECIDED and (shown := _with_bases(reading, asked, wanted, claimed)) is not None:
         return shown
-    if status is Status.UNDECIDED and any(of_squares := [squares.squared(each) for each in reading.problems]):
-        shown = _with_values(of_squares, reading, asked, wanted, claimed)
-        if shown is not None and shown.verdict is Status.PROVED:
-            return shown
+    if status is Status.UNDECIDED and (shown := _by_squares(base, reading)) is not None:
+        return shown
     if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
         return shown
     reason = "; ".join(dict.fromkeys(reasons))
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _by_squares(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that orders hold as those of the squares of both sides do."""
+    found = [(problem, squares.squared(problem)) for problem in reading.problems]
+    cases = [part for problem, each in found for part in ((each.problem, *each.sides) if each else (problem,))]
+    if len(cases) == len(found):
+        return None
+    made = list[Certificate]()
+    for case in cases:
+        verdict, certificate_, _ = decided_one(case)
+        if certificate_ is None or verdict is not Verdict.PROVED:
+            return None
+        made.append(certificate_)
+    return _proved_in_cases(base, reading, cases, made)
 
 
 def _with_bases(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:

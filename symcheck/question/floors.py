@@ -94,9 +94,9 @@ class Whole:
         return all(text in self.whole or text.isdigit() or text in _PLAIN for text in side)
 
     def is_of_all(self) -> bool:
-        """Whether the same letters stand on both sides, so that it is no equation to be solved."""
+        """Whether the same letters stand on both sides, so that it is no equation to be solved, and no list of them."""
         if (found := self.sides) is None:
-            return True
+            return re.search(r"\\q?quad(?![A-Za-z])|\\\\|,", self.asked.relation) is None
         own = [
             {x for text in side for x in tex.texts(self.stand.get(text, text)) if tex.is_letter(x)}
             for side in (found[0], found[2])

@@ -38,7 +38,9 @@ Powers = tuple[int, ...]
 
 def with_form(problem: Problem) -> Problem | None:
     """The problem with a sum of squares that is the difference of its sides as a hint; None if none is found."""
-    with suppress(*FAULTS, OutOfTime), limited(SECONDS):
+    import sympy
+
+    with suppress(*FAULTS, sympy.PolynomialError, OutOfTime), limited(SECONDS):
         found = _Order(problem)
         form = found.form(found.gap)
         return replace(problem, hints=(*problem.hints, *found.hints(), Form(form))) if form is not None else None
@@ -50,7 +52,9 @@ def squared(problem: Problem) -> Series | None:
     sides = list[Problem]()
     if problem.claim.tag not in ("<=", ">="):
         return None
-    with suppress(*FAULTS, OutOfTime), limited(SECONDS):
+    import sympy
+
+    with suppress(*FAULTS, sympy.PolynomialError, OutOfTime), limited(SECONDS):
         order = _Order(problem)
         small, large = order.sides
         for _ in range(DEEPEST):
