@@ -61,6 +61,7 @@ def cache_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.T
 
 
 @about_docstrings  # a figure says what it shows in its docstring
+@pytest.mark.whole
 @pytest.mark.parametrize("name", NAMES)
 def test_executed_in_this_process_a_notebook_shows_what_is_committed(name: str) -> None:
     assert committed.differences(name, committed.executed(name)) == []
