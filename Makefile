@@ -11,7 +11,7 @@ NEWEST := $(firstword $(foreach version,3.14 3.13,$(shell PYENV_VERSION=$(versio
 NEWEST_VENV := .venv-newest
 
 # Cases of a test that are run, evenly spread, where it has more; all of them are run by `make test-full`.
-CASES ?= 16
+CASES ?= 8
 
 .PHONY: audit test test-full test-newest quick stripped gates notebooks docs bench bench-gpu selftest browser coq coq-check install-coq clean
 
