@@ -695,11 +695,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         if made is None and verdict is Verdict.UNDECIDED and (at_numbers := _refuted_at_numbers(problem)):
             verdict, made, found = at_numbers
         if made is None and verdict is Verdict.UNDECIDED:
-            verdict, made, found = _refuted_by_digits(jets.without(problem), refuted_in_exponents) or (
-                verdict,
-                made,
-                found,
-            )
+            by_exponents = _refuted_by_digits(jets.without(problem), refuted_in_exponents)
+            verdict, made, found = by_exponents or (verdict, made, found)
         if made is not None and verdict is Verdict.REFUTED and (usual := _holds_for_whole(reading, problem, made)):
             reason = f"is it meant for (different) whole numbers {', '.join(usual)} above 0? say so"
             return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
@@ -1281,8 +1278,8 @@ def decided_one(problem: Problem) -> tuple[Verdict, Certificate | None, tuple[st
                 equations = (name for name, fs in problem.hypotheses if any(map(functions, fs)))
                 return (verdict, made, (*used, *equations)) if made is not None else found
     if found[1] is None and (turned := with_parts_of_turns(problem)) is not None:
-        by_parts = _decided_as_stated(turned)
-        return by_parts if by_parts[0] is Verdict.PROVED else found
+        of_turns = _decided_as_stated(turned)
+        return of_turns if of_turns[0] is Verdict.PROVED else found
     if found[1] is None and found[0] is Verdict.UNDECIDED and (formed := squares.with_form(problem)) is not None:
         by_squares = _decided_as_stated(formed)
         return by_squares if by_squares[0] is Verdict.PROVED else found

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from itertools import islice
+from itertools import cycle, islice
 
 from symcheck.checker.enclosures import enclosed
 from symcheck.core.calculus import Unknown, derivative, fresh, letters, nodes, substituted
@@ -79,12 +79,12 @@ def _growing(gap: Term, x: str, place: Term, theorem: str, taken: set[str]) -> I
 
     To the right all of them are to be positive; to the left every second one is to be negative.
     """
-    end, names, left = x, {*taken}, gap
-    while True:
+    end, names = x, {*taken}
+    for falls in cycle((True, False)):
         z = fresh(x, names)
         names.add(z)
-        for ends, of in (((place, end), gap), ((end, place), node("-", left))):
+        for ends, of in (((place, end), gap), ((end, place), node("-", gap) if falls else gap)):
             yield Applied(theorem, ends, (((z,), substituted(of, {x: z})),))
-        gap, left, end = _rate(gap, x), node("-", _rate(left, x)), z
+        gap, end = _rate(gap, x), z
         if x not in letters(gap):
             return

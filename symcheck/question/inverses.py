@@ -50,9 +50,9 @@ def refuted(problem: Problem) -> Point | None:
 
 def _solved(equation: Formula) -> Iterator[tuple[str, Term]]:
     """The letters that an equation is solved for, in the exponent of its only exponential."""
-    import sympy
-
     for power, value in _only_exponential(equation):
+        import sympy
+
         (exponent,) = power.outside
         for letter in sorted(letters(exponent) - letters(value)):
             with suppress(SymcheckError, sympy.PolynomialError, *FAULTS):
@@ -70,11 +70,11 @@ def _hints(equation: Formula) -> Iterator[Applied[Term]]:
 
 def _only_exponential(equation: Formula) -> Iterator[tuple[Node, Term]]:
     """The only exponential in an equation, with what the equation says it is."""
-    import sympy
-
     found = dict.fromkeys(part for part in nodes(equation) if part.tag == "exp" and letters(part))
     if len(found) != 1 or not isinstance(equation, Relation) or equation.tag != "=":
         return
+    import sympy
+
     (power,) = found
     left, right = equation.terms
     with suppress(SymcheckError, sympy.PolynomialError, *FAULTS):

@@ -47,7 +47,7 @@ def with_values(problem: Problem) -> Series | None:
         between += [node("<", t, high)] if high != INFINITY else []
         given = (*problem.hypotheses, ("between", tuple(between))) if between else problem.hypotheses
         sides += [replace(problem, claim=each) for each in needed]
-        valued = [each for each in domain(body, divisors=True) if t in letters(each) and not _is_turned(form)]
+        valued = [each for each in domain(body, divisors=True) if t in letters(each) and not _is_turned(form, t)]
         sides += [replace(problem, claim=each, hypotheses=given) for each in (*valued, node("=", body, form))]
 
     def put(tree: T) -> T:
@@ -58,9 +58,9 @@ def with_values(problem: Problem) -> Series | None:
     return Series(replace(problem, claim=put(problem.claim)), tuple(sides))
 
 
-def _is_turned(form: Term) -> bool:
-    """Is it defined for all angles as what has to hold says that what is divided by is positive?"""
-    return isinstance(form, Node) and any(part.tag in ("sin", "cos") for part in nodes(form))
+def _is_turned(form: Term, t: str) -> bool:
+    """Is it one in a sine or cosine, which has a value everywhere, as by what has to hold its base is positive?"""
+    return any(part.tag in ("sin", "cos") and t in letters(part) for part in nodes(form))
 
 
 def _known(body: Term, t: str, low: Term, high: Term) -> Iterator[Known]:

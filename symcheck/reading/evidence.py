@@ -63,9 +63,7 @@ class Evidence:
     square: bool = False  # does A - \lambda I, or Q A Q^{-1}, show that it is a matrix?
     angle: bool = False  # is a sine or its like taken of it alone?
     endless: bool = False  # does an infinite sum, or a factorial, stand beside it?
-    column: bool = (
-        False  # does it stand in brackets that are transposed before a factor, or behind a small letter that is?
-    )
+    column: bool = False  # does it stand in brackets that are transposed before a factor, or behind a small letter?
     scaling: bool = False  # is it the factor behind a dot of what is equal to a vector?
     turning: bool = False  # is it the rate of a phase: `\\cos(\\omega (t - t_0))`?
     between: bool = False  # does it stand between brackets that are transposed and others?
@@ -240,14 +238,15 @@ _SCALED = re.compile(
 _PHASE = re.compile(
     r"\\(?:sin|cos|exp) (?:\\left )?\( (?:\\?[a-z]+ )*(\\[oO]mega(?: _ (?:\w|\{[^{}]*\}))?) (?:\\left )?\( t [-+]"
 )
+_RAISED_T = r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])"
 # what says that something is transposed
-_TRANSPOSING = re.compile(r"\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|\) '")
+_TRANSPOSING = re.compile(rf"{_RAISED_T}|\) '")
 _SMALL = r"(?:[a-z]|\\(?:alpha|beta|gamma|theta|mu|xi|(?:hat|bar) \{ \\?[a-z]+ \}))(?: _ (?:\w|\{[^{}]*\}))?(?: ')?"
 # one and a rate, to the power T
 _GROWN = re.compile(
     r"\( 1 [-+] (?:[a-z]|\\[a-z]+|\\frac \{ \w \} \{ \w+ \})(?: _ (?:\w|\{[^{}]*\}))? (?:\\right )?\) \^ (?:T|\{ T \})"
 )
-_FLIPPED = r"(?:\^ (?:T|\{ (?:T|\\top) \}|\\top)(?![A-Za-z])|')"
+_FLIPPED = rf"(?:{_RAISED_T}|')"
 _MATRIX = r"(?:[A-Z]|\\[A-Z][a-z]+)(?: _ (?:\w|\{[^{}]*\}))?"
 # a sum of small letters, transposed, before a factor
 _ROW = re.compile(rf"\( ({_SMALL}(?: [-+] {_SMALL})+) (?:\\right )?\) {_FLIPPED} (?=[A-Za-z(]|\\(?:left|[A-Z]))")
@@ -257,7 +256,7 @@ _COLUMN = re.compile(
 )
 # a small letter behind another one that is transposed
 _BEHIND_ROW = re.compile(
-    r"(?<![A-Za-z\\])(?:[a-df-z]|[A-Z]) (?:_ (?:\w|\{[^{}]*\}) )?\^ (?:T|\{ (?:T|\\top) \}|\\top) "
+    rf"(?<![A-Za-z\\])(?:[a-df-z]|[A-Z]) (?:_ (?:\w|\{{[^{{}}]*\}}) )?{_RAISED_T} "
     r"([abcp-z](?: _ (?:\w|\{[^{}]*\}))?)(?! [A-Za-z^(\\])"
 )
 # what stands between brackets that are transposed and others, perhaps inverse
@@ -375,8 +374,8 @@ _HYPOTHESIS = re.compile(
 _ENTRY_TRANSPOSED = "an entry of what is transposed, or a transposed block? write the indices in the other order"
 # a transposed letter with two indices: `V^T_{ij}`
 _TRANSPOSED_ENTRY = re.compile(
-    r"((?:[A-Z]|\\[a-z]+ \{ [A-Z] \}) _ (?:\{ [i-n] (?:, )?[i-n] \})) \^ (?:T|\{ (?:T|\\top) \}|\\top)"
-    r"|((?:[A-Z]|\\[a-z]+ \{ [A-Z] \})) \^ (?:T|\{ (?:T|\\top) \}|\\top) _ (\{ [i-n] (?:, )?[i-n] \})"
+    rf"((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}}) _ (?:\{{ [i-n] (?:, )?[i-n] \}})) {_RAISED_T}"
+    rf"|((?:[A-Z]|\\[a-z]+ \{{ [A-Z] \}})) {_RAISED_T} _ (\{{ [i-n] (?:, )?[i-n] \}})"
 )
 # two of several in brackets with a dot between them, which needs none between numbers: `(m_i \\cdot m_j)`
 _DOTTED_PAIR = re.compile(

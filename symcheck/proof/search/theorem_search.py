@@ -31,12 +31,8 @@ from symcheck.proof.rules.theorem import Instance, Said, applied
 from symcheck.proof.search.functions import SIGNS, expanded, instances, is_compared, signs, simplified
 
 MAX_INSTANCES = 40  # theorems: whenever one has been applied, all others are tried again
-SPLIT = {
-    "beta": ">",
-    "equal_squares": ">=",
-    "rising": ">=",
-    "rising_strictly": ">",
-}  # theorems whose premises of this sign may hold in some cases alone
+# theorems whose premises of this sign may hold in some cases alone
+SPLIT = {"beta": ">", "equal_squares": ">=", "rising": ">=", "rising_strictly": ">"}
 MAX_CASES = 4  # one inside another, each of which doubles the work: the papers need one
 
 
@@ -76,7 +72,7 @@ class _Plan:
     definitions: Mapping[str, Term]
     names: set[str]
     assumed: Knowledge
-    letters: frozenset[str] = frozenset()
+    hinted: frozenset[str] = frozenset()  # letters of theorems that the declaration names
     outer: list[Instance] = field(default_factory=list)
     inner: list[Instance] = field(default_factory=list)
     known: Knowledge = field(init=False)
@@ -92,7 +88,7 @@ class _Plan:
         hinted = _hinted(problem)
         plan = cls(definitions, {*own.names, *inner}, assumed, frozenset(each.letter for each in hinted if each.letter))
         for instance in hinted:
-            plan._add(instance, plan.inner if _around(instance) & plan.letters else plan.outer)
+            plan._add(instance, plan.inner if _around(instance) & plan.hinted else plan.outer)
         plan._collect()
         for p in [p for p in map(prime, sorted(plan.names)) if p is not None]:
             plan._add(applied("root", p), plan.outer)
@@ -116,7 +112,7 @@ class _Plan:
 
     def _bound(self, names: Set[str]) -> set[str]:
         """The letters that integrals and sums bind, and those of theorems that the declaration names."""
-        return {x for name in names & atoms().keys() for x in atoms()[name].bound} | self.letters
+        return {x for name in names & atoms().keys() for x in atoms()[name].bound} | self.hinted
 
     def add_signs(self, problem: Problem) -> bool:
         """The signs of sines and cosines whose angles are bound or compared with something; False if there are none."""
