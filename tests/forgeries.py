@@ -3462,7 +3462,7 @@ THEOREMS: dict[str, Forgery] = {
     ),
     "what falls": Forgery(NO_SIGN, proved([">=", -1, 0], rising("rising", 0, 1, ["-", "x"], -1))),
     "what does not fall said to rise strictly": Forgery(
-        NO_SIGN, proved([">", 2, 2], rising("rising_strictly", 0, 1, ["+", 2, ["*", 0, "x"]], 0))
+        NO_SIGN, proved(["=", 0, 1], rising("rising_strictly", 0, 1, 2, 0, then=absurd([["positive", minus(2, 2)]])))
     ),
     "what rises strictly between equal ends": Forgery(
         NO_SIGN, proved([">", ["exp", "y"], ["exp", "y"]], rising("rising_strictly", "y", "y"))
