@@ -654,7 +654,10 @@ def test_bad_input_is_reported(call: Callable[[], Any], message: str) -> None:
 
 
 @pytest.mark.parametrize("name", plots.FIGURES)
-def test_a_figure_is_drawn_with_labelled_axes_and_leaves_nothing_behind(name: str) -> None:
+def test_a_figure_is_drawn_with_labelled_axes_and_leaves_nothing_behind(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "matplotlib.pyplot", raising=False)  # other tests may have loaded it
     axes = plots.FIGURES[name]()
     image = io.BytesIO()
     FigureCanvasAgg(axes.figure).print_png(image)
