@@ -104,7 +104,7 @@ from symcheck.question.running import needed, signs
 from symcheck.question.solutions import with_solutions
 from symcheck.question.unsolved import is_condition, may_be_solved
 from symcheck.question.whole import with_half_turns
-from symcheck.question.whole_powers import with_whole_powers
+from symcheck.question.whole_powers import inlined, with_whole_powers
 from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
@@ -764,6 +764,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return shown
     if status is Status.UNDECIDED and (shown := _by_squares(base, reading)) is not None:
         return shown
+    if status is Status.UNDECIDED and (shown := _written_out(reading, asked, wanted, claimed)) is not None:
+        return shown
     if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
         return shown
     reason = "; ".join(dict.fromkeys(reasons))
@@ -785,6 +787,14 @@ def _by_squares(base: Answer, reading: Reading) -> Answer | None:
             return None
         made.append(certificate_)
     return _proved_in_cases(base, reading, cases, made)
+
+
+def _written_out(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with the sums that letters are defined as in their places."""
+    if not any(part.tag == "sum" for each in reading.problems for _, t in each.definitions for part in nodes(t)):
+        return None
+    answer = _decided(replace(reading, problems=tuple(map(inlined, reading.problems))), asked, wanted, claimed)
+    return answer if answer.verdict is not Status.UNDECIDED else None
 
 
 def _with_bases(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:

@@ -40,6 +40,8 @@ from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, S
 _MEMBER = re.compile(r"^(.+?)\s*\\in(?![a-zA-Z])\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 # the set of complex numbers
 _COMPLEX = re.compile(r"\s*\\mathbb\s*\{?C\}?\s*$")
+# the mean of a number, which an equation may define
+_MEAN = re.compile(r"\\langle(?![^|,]*\\(?:[lr]angle|math|vec|bm|boldsymbol)[^|,]*\\rangle$)[^|,]*\\rangle")
 # the sign of a relation
 _RELATION = re.compile(r"[<>=]|\\(?:le|ge|lt|gt|ne|leq|geq|neq|leqslant|geqslant)(?![a-zA-Z])")
 _SETS = {"R": "", "Z": "integer", "N": "integer", "Q": "", "C": "complex"}
@@ -126,6 +128,8 @@ def plainly(asked: Asked) -> Asked:
     known = {letter for letter, phrase in said if "complex" in phrase}
     known |= {match[1].strip() for text in given if (match := _MEMBER.match(text)) and _COMPLEX.match(match[2])}
     relation, *where = with_products_under_lines((made(asked.relation), *map(made, asked.where)), known)
+    defined = (parts[0] for text in where if (parts := sides(text)) and _MEAN.fullmatch(parts[0]))
+    said += tuple((mean, "scalar") for mean in defined if mean not in dict(said))
     return Asked(relation, tuple(where), given, said)
 
 
@@ -534,18 +538,18 @@ def _reading(
         beside = [node("=", x, terms[x]) for x in solved & set().union(*map(letters, claims))]
         _refuse_unsolved(claims, [*(f for _, fs in hypotheses for f in fs), *beside])
     cases = [(name, case) for name, claim in _numbered(claims) for case in _cases(claim, tree)]
-    others = [*(f for _, fs in hypotheses for f in fs), *(terms[name] for name in order)]
+    said = [f for _, fs in hypotheses for f in fs]
     problems = list[Problem]()
     for name, (premises, claim) in cases:
         more = ((CASE, premises),) if premises else ()
-        valued = _valued((claim, *premises, *others), terms, limiting)
+        unfolding = _needed((claim, *premises, *said), terms, order)
+        needed = (claim, *premises, *said, *(t for _, t in unfolding))
+        valued = _valued((*needed, *(t for x, t in terms.items() if x not in dict(unfolding))), terms, limiting)
+        free = set().union(*map(letters, needed))
+        valued = tuple(each for each in valued if letters(each) <= free)  # of others nothing is asked
         if premises and not may_all_hold([*_stated(hypotheses), *valued, *premises]):
             continue
         given = (*hypotheses, *((DEFINED, valued),) * bool(valued), *more)
-        needed = set().union(*map(letters, (claim, *(f for _, fs in given for f in fs))))
-        for letter in reversed(order):
-            needed |= letters(terms[letter]) if letter in needed else set()
-        unfolding = tuple((letter, terms[letter]) for letter in order if letter in needed)
         problems.append(Problem(name, claim, unfolding, given))
     return Reading(
         inference, tree, tuple(problems), stated, (asked, inference, defined, equations, conditions), held, regular
@@ -564,6 +568,14 @@ def _cases(claim: Formula, tree: Tree) -> Iterable[tuple[tuple[Formula, ...], Fo
     """The claim, or each of its cases with the conditions, where values by cases are printed."""
     jumps = any(isinstance(part, Call) and part.function in JUMPS for _, part in walk(tree))
     return implied(claim) if jumps else (((), claim),)
+
+
+def _needed(trees: Iterable[Formula], terms: Mapping[str, Term], order: Sequence[str]) -> tuple[tuple[str, Term], ...]:
+    """The definitions of letters in formulas, and of letters in these."""
+    needed = set().union(*map(letters, trees))
+    for letter in reversed(order):
+        needed |= letters(terms[letter]) if letter in needed else set()
+    return tuple((letter, terms[letter]) for letter in order if letter in needed)
 
 
 def _valued(trees: Sequence[Term], terms: Mapping[str, Term], limiting: bool) -> tuple[Formula, ...]:

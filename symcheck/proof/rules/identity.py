@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from math import prod
 from typing import ClassVar
 
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Formula
-from symcheck.proof.algebra.facts import Fact, merged
-from symcheck.proof.algebra.flint import Poly
+from symcheck.proof.algebra.facts import Fact, Nonzero, merged
+from symcheck.proof.algebra.flint import Poly, occurring
 from symcheck.proof.algebra.knowledge import Knowledge, proportional, starting
 from symcheck.proof.algebra.linear import combined
 from symcheck.proof.algebra.place import Place
 from symcheck.proof.algebra.polynomial import Ring
+from symcheck.proof.algebra.products import nonzero
 from symcheck.proof.rules.each import all_of
 from symcheck.proof.rules.step import Cofactor, Factor, Step, cleared, combination
 
 MANY = 9  # equations, such as those of a matrix: a basis of all of them takes longer than a combination with numbers
+MANY_ADDENDS = 20  # of a difference that is multiplied with what is not zero: that of long ones takes long to reduce
 
 
 @dataclass(frozen=True)
@@ -72,6 +76,34 @@ def identity_at(goal: Formula, place: Place) -> Identity | None:
     gap = place.known.ring.subtract(*goal.terms)
     cofactors = _through_form(gap.num, place) or place.cofactors(gap.num)
     return None if cofactors is None else Identity(cleared(gap), combination(cofactors))
+
+
+def identity_times(goal: Formula, place: Place) -> Identity | None:
+    """The same for the difference times what is known not to be zero, which no basis divides out by itself."""
+    known = place.known
+    gap = known.ring.subtract(*goal.terms)
+    if len(known.facts) < 2 or len(gap.num) > MANY_ADDENDS:
+        return None
+    occurring_ = sorted(set().union(*(occurring(poly) for _, poly in known.facts)))
+    letters = [nonzero(known.ring.generator[x], known) for x in occurring_]
+    factors = [(ground, poly) for ground, poly in letters if ground is not None]
+    factors += [(ref, poly) for ref, poly in known.conditions if len(poly) > 1]
+    if not 0 < len(factors) <= MANY:
+        return None
+
+    def is_zero(kept: Sequence[tuple[Nonzero, Poly]]) -> bool:
+        return place.ideal.reduce(prod((poly for _, poly in kept), start=gap.num)) == 0
+
+    for kept in (factors, [*factors, *factors]):
+        if is_zero(kept):
+            for each in factors * (len(kept) // len(factors)):
+                fewer = [*kept]
+                fewer.remove(each)
+                kept = fewer if is_zero(fewer) else kept
+            cofactors = place.ideal.cofactors(prod((poly for _, poly in kept), start=gap.num))
+            times = (*cleared(gap), *(ground for ground, _ in kept))
+            return None if cofactors is None else Identity(times, combination(cofactors))
+    return None
 
 
 def _through_form(gap: Poly, place: Place) -> list[Fact] | None:

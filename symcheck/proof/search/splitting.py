@@ -15,7 +15,7 @@ from symcheck.proof.rules.absurd import absurd_at, by_conjugates, contrary_signs
 from symcheck.proof.rules.cases_or import split_disjunction
 from symcheck.proof.rules.choose import first_of
 from symcheck.proof.rules.each import all_of
-from symcheck.proof.rules.identity import identity_at, identity_here, prove_identity
+from symcheck.proof.rules.identity import identity_at, identity_here, identity_times, prove_identity
 from symcheck.proof.rules.implies import by_contrary, implication
 from symcheck.proof.rules.nonnegative import prove_order
 from symcheck.proof.rules.split import Split, shorten, split_basis, split_product
@@ -123,6 +123,12 @@ def split_alternatives(goal: Formula, place: Place, search: Search) -> Attempt:
     return Split(form, (), product.cofactors, proofs), True  # a polynomial: nothing is multiplied with it
 
 
+def close_times(goal: Formula, place: Place, search: Search) -> Attempt:
+    """By what is known here, of the difference times what is not zero."""
+    proof = identity_times(goal, place) if goal.tag == "=" else None
+    return proof, proof is not None
+
+
 def _direct(goal: Formula, place: Place) -> Step | None:
     match goal.tag:
         case "=":
@@ -141,6 +147,7 @@ MOVES: tuple[tuple[bool, Callable[[Formula, Place, Search], Attempt]], ...] = (
     (True, close),
     (True, vanishing_sum),
     (False, close),
+    (False, close_times),
     (False, vanishing_sum),
     (False, split_alternatives),
     (False, split_disjunction),
