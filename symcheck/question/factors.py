@@ -12,10 +12,11 @@ from symcheck.core.calculus import letters, nodes
 from symcheck.core.problems import Problem
 from symcheck.core.terms import Binder, Node, T, Term, Value, mapped, node
 from symcheck.proof.algebra.polynomial import unfold
+from symcheck.question.prepare import rooted
 
 
 def with_factors_outside(problem: Problem) -> Problem:
-    """The same with quotients of gamma functions before the integrals under which they stand as factors."""
+    """The same with gamma functions and powers before the integrals under which they stand as factors."""
     meant = dict(problem.definitions)
 
     def put(tree: T) -> T:
@@ -23,10 +24,13 @@ def with_factors_outside(problem: Problem) -> Problem:
             return tree
         new = mapped(tree, put)
         if isinstance(new, Binder) and new.tag == "integral":
-            outside, inside = _apart(unfold(new.body, meant), new.letter)
-            if any(part.tag == "gamma" for part in nodes(outside)):
-                whole = node("integral", inside, new.letter, *new.outside)
-                return node("*", outside, whole)  # type: ignore[return-value]
+            whole = unfold(new.body, meant)
+            outside, inside = _apart(body := _multiplied_out(whole), new.letter)
+            if any(part.tag in ("gamma", "pow") for part in nodes(outside)):
+                rest = node("integral", inside, new.letter, *new.outside)
+                return node("*", rooted(outside), rest)  # type: ignore[return-value]
+            if body != whole:
+                return node("integral", body, new.letter, *new.outside)  # type: ignore[return-value]
         return new  # type: ignore[return-value]
 
     hypotheses = tuple((name, tuple(map(put, formulas))) for name, formulas in problem.hypotheses)
@@ -49,6 +53,25 @@ def _apart(body: Term, x: str) -> tuple[Term, Term]:
             (above, first), (below, second) = _apart(top, x), _apart(bottom, x)
             return node("/", above, below) if below != 1 else above, node("/", first, second) if second != 1 else first
     return 1, body
+
+
+def _multiplied_out(tree: T) -> T:
+    """Whole powers of absolute values, exponentials, powers and products of such as exponentials and powers."""
+    if not isinstance(tree, Value) or tree.tag not in ("*", "/", "^", "-"):
+        return tree
+    new = mapped(tree, _multiplied_out)
+    match new:
+        case Value(tag="^", terms=(Value(tag="sqrt", terms=(Value(tag="^", terms=(base, 2)),)), 2)):
+            return _multiplied_out(node("^", base, 2))  # type: ignore[return-value]
+        case Value(tag="^", terms=(Value(tag="exp", terms=(exponent,)), int(n))):
+            return node("exp", node("*", n, exponent))  # type: ignore[return-value]
+        case Value(tag="^", terms=(Value(tag="pow", terms=(base, exponent)), int(n))):
+            return node("pow", base, node("*", n, exponent))  # type: ignore[return-value]
+        case Value(tag="^", terms=(Value(tag="*", terms=factors), int(n))):
+            powers = (_multiplied_out(node("^", factor, n)) for factor in factors)
+            if any(isinstance(factor, Value) and factor.tag in ("exp", "pow") for factor in factors):
+                return node("*", *powers)  # type: ignore[return-value]
+    return new  # type: ignore[return-value]
 
 
 def _product(factors: list[Term]) -> Term:
