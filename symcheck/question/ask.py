@@ -28,6 +28,8 @@ from symcheck.proof.search.wellformed import checked
 from symcheck.question import (
     bases,
     by_parts,
+    events,
+    expectations,
     generating,
     growth,
     indices,
@@ -277,6 +279,10 @@ def _answered(
             return replace(of_named, seconds=time.perf_counter() - started)
         if (of_powers := _of_power_series(asked, kummer)) is not None:
             return replace(of_powers, seconds=time.perf_counter() - started)
+        if (of_events := events.in_cases(asked)) is not None:
+            return replace(_of_events(of_events, asked), seconds=time.perf_counter() - started)
+        if (of_moments := expectations.in_moments(asked)) is not None:
+            return replace(_of_moments(of_moments, asked), seconds=time.perf_counter() - started)
         if (of_orders := orders.ordered(asked)) is not None:
             return replace(_of_order(of_orders), seconds=time.perf_counter() - started)
         if (whole := with_whole_numbers(asked)) is not None:
@@ -376,6 +382,48 @@ def _of_named(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
     answer = answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
     known = found.sure or answer.verdict is Status.PROVED
     return replace(answer, letters=answer.letters | {**found.told}) if known else None
+
+
+def _of_events(found: events.Found, asked: Asked) -> Answer:
+    """The answer about probabilities of events; not refuted if it holds of those that exclude one another."""
+    told = dict.fromkeys(found.cases.events, "an event (its probability is printed)")
+    answer = _translated(found.asked, asked, told, found.cases.meant)
+    return _unless_special(answer, asked, found.stricter(), law=found.law)
+
+
+def _of_moments(found: expectations.Found, asked: Asked) -> Answer:
+    """The answer about expectations: proved of all moments, or refuted of variables with a few values."""
+    told = dict.fromkeys(found.random, "a random variable (what is expected of it is printed)")
+    proved = _translated(found.asked, asked, told, found.meant)
+    if proved.verdict is Status.PROVED:
+        return proved
+    answer = _translated(found.of_values, asked, told, {})
+    if answer.verdict is not Status.REFUTED:
+        return replace(proved, verdict=Status.UNDECIDED, counterexample={}, certificate=(), reason=UNSETTLED)
+    return _unless_special(answer, asked, found.special, law=found.law)
+
+
+def _translated(one: Asked, asked: Asked, told: Mapping[str, str], meant: Mapping[str, str]) -> Answer:
+    """The answer to a question in other letters, in terms of the one that was asked."""
+    answer = answered(one.relation, one.where, one.given, dict(one.letters), wanted=False, claimed=True)
+    letters_ = {x: what for x, what in answer.letters.items() if x in {*tex.texts(asked.relation)} - {*told, *meant}}
+    point = {meant.get(x, x): value for x, value in answer.counterexample.items()}
+    printed = dict(zip((*one.where, *one.given), (*asked.where, *asked.given), strict=False))
+    used = tuple(printed[text] for text in answer.used if text in printed)
+    return replace(answer, reading=asked.relation, letters={**told} | letters_, counterexample=point, used=used)
+
+
+def _unless_special(answer: Answer, asked: Asked, special: Iterable[tuple[str, Asked]], *, law: bool) -> Answer:
+    """The answer; not that it is false if it holds in special cases, or says what something is."""
+    if answer.verdict is not Status.REFUTED:
+        return answer
+    open_ = replace(answer, verdict=Status.AMBIGUOUS, counterexample={}, values=(), certificate=())
+    if not law:
+        return replace(open_, verdict=Status.UNDECIDED, reason=EQUATION)
+    for how, one in special:
+        if _translated(one, asked, {}, {}).verdict is not Status.REFUTED:
+            return replace(open_, reason=f"it holds if {how}; say whether that is meant")
+    return answer
 
 
 def _of_power_series(asked: Asked, kummer: set[str]) -> Answer | None:

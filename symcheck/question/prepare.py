@@ -40,6 +40,8 @@ from symcheck.reading.tree import BigSum, Call, Chain, Forall, Limiting, Name, S
 _MEMBER = re.compile(r"^(.+?)\s*\\in(?![a-zA-Z])\s*(.+)$", re.DOTALL)  # "a, b \in \mathbb{R}"
 # the set of complex numbers
 _COMPLEX = re.compile(r"\s*\\mathbb\s*\{?C\}?\s*$")
+# a density with parameters behind a bar or semicolon
+_PARAMETERS = re.compile(r"([A-Za-z](?:_(?:\w|\{[^{}]*\}))?)\(([^()|;=]*)(\||\\mid |;)([^()|;=]*)\)=")
 # the mean of a number, which an equation may define
 _MEAN = re.compile(r"\\langle(?![^|,]*\\(?:[lr]angle|math|vec|bm|boldsymbol)[^|,]*\\rangle$)[^|,]*\\rangle")
 # the sign of a relation
@@ -127,10 +129,26 @@ def plainly(asked: Asked) -> Asked:
     said = tuple((made(letter), phrase) for letter, phrase in asked.letters)
     known = {letter for letter, phrase in said if "complex" in phrase}
     known |= {match[1].strip() for text in given if (match := _MEMBER.match(text)) and _COMPLEX.match(match[2])}
-    relation, *where = with_products_under_lines((made(asked.relation), *map(made, asked.where)), known)
+    plain_texts = with_parameters_as_arguments(tuple(map(made, (asked.relation, *asked.where))))
+    relation, *where = with_products_under_lines(plain_texts, known)
     defined = (parts[0] for text in where if (parts := sides(text)) and _MEAN.fullmatch(parts[0]))
     said += tuple((mean, "scalar") for mean in defined if mean not in dict(said))
     return Asked(relation, tuple(where), given, said)
+
+
+def with_parameters_as_arguments(texts: tuple[str, ...]) -> tuple[str, ...]:
+    r"""The texts with a comma for the bar or semicolon in a density that one of them says: `p(x|\mu) = ...`.
+
+    Densities of one name are told by what is in their brackets: others of that name leave it as it is.
+    """
+    for head in filter(None, map(_PARAMETERS.match, texts[1:])):
+        name, own, sign, others = head.groups()
+        inside = r"[^();|=]*;[^();|=]*" if sign == ";" else re.escape(own + sign + others)
+        written = re.compile(rf"\\[A-Za-z]+|{re.escape(name)}\(({inside}\))?")
+        found = [match for each in texts for match in written.finditer(each) if match[0][0] != "\\"]
+        if all(match[1] for match in found):
+            texts = tuple(written.sub(lambda match: match[0].replace(sign, ","), each) for each in texts)  # noqa: B023
+    return texts
 
 
 def with_each_sign(asked: Asked) -> Asked:

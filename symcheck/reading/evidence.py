@@ -270,7 +270,8 @@ _OPERATOR_BELOW = re.compile(
 # the derivative of a product of which only the first letter would depend on the variable
 _PRODUCT_DERIVED = re.compile(
     r"\\frac \{ \\partial (?!\\(?:ln|log|exp|det|(?:arc)?(?:sin|cos|tan)h?) )(?:[A-Za-z]|\\[a-z]+) "
-    r"(?:_ (?:\w|\{ \w \}) )?((?!\\partial|\\left|\\right|\\frac)(?:[A-Za-z]|\\[a-z]+)) (?:\^ (\w|\{ \w \}) )?\} \{ \\partial"
+    r"(?:_ (?:\w|\{ \w \}) )?((?!\\partial|\\left|\\right|\\frac)(?:[A-Za-z]|\\[a-z]+)) "
+    r"(?:\^ (\w|\{ \w \}) )?\} \{ \\partial"
 )
 # a square before capitals in brackets, which no function has
 _SQUARE_OF = re.compile(r"([A-Za-z]|\\[a-z]+) (?:_ (?:\w|\{ \w \}) )?\^ (?:2|\{ 2 \}) \( [A-Z](?: [A-Z])+ \)")

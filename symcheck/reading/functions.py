@@ -79,7 +79,8 @@ INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh",
 OF_MATRICES = ("det", "tr", "Tr", "vec", "Re", "Im", "rank", "sign", "max", "min", "log")
 FIELDS = ("grad", "div", "curl", "rot", "laplacian")  # operators on fields, which take one factor
 OPAQUE = (  # that are read and have no algebraic form
-    "arg", "Arg", "Pr", "dim", "deg", "gcd", "ker", "adj", "span", "sgn", "floor", "ceil", "sn", "cn", "dn", "am",
+    "arg", "Arg", "Pr", "Var", "Cov", "var", "cov", "dim", "deg",
+    "gcd", "ker", "adj", "span", "sgn", "floor", "ceil", "sn", "cn", "dn", "am",
     "atan2", "arctan2",
     *FIELDS, "average", "overlined",
 )  # fmt: skip

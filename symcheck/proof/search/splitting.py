@@ -97,7 +97,8 @@ class _Engine:
                 if done:
                     return proof
             if not (place.waiting and place.settle()):
-                return split_basis(goal, place, self.search)
+                found = split_basis(goal, place, self.search)
+                return identity_times(goal, place) if found is None and goal.tag == "=" else found
 
 
 def close(goal: Formula, place: Place, search: Search) -> Attempt:
@@ -123,12 +124,6 @@ def split_alternatives(goal: Formula, place: Place, search: Search) -> Attempt:
     return Split(form, (), product.cofactors, proofs), True  # a polynomial: nothing is multiplied with it
 
 
-def close_times(goal: Formula, place: Place, search: Search) -> Attempt:
-    """By what is known here, of the difference times what is not zero."""
-    proof = identity_times(goal, place) if goal.tag == "=" else None
-    return proof, proof is not None
-
-
 def _direct(goal: Formula, place: Place) -> Step | None:
     match goal.tag:
         case "=":
@@ -147,7 +142,6 @@ MOVES: tuple[tuple[bool, Callable[[Formula, Place, Search], Attempt]], ...] = (
     (True, close),
     (True, vanishing_sum),
     (False, close),
-    (False, close_times),
     (False, vanishing_sum),
     (False, split_alternatives),
     (False, split_disjunction),

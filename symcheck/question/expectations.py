@@ -1,0 +1,234 @@
+r"""Expectations, variances and covariances by moments: that of (aX + b)^2 is a^2 E(X^2) + 2ab E(X) + b^2.
+
+What holds of any numbers in the places of the moments, of which a mean square is not below the square of the mean,
+holds of all random variables that have these moments. What is false is so of variables with a few values that are
+equally likely. What is left to trust is that expectations are linear.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import product
+
+from symcheck.core.verdicts import NoForm, SymcheckError
+from symcheck.question.events import is_made_of
+from symcheck.question.prepare import Asked, unlowered
+from symcheck.reading import Tree, read, tex, to_latex
+from symcheck.reading.tree import (
+    Add,
+    Call,
+    Div,
+    Indexed,
+    Mul,
+    Name,
+    Neg,
+    Number,
+    Pow,
+    children,
+    nodes,
+    with_children,
+)
+
+MEANS = frozenset({"E", r"\mathbb{E}", r"\text{E}"})
+VARIANCES = frozenset({"Var", "var", r"\mathbb{V}"})
+COVARIANCES = frozenset({"Cov", "cov"})
+LETTERS = ("m", "k", "w", "u", "v")
+HIGHEST = 6  # power of what is expanded
+MOST = 3  # random variables: independent ones have 2^n pairs of values
+# what may be expected, or vary
+_SIGN = re.compile(r"(?<![A-Za-z])E(?![A-Za-z])|(?<![A-Za-z])[VvCc](?:ar|ov)(?![A-Za-z])|\\mathbb\s*\{?V")
+_RANDOM = re.compile(r"[A-Z](?:_(?:\w|\{\w+\}))?")
+Monomial = tuple[str, ...]
+Moments = Callable[[Monomial], Tree]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A question about moments.
+
+    Parameters
+    ----------
+    asked
+        The question with letters for moments.
+    meant
+        What each letter is: "E(X^2)".
+    of_values
+        The same of variables with three values that are equally likely.
+    special
+        The same of those that authors may mean without saying so, with what is to be said then.
+    law
+        Whether all sides are made of expectations and of what stands in them, or something is given.
+    random
+        The random variables.
+    """
+
+    asked: Asked
+    meant: Mapping[str, str]
+    of_values: Asked
+    special: tuple[tuple[str, Asked], ...]
+    law: bool
+    random: tuple[str, ...]
+
+
+def in_moments(asked: Asked) -> Found | None:
+    """The question about expectations as one about moments; None if there are none."""
+    if not _SIGN.search(asked.relation):
+        return None
+    with suppress(SymcheckError, StopIteration):
+        reading = unlowered(asked)[0]
+        trees = [reading.tree, *(read(text, reading.inference.notation) for text in (*asked.where, *asked.given))]
+        own, *others = ([(_head(part), u) for part in nodes(tree) for u in _arguments(part)] for tree in trees)
+        inside = [*own, *(each for several in others for each in several)]
+        if not own or not any(_is_certain(part) for tree in trees for part in nodes(tree)):
+            return None
+        within = {x.letter for _, u in inside for x in nodes(u) if isinstance(x, Name)} - MEANS
+        random = sorted(filter(_RANDOM.fullmatch, within)) or (sorted(within) if len(within) == 1 else [])
+        if not 0 < len(random) <= MOST:
+            return None
+        taken = {token for text in (asked.relation, *asked.where, *asked.given) for token in tex.texts(text)}
+        named = _Named(next(x for x in LETTERS if x not in taken))
+
+        def question(moment: Moments) -> Asked:
+            relation, *rest = (to_latex(_put(tree, {*random}, moment)) for tree in trees)
+            kept = tuple((x, phrase) for x, phrase in asked.letters if x not in random)
+            return Asked(relation, tuple(rest[: len(asked.where)]), tuple(rest[len(asked.where) :]), kept)
+
+        about = question(named)
+        values = {x: [Name(f"{x}_{k}") for k in (1, 2, 3)] for x in random}
+        special = list[tuple[str, Asked]]()
+        if len(random) > 1 and not any(head in COVARIANCES for head, _ in inside):
+            pairs = [dict(zip(random, each, strict=True)) for each in product(*(values[x][:2] for x in random))]
+            special.append(("the variables are independent", question(_over(pairs))))
+        if not any(head in MEANS and isinstance(u, Name) and u.letter in random for head, u in inside):
+            signs = [{x: each(values[x][0]) for x in random} for each in (lambda x: x, Neg)]
+            special.append(("means are 0", question(_over(signs))))
+        return Found(
+            replace(about, given=(*about.given, *named.conditions())),
+            named.meant(),
+            question(_over([{x: values[x][k] for x in random} for k in range(3)])),
+            tuple(special),
+            _is_law(reading.tree) or any(others),
+            tuple(random),
+        )
+    return None
+
+
+def _head(tree: Tree) -> str:
+    head = tree.function if isinstance(tree, Call) else tree.name if isinstance(tree, Indexed) else ""
+    return head.letter if isinstance(head, Name) else head if isinstance(head, str) else ""
+
+
+def _arguments(tree: Tree) -> tuple[Tree, ...]:
+    """What stands in the brackets of an expectation, a variance or a covariance; nothing of anything else."""
+    head = _head(tree)
+    inside = tree.arguments if isinstance(tree, Call) else tree.places if isinstance(tree, Indexed) else ()
+    wanted = 1 if head in MEANS | VARIANCES else 2 if head in COVARIANCES else 0
+    return inside if wanted and len(inside) == wanted else ()
+
+
+def _is_certain(tree: Tree) -> bool:
+    """Is it an expectation or a variance, and not a function E of a number?"""
+    return bool(_arguments(tree)) and not (isinstance(tree, Call) and _head(tree) == "E")
+
+
+def _is_law(tree: Tree) -> bool:
+    """Are all sides made of expectations and of the letters in them?"""
+    inside = {x.letter for part in nodes(tree) for u in _arguments(part) for x in nodes(u) if isinstance(x, Name)}
+
+    def is_own(part: Tree) -> bool:
+        return bool(_arguments(part))
+
+    def is_number(part: Tree) -> bool:
+        return isinstance(part, Number) or all(x.letter in inside for x in nodes(part) if isinstance(x, Name))
+
+    return is_made_of(tree, is_own, is_number)
+
+
+class _Named:
+    """Letters for moments."""
+
+    def __init__(self, letter: str) -> None:
+        self.letter, self.names = letter, dict[Monomial, str]()
+
+    def __call__(self, monomial: Monomial) -> Tree:
+        number = len(self.names) + 1
+        name = f"{self.letter}_{number}" if number < 10 else f"{self.letter}_{{{number}}}"
+        return Name(self.names.setdefault(monomial, name))
+
+    def meant(self) -> dict[str, str]:
+        """What each letter is, as E(X^2 Y)."""
+        powers = {
+            monomial: " ".join(x if n == 1 else f"{x}^{n}" for x, n in Counter(monomial).items())
+            for monomial in self.names
+        }
+        return {name: f"E({powers[monomial]})" for monomial, name in self.names.items()}
+
+    def conditions(self) -> Iterator[str]:
+        """That no mean square is below the square of the mean."""
+        for monomial, name in self.names.items():
+            if len(monomial) == 1:
+                square = self.names.get(monomial * 2)
+                yield from () if square is None else (rf"{square} \ge {name}^2",)
+            elif all(n % 2 == 0 for n in Counter(monomial).values()):
+                yield rf"{name} \ge 0"
+
+
+def _over(outcomes: Sequence[Mapping[str, Tree]]) -> Moments:
+    """Moments of variables with these values, which are equally likely."""
+
+    def moment(monomial: Monomial) -> Tree:
+        products = (Mul(tuple(values[x] for x in monomial)) for values in outcomes)
+        return Div(Add(tuple(products)), Number(str(len(outcomes))))
+
+    return moment
+
+
+def _put(tree: Tree, random: set[str], moment: Moments) -> Tree:
+    """The same with sums of multiples of moments for expectations, variances and covariances."""
+
+    def expected(argument: Tree) -> Tree:
+        addends = ((each, monomial) for monomial, each in _expanded(argument, random, moment))
+        return Add((Number("0"), *(Mul((each, moment(monomial))) if monomial else each for each, monomial in addends)))
+
+    match _head(tree) if _arguments(tree) else "", _arguments(tree):
+        case head, (u,) if head in MEANS:
+            return expected(u)
+        case head, (u,) if head in VARIANCES:
+            return Add((expected(Pow(u, Number("2"))), Neg(Pow(expected(u), Number("2")))))
+        case _, (u, v):
+            return Add((expected(Mul((u, v))), Neg(Mul((expected(u), expected(v))))))
+    if isinstance(tree, Name) and tree.letter in random:
+        raise NoForm(f"{tree.letter} varies, and is no number")
+    return with_children(tree, tuple(_put(each, random, moment) for each in children(tree)))
+
+
+def _expanded(tree: Tree, random: set[str], moment: Moments) -> list[tuple[Monomial, Tree]]:
+    """Products of random variables, each with what it is multiplied with."""
+
+    def below(part: Tree) -> list[tuple[Monomial, Tree]]:
+        return _expanded(part, random, moment)
+
+    if _arguments(tree) or not any(isinstance(x, Name) and x.letter in random for x in nodes(tree)):
+        return [((), _put(tree, random, moment))]
+    match tree:
+        case Name() if not (tree.dots or tree.primes or tree.subscripts):
+            return [((tree.letter,), Number("1"))]
+        case Add(terms):
+            return [each for term in terms for each in below(term)]
+        case Neg(value):
+            return [(monomial, Neg(each)) for monomial, each in below(value)]
+        case Div(top, bottom):
+            return [(monomial, Div(each, _put(bottom, random, moment))) for monomial, each in below(top)]
+        case Mul(factors):
+            found: list[tuple[Monomial, Tree]] = [((), Number("1"))]
+            for factor in factors:
+                more = below(factor)
+                found = [(tuple(sorted(a + b)), Mul((x, y))) for a, x in found for b, y in more]
+            return found
+        case Pow(base, Number(text)) if text.isdigit() and 0 < int(text) <= HIGHEST:
+            return below(Mul((base,) * int(text)))
+    raise NoForm(f"{to_latex(tree)}: the expectation of what is no sum of products")
