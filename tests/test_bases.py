@@ -27,3 +27,21 @@ POISSON, GEOMETRIC = (
 )
 def test_sums_with_exponentials_are_decided(relation: str, given: str, verdict: str) -> None:
     assert decide(relation, given=given).verdict == verdict
+
+
+LEVELS = r"Z = \sum_{n=0}^{\infty} e^{-\beta \hbar \omega (n + 1/2)}"
+POSITIVE = r"\beta > 0, \hbar > 0, \omega > 0"
+
+
+@pytest.mark.parametrize(
+    ("relation", "where", "given", "verdict"),
+    [
+        (r"Z = \frac{e^{-\beta \hbar \omega/2}}{1 - e^{-\beta \hbar \omega}}", LEVELS, POSITIVE, "proved"),
+        (r"Z = \frac{e^{-\beta \hbar \omega}}{1 - e^{-\beta \hbar \omega}}", LEVELS, POSITIVE, "refuted"),
+        (r"Z = \frac{1}{2 \sinh(\beta \hbar \omega/2)}", LEVELS, POSITIVE, "proved"),
+        (r"Z = \frac{1}{1 - e^{-xy}}", r"Z = \sum_{n=0}^{\infty} e^{-xyn}", "x > 0, y > 0", "proved"),
+        (r"Z = \frac{1}{1 - e^{-xy}}", r"Z = \sum_{n=0}^{\infty} e^{-xyn}", "x > 0, y < 0", "undecided"),  # it diverges
+    ],
+)
+def test_sums_of_exponentials_of_products_are_decided(relation: str, where: str, given: str, verdict: str) -> None:
+    assert decide(relation, where=where, given=given).verdict == verdict

@@ -975,3 +975,47 @@ OF_ROOTS: dict[str, list[tuple[str, list[str]]]] = {
 )
 def test_an_order_of_a_root_is_that_of_the_squares(verdict: str, relation: str, given: list[str]) -> None:
     assert decide(relation, given=given).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("relation", "where", "given", "verdict"),
+    [
+        ("xy = 1", (), ("a > 0", "b > 0", "ax = b", "by = a"), "proved"),
+        ("xy = 2", (), ("a > 0", "b > 0", "ax = b", "by = a"), "refuted"),
+        ("xy = 1", (), ("ax = b", "by = a"), "refuted"),  # both are 0
+        (r"T = 2\pi \sqrt{l/g}", (r"\omega = \sqrt{g/l}", r"T = 2\pi/\omega"), ("l > 0", "g > 0"), "proved"),
+        (r"T = 2\pi \sqrt{g/l}", (r"\omega = \sqrt{g/l}", r"T = 2\pi/\omega"), ("l > 0", "g > 0"), "refuted"),
+    ],
+)
+def test_differences_are_divided_by_what_is_not_zero(
+    relation: str, where: tuple[str, ...], given: tuple[str, ...], verdict: str
+) -> None:
+    assert decide(relation, where=where, given=given).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("relation", "where", "given", "verdict"),
+    [
+        (
+            r"W = nRT \ln\frac{V_2}{V_1}",
+            (r"W = \int_{V_1}^{V_2} p\,dV", "p = nRT/V"),
+            ("V_1 > 0", "V_2 > V_1"),
+            "proved",
+        ),
+        (
+            r"W = nRT \ln\frac{V_1}{V_2}",
+            (r"W = \int_{V_1}^{V_2} p\,dV", "p = nRT/V"),
+            ("V_1 > 0", "V_2 > V_1"),
+            "refuted",
+        ),
+        (r"\langle x \rangle = L/2", (r"\langle x \rangle = \frac1L \int_0^L x\,dx",), ("L > 0",), "proved"),
+        (r"\langle x \rangle = L", (r"\langle x \rangle = \frac1L \int_0^L x\,dx",), ("L > 0",), "refuted"),
+        (r"\frac{\partial \ln Z}{\partial b} = -a", ("Z = e^{-ab}",), (), "proved"),
+        (r"\int_{-\infty}^\infty |\psi|^2\,dx = 1", (r"\psi(x) = (a/\pi)^{1/4} e^{-ax^2/2}",), ("a > 0",), "proved"),
+        (r"\int_{-\infty}^\infty |\psi|^2\,dx = 1", (r"\psi(x) = (a/\pi)^{1/2} e^{-ax^2/2}",), ("a > 0",), "refuted"),
+    ],
+)
+def test_what_definitions_say_is_used_as_it_is_printed(
+    relation: str, where: tuple[str, ...], given: tuple[str, ...], verdict: str
+) -> None:
+    assert decide(relation, where=where, given=given).verdict == verdict

@@ -45,6 +45,7 @@ from symcheck.question import (
 from symcheck.question.answer import Answer, Status
 from symcheck.question.antiderivatives import hinted
 from symcheck.question.conventions import constant, mentioned
+from symcheck.question.data import with_sums_of_powers
 from symcheck.question.divisors import with_plain_divisors
 from symcheck.question.doubts import (
     braced,
@@ -324,6 +325,10 @@ def _answered(
             by_places = replace(by_places, verdict=Status.UNDECIDED, certificate=())
         used = (*printed.where, *printed.given) if by_places.used else ()
         return replace(by_places, used=used, seconds=time.perf_counter() - started)
+    if open_ and asked and (summed := with_sums_of_powers(asked)) is not None:
+        of_sums = _translated(summed, printed, {}, {})
+        if of_sums.verdict is Status.PROVED:
+            return replace(of_sums, seconds=time.perf_counter() - started)
     if open_ and asked and (at := _of_some_size(asked)):
         several_values = any(may_be_solved(problem, reading) for reading, _ in found for problem in reading.problems)
         at = replace(found[0][1], reason=EQUATION) if several_values and at.verdict is Status.REFUTED else at

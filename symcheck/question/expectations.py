@@ -8,7 +8,6 @@ equally likely. What is left to trust is that expectations are linear.
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -16,6 +15,7 @@ from itertools import product
 
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.question.events import is_made_of
+from symcheck.question.monomials import ONE, Monomial, Named, expanded, total
 from symcheck.question.prepare import Asked, unlowered
 from symcheck.reading import Tree, read, tex, to_latex
 from symcheck.reading.tree import (
@@ -37,12 +37,10 @@ MEANS = frozenset({"E", r"\mathbb{E}", r"\text{E}"})
 VARIANCES = frozenset({"Var", "var", r"\mathbb{V}"})
 COVARIANCES = frozenset({"Cov", "cov"})
 LETTERS = ("m", "k", "w", "u", "v")
-HIGHEST = 6  # power of what is expanded
 MOST = 3  # random variables: independent ones have 2^n pairs of values
 # what may be expected, or vary
 _SIGN = re.compile(r"(?<![A-Za-z])E(?![A-Za-z])|(?<![A-Za-z])[VvCc](?:ar|ov)(?![A-Za-z])|\\mathbb\s*\{?V")
 _RANDOM = re.compile(r"[A-Z](?:_(?:\w|\{\w+\}))?")
-Monomial = tuple[str, ...]
 Moments = Callable[[Monomial], Tree]
 
 
@@ -90,7 +88,7 @@ def in_moments(asked: Asked) -> Found | None:
         if not 0 < len(random) <= MOST:
             return None
         taken = {token for text in (asked.relation, *asked.where, *asked.given) for token in tex.texts(text)}
-        named = _Named(next(x for x in LETTERS if x not in taken))
+        named = Named(next(x for x in LETTERS if x not in taken))
 
         def question(moment: Moments) -> Asked:
             relation, *rest = (to_latex(_put(tree, {*random}, moment)) for tree in trees)
@@ -107,8 +105,8 @@ def in_moments(asked: Asked) -> Found | None:
             signs = [{x: each(values[x][0]) for x in random} for each in (lambda x: x, Neg)]
             special.append(("means are 0", question(_over(signs))))
         return Found(
-            replace(about, given=(*about.given, *named.conditions())),
-            named.meant(),
+            replace(about, given=(*about.given, *_conditions(named))),
+            {name: f"E({product})" for name, product in named.shown().items()},
             question(_over([{x: values[x][k] for x in random} for k in range(3)])),
             tuple(special),
             _is_law(reading.tree) or any(others),
@@ -148,33 +146,11 @@ def _is_law(tree: Tree) -> bool:
     return is_made_of(tree, is_own, is_number)
 
 
-class _Named:
-    """Letters for moments."""
-
-    def __init__(self, letter: str) -> None:
-        self.letter, self.names = letter, dict[Monomial, str]()
-
-    def __call__(self, monomial: Monomial) -> Tree:
-        number = len(self.names) + 1
-        name = f"{self.letter}_{number}" if number < 10 else f"{self.letter}_{{{number}}}"
-        return Name(self.names.setdefault(monomial, name))
-
-    def meant(self) -> dict[str, str]:
-        """What each letter is, as E(X^2 Y)."""
-        powers = {
-            monomial: " ".join(x if n == 1 else f"{x}^{n}" for x, n in Counter(monomial).items())
-            for monomial in self.names
-        }
-        return {name: f"E({powers[monomial]})" for monomial, name in self.names.items()}
-
-    def conditions(self) -> Iterator[str]:
-        """That no mean square is below the square of the mean."""
-        for monomial, name in self.names.items():
-            if len(monomial) == 1:
-                square = self.names.get(monomial * 2)
-                yield from () if square is None else (rf"{square} \ge {name}^2",)
-            elif all(n % 2 == 0 for n in Counter(monomial).values()):
-                yield rf"{name} \ge 0"
+def _conditions(named: Named) -> Iterator[str]:
+    """That no mean square is below the square of the mean."""
+    for factors, square in named.even():
+        mean = named.names.get(factors[:1]) if len(factors) == 2 else None
+        yield rf"{square} \ge {mean}^2" if mean else rf"{square} \ge 0"
 
 
 def _over(outcomes: Sequence[Mapping[str, Tree]]) -> Moments:
@@ -190,9 +166,19 @@ def _over(outcomes: Sequence[Mapping[str, Tree]]) -> Moments:
 def _put(tree: Tree, random: set[str], moment: Moments) -> Tree:
     """The same with sums of multiples of moments for expectations, variances and covariances."""
 
+    def put(part: Tree) -> Tree:
+        return _put(part, random, moment)
+
+    def own(part: Tree) -> str:
+        if not isinstance(part, Name) or part.letter not in random or part.dots or part.primes or part.subscripts:
+            return ""
+        return part.letter
+
+    def with_numbers(part: Tree) -> Tree:
+        return put(part) if _arguments(part) else with_children(part, tuple(map(with_numbers, children(part))))
+
     def expected(argument: Tree) -> Tree:
-        addends = ((each, monomial) for monomial, each in _expanded(argument, random, moment))
-        return Add((Number("0"), *(Mul((each, moment(monomial))) if monomial else each for each, monomial in addends)))
+        return total(expanded(with_numbers(argument), own, put), lambda monomial: moment(monomial) if monomial else ONE)
 
     match _head(tree) if _arguments(tree) else "", _arguments(tree):
         case head, (u,) if head in MEANS:
@@ -203,32 +189,4 @@ def _put(tree: Tree, random: set[str], moment: Moments) -> Tree:
             return Add((expected(Mul((u, v))), Neg(Mul((expected(u), expected(v))))))
     if isinstance(tree, Name) and tree.letter in random:
         raise NoForm(f"{tree.letter} varies, and is no number")
-    return with_children(tree, tuple(_put(each, random, moment) for each in children(tree)))
-
-
-def _expanded(tree: Tree, random: set[str], moment: Moments) -> list[tuple[Monomial, Tree]]:
-    """Products of random variables, each with what it is multiplied with."""
-
-    def below(part: Tree) -> list[tuple[Monomial, Tree]]:
-        return _expanded(part, random, moment)
-
-    if _arguments(tree) or not any(isinstance(x, Name) and x.letter in random for x in nodes(tree)):
-        return [((), _put(tree, random, moment))]
-    match tree:
-        case Name() if not (tree.dots or tree.primes or tree.subscripts):
-            return [((tree.letter,), Number("1"))]
-        case Add(terms):
-            return [each for term in terms for each in below(term)]
-        case Neg(value):
-            return [(monomial, Neg(each)) for monomial, each in below(value)]
-        case Div(top, bottom):
-            return [(monomial, Div(each, _put(bottom, random, moment))) for monomial, each in below(top)]
-        case Mul(factors):
-            found: list[tuple[Monomial, Tree]] = [((), Number("1"))]
-            for factor in factors:
-                more = below(factor)
-                found = [(tuple(sorted(a + b)), Mul((x, y))) for a, x in found for b, y in more]
-            return found
-        case Pow(base, Number(text)) if text.isdigit() and 0 < int(text) <= HIGHEST:
-            return below(Mul((base,) * int(text)))
-    raise NoForm(f"{to_latex(tree)}: the expectation of what is no sum of products")
+    return with_children(tree, tuple(map(put, children(tree))))
