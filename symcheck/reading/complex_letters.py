@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from symcheck.reading import tex
 from symcheck.reading.notation import SAID
-from symcheck.reading.occurrences import occurrences
+from symcheck.reading.occurrences import Occurrence, occurrences
 from symcheck.reading.sides import CLOSE, OPEN, alone, equated
 
 # a conjugate: "\bar{z}", or by its tokens "z ^ *"
@@ -24,6 +24,7 @@ _PARTS = re.compile(
 _LINE = re.compile(r"\\overline\{((?:[^{}]|\{\w+\})*)\}")
 # one letter with its subscript
 _LETTER = re.compile(r"(?:[A-Za-z]|\\[A-Za-z]+)(?:_(?:\{\w+\}|\w))?")
+_INDICES = frozenset("ijklmnpqrs")
 _LENGTH = re.compile(r"\||\\[lr]?vert(?![A-Za-z])")  # bars of an absolute value
 # the part of one letter
 _ALONE = re.compile(r"\s*[({]?\s*(\\?[A-Za-z]+(?:\s*_\s*(?:\w+|\{[\w\s]+\}))?)\s*[)}]?\s*(?=$|[-+=<>,.]|\\[lg])")
@@ -69,7 +70,7 @@ def complexes(
         key: own for key in letters for m in [_CONJUGATE.fullmatch(key)] if m and (own := m[1] or m[2]) in letters
     }
     plain = [_without_real(formula) for formula in formulas if _ORDER.search(formula)]
-    ordered = {place.word for formula in plain for place in occurrences(formula)}
+    ordered = {x for formula in plain for place in occurrences(formula) for x in _letters_at(place)}
     free = {x for x in letters if x not in ordered and x not in conjugates}
     certain = dict.fromkeys(said, SAID)
     parts = [m[1] for f in formulas for part in _PARTS.finditer(f) if (m := _ALONE.match(f, part.end()))]
@@ -86,11 +87,19 @@ def complexes(
         for x, other in equated(formulas):
             if x not in free or x in certain:
                 continue
-            if {place.word for place in occurrences(_without_real(other))} & {*units, *certain}:
+            beside = {each for place in occurrences(_without_real(other)) for each in _letters_at(place)}
+            if beside & {*units, *certain}:
                 certain[x] = "it is equal to something complex"
                 found = True
     possible = [*dict.fromkeys(x for x in conjugates.values() if x in free and x not in certain)]
     return Complexes(certain, possible, conjugates)
+
+
+def _letters_at(place: Occurrence) -> Collection[str]:
+    """The spellings of the letters that a place speaks of: E_0 is another one than E, and E_k is not."""
+    below = place.subscript or ()
+    labelled = below and not any(text in _INDICES for text in below)
+    return (place.word + tex.subscript(below),) if labelled else (place.word, place.word + tex.subscript(below))
 
 
 def with_products_under_lines(formulas: Sequence[str], said: Collection[str]) -> list[str]:

@@ -46,7 +46,7 @@ _SIGN = re.compile(
 # what shows that letters are vectors
 _OF_VECTORS = re.compile(r"\\(?:mathbf|bm|boldsymbol|vec|nabla|hat|pmb|bar)(?![A-Za-z])")
 # weights and gravity, gases, circuits, ways and times
-_USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]M?|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
+_USUAL = re.compile(r".*mg.*|[Mm]g[hl]?|G[Mm]{1,2}|[nz]?RT|kT|RC|LC|r\w|i[A-Z]?\w")
 _GREEK = frozenset({"mu", "nu", "xi", "pi"})  # typed without a backslash
 # in italics, without brackets
 _SPELLED = frozenset({
@@ -105,6 +105,8 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     for run in _abbreviated(several, runs):
         found |= dict.fromkeys(run, _told(run))
     for run in several:
+        if run[0] in "ij" and any(map(re.compile(rf"(?<![A-Za-z])e \^ \{{ (?:- )?{' '.join(run)}").search, formulas)):
+            continue  # the imaginary unit and what it is multiplied with
         alone = {x for x in run if not _stands_elsewhere(x, run, runs)}
         if not alone and _CAPITAL_FIRST.fullmatch(run) and _is_numbered(run[1], texts):
             alone = set() if _is_numbered(" ".join(run), texts) else {run[1]}
