@@ -184,6 +184,10 @@ _GREEK_INDICES = frozenset({r"\mu", r"\nu", r"\alpha", r"\beta", r"\rho", r"\sig
 _INDICES_BELOW = re.compile(r"_ (\\[a-z]+|\{ \\[a-z]+(?: (?:, )?\\[a-z]+)* \})")
 # one of several factors with its exponent: `x_i^{a_i}`
 _ITS_EXPONENT = re.compile(r"\\?[A-Za-z]+ _ (?:\{ )?([i-n])(?: \})? \^ (?:[a-z]|\\[a-z]+) _ (?:\{ )?\1(?: \})?")
+# a Greek letter, but none that counts steps, and a number
+_ONE_MORE_OR_LESS = re.compile(
+    r"\d+ [-+] \\(?:alpha|beta|gamma|delta|theta|lambda)|\\(?:alpha|beta|gamma|delta|theta|lambda) [-+] \d+"
+)
 # an exponent of one of several powers, which is named by its base
 _EXPONENT = re.compile(r"\\(?:alpha|beta|gamma) _ (?:[A-Z]|\{ (?:[A-Z]|\\[a-z]+ \{[^{}]*\}|[a-z](?: [a-z])+) \})")
 # a capital in upright letters, by itself or with an index
@@ -250,8 +254,10 @@ class Told:
 
 
 def _is_power(above: Sequence[str]) -> bool:
-    """Is this superscript a power for certain, as 2n and N + 2 are?"""
+    """Is this superscript a power for certain, as 2n, N + 2 and gamma - 1 are?"""
     texts = [text for text in above if text not in SPACES]
+    if _ONE_MORE_OR_LESS.fullmatch(" ".join(texts)):
+        return True
     mixed = any(text.isalpha() for text in texts) and any(text.isdigit() for text in texts)
     return mixed and all(text.isalnum() or text in "+-" for text in texts) and not _letters(texts)
 
