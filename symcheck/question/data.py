@@ -19,7 +19,7 @@ LETTERS = ("S", "U", "W", "Q")
 
 def with_sums_of_powers(asked: Asked) -> Asked | None:
     """The question with letters for sums of powers of data; None if there are none, or something else is summed."""
-    if r"\sum" not in asked.relation:
+    if not any(r"\sum" in text for text in (asked.relation, *asked.where)):
         return None
     with suppress(SymcheckError, StopIteration):
         reading = unlowered(asked)[0]
