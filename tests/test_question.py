@@ -1019,3 +1019,27 @@ def test_what_definitions_say_is_used_as_it_is_printed(
     relation: str, where: tuple[str, ...], given: tuple[str, ...], verdict: str
 ) -> None:
     assert decide(relation, where=where, given=given).verdict == verdict
+
+
+POTENTIALS = (
+    r"\mathbf{E} = -\nabla\phi - \frac{\partial\mathbf{A}}{\partial t}",
+    r"\mathbf{B} = \nabla\times\mathbf{A}",
+)
+
+
+@pytest.mark.parametrize(
+    ("relation", "where", "verdict"),
+    [
+        (r"\nabla\times\mathbf{E} = -\frac{\partial\mathbf{B}}{\partial t}", POTENTIALS, "proved"),
+        (r"\nabla\times\mathbf{E} = \frac{\partial\mathbf{B}}{\partial t}", POTENTIALS, "refuted"),
+        (r"\nabla\times\mathbf{E} = -\frac{\partial\mathbf{B}}{\partial t}", (), "undecided"),  # a law
+        (
+            r"\nabla\cdot\frac{\partial\mathbf{A}}{\partial t} = \frac{\partial}{\partial t}\nabla\cdot\mathbf{A}",
+            (),
+            "proved",
+        ),
+        (r"\frac{\partial\rho}{\partial t} = -\nabla\cdot\mathbf{J}", (), "undecided"),
+    ],
+)
+def test_fields_may_depend_on_time(relation: str, where: tuple[str, ...], verdict: str) -> None:
+    assert decide(relation, where=where).verdict == verdict

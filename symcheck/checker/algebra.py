@@ -348,8 +348,6 @@ def sign(term: Term, told: Callable[[Term, int], int] | None = None) -> int:
             level = min(sign(top, told), 2 * bool(sign(bottom, told)))
         case Value(tag="^", terms=(base, int(n))) if n > 0:
             level = sign(base, told) or int(n % 2 == 0)
-        case Value(tag="sqrt", terms=(inner,)):
-            level = sign(inner, told)
     return level if level == 2 or told is None else told(term, level)
 
 

@@ -41,9 +41,8 @@ def sign(state: State, term: Term) -> Sign | None:
             found = _of_quotient(state, top, bottom)
         case Value(tag="^", terms=(base, int(n))) if n > 0:
             found = _of_power(state, base, n)
-        case Value(tag="sqrt", terms=(inner,)) if radicand := sign(state, inner):
-            proof = f"(sqrt_lt_R0 _ {radicand.proof})" if radicand.level == 2 else f"(sqrt_pos ({spelled(inner)}))"
-            return Sign(radicand.level, proof)
+        case Value(tag="sqrt", terms=(inner,)) if radicand := positive(state, inner):
+            return Sign(2, f"(sqrt_lt_R0 _ {radicand})")
     return found or _by_fact(state, term)
 
 

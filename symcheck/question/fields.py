@@ -1,9 +1,10 @@
 """Relations between fields in Cartesian coordinates: gradients, divergences, curls and Laplacians written out.
 
-Letters under such an operator are functions of x, y and z, bold ones with three components; a bold r is the position,
-and a plain letter beside the same one in bold its length. What is proved holds for all smooth fields. What fails for
-some of them is refuted where it can be no law and no condition: all its addends have the same fields in them, and are
-differentiated as often; or it is about the position and constants alone.
+Letters under such an operator are functions of x, y and z, and of t where something is differentiated by it, bold ones
+with three components; a bold r is the position, and a plain letter beside the same one in bold its length. What is
+proved holds for all smooth fields. What fails for some of them is refuted where it can be no law and no condition: all
+its addends have the same fields in them, and are differentiated as often; or definitions say what all of them are; or
+it is about the position and constants alone.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from symcheck.core.verdicts import NoForm, SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.question.answer import Answer, Status
 from symcheck.question.prepare import DEFINED, Asked, Reading, unlowered
-from symcheck.reading import Tree, read, with_brackets
+from symcheck.reading import Tree, read, tex, with_brackets
 from symcheck.reading.components import Value, dot, each_part, minus, plus, times
 from symcheck.reading.faces import face
 from symcheck.reading.forms import is_of_value
@@ -35,6 +36,7 @@ Degree = tuple[tuple[str, ...], int]  # the fields of an addend, and how often i
 COORDINATES = ("x", "y", "z")
 PLANE = ("x", "y")
 NABLA, POSITION = r"\nabla", "r"
+TIME, RATE = "t", r"\partial t"
 OPERATORS = {"grad": 1, "div": 1, "curl": 1, "rot": 1, "laplacian": 2}  # and how often they differentiate
 FEW = 3  # letters of which each may be constant, or not
 # an operator on fields
@@ -55,7 +57,9 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
         constant = {x for x, phrase in asked.letters if phrase in ("constant", "scalar")}
         stated = _Stated.of(reading, _under_operators(reading) - constant)
         verdict, made, names = _verdict(stated.problems(), decide)
-        perhaps = stated.fields - varying - _alone(reading.tree)  # what stands alone under an operator varies
+        said = [read(right, reading.inference.notation) for _, _, right in reading.source[2].values()]
+        perhaps = stated.fields - varying  # what stands alone under an operator varies, and what is defined as it says
+        perhaps = perhaps.difference(reading.source[2], *map(_alone, (reading.tree, *said)))
         others = [_Stated.of(reading, each) for each in _fewer(stated.fields, perhaps) if verdict is not Status.PROVED]
         answers = [_verdict(each.problems(), decide)[0] for each in others]
     except SymcheckError:
@@ -69,6 +73,7 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
     if verdict is Status.REFUTED and _verdict(stated.without_sources(), decide)[0] is Status.PROVED:
         return replace(base, verdict=Status.AMBIGUOUS, reason="it holds where divergences are zero: is that meant?")
     calculated = stated.about_position and perhaps == stated.fields and {*answers} <= {Status.REFUTED}
+    calculated = calculated or stated.is_of_defined()
     if verdict is Status.REFUTED and (stated.hypotheses or not (calculated or stated.is_even())):
         return replace(base, reason=LAW)
     if not made:
@@ -110,7 +115,7 @@ def _read(asked: Asked) -> Reading:
 def _applied(tree: Tree) -> Iterator[str]:
     """The letters with arguments, as `f(r)`."""
     for part in nodes(tree):
-        if isinstance(part, Call) and isinstance(part.function, Name):
+        if isinstance(part, Call) and isinstance(part.function, Name) and part.arguments:
             yield part.function.letter
 
 
@@ -130,7 +135,15 @@ def _alone(tree: Tree) -> set[str]:
             operands += [after for before, after in pairwise(part.factors) if _along(before)]
         if isinstance(part, Name) and part.letter.startswith(NABLA):
             operands.append(Name(part.letter.removeprefix(NABLA).replace(" ", "")))
+        if isinstance(part, Derivative):
+            operands.append(part.body)
+    operands = [each.function if _is_name(each) else each for each in operands]  # type: ignore[attr-defined]
     return {each.letter for each in operands if isinstance(each, Name)}
+
+
+def _is_name(tree: Tree) -> bool:
+    """Is it a letter that is a function, without its arguments?"""
+    return isinstance(tree, Call) and isinstance(tree.function, Name) and not tree.arguments
 
 
 def _under_operators(reading: Reading) -> frozenset[str]:
@@ -141,6 +154,8 @@ def _under_operators(reading: Reading) -> frozenset[str]:
     for part in (part for tree in (reading.tree, *said.values()) for part in nodes(tree)):
         if isinstance(part, Call) and part.function in OPERATORS:
             found |= {each.letter for argument in part.arguments for each in nodes(argument) if isinstance(each, Name)}
+        elif isinstance(part, Derivative):
+            found |= {each.letter for each in nodes(part.body) if isinstance(each, Name)}
         elif isinstance(part, Name) and part.letter.startswith(NABLA):
             found.add(part.letter)
         elif isinstance(part, Mul) and any(map(_along, part.factors)):
@@ -148,7 +163,7 @@ def _under_operators(reading: Reading) -> frozenset[str]:
             found |= {x.letter for each in part.factors[k + 1 :] for x in nodes(each) if isinstance(x, Name)}
     for name in [x for x in said if x in found]:
         found |= {each.letter for each in nodes(said[name]) if isinstance(each, Name)}
-    bare = {x.removeprefix(NABLA).replace(" ", "") for x in found} - {"", POSITION, *COORDINATES}
+    bare = {x.removeprefix(NABLA).replace(" ", "") for x in found} - {"", POSITION, TIME, *COORDINATES}
     exponents = (part.exponent for part in nodes(reading.tree) if isinstance(part, Pow))
     raised = {each.letter for exponent in exponents for each in nodes(exponent) if isinstance(each, Name)}
     bare -= raised - _alone(reading.tree)  # an exponent is a number, unless it is differentiated itself
@@ -231,6 +246,16 @@ class _Stated:
                     found[latex] = PLACE if _bold(latex) == POSITION else FIELD if latex in self.fields else CONSTANT
         return found
 
+    def is_of_defined(self) -> bool:
+        """Whether definitions say what all fields in the relation are."""
+        names = {
+            part.letter.removeprefix(NABLA).replace(" ", "")
+            for part in nodes(self.reading.tree)
+            if isinstance(part, Name)
+        }
+        own = self.fields & names
+        return bool(own) and own <= self.reading.source[2].keys()
+
     def is_even(self) -> bool:
         """Whether all addends have the same fields, differentiated as often."""
         if not isinstance(self.reading.tree, Chain):
@@ -265,6 +290,11 @@ class _Stated:
                 return _products(self.degrees(left), self.degrees(right))
             case Call(str(name), (inner,)) if name in OPERATORS:
                 return {(fields, order + OPERATORS[name]) for fields, order in self.degrees(inner)}
+            case Call(Name() as letter, ()):
+                return self.degrees(letter)
+            case Derivative(body, variables):
+                rates = (RATE,) * sum(order for _, order in variables)
+                return {(tuple(sorted((*rates, *fields))), order) for fields, order in self.degrees(body)}
         raise NoForm("no sum of products of fields")
 
 
@@ -281,12 +311,15 @@ class _Fields(Lowering):
     def __init__(self, reading: Reading, fields: frozenset[str], coordinates: tuple[str, ...]) -> None:
         super().__init__(reading.inference.notation)
         self.fields, self.coordinates, self.meant = fields, coordinates, dict[str, Tree]()
+        asked = reading.source[0]
+        by_time = any(RATE in tex.compact(text) for text in (asked.relation, *asked.where, *asked.given))
+        self.variables_ = (*coordinates, TIME) if by_time else coordinates
         self.bold = {_bold(part.letter): part.letter for part in nodes(reading.tree) if isinstance(part, Name)}
 
     def formulas(self, tree: Tree) -> Iterator[Formula]:
         """The components of a relation."""
         for relation in relations(tree):
-            if any(isinstance(part, Derivative | Integral) for part in nodes(relation.tree)):
+            if any(isinstance(part, Integral) or _is_other(part) for part in nodes(relation.tree)):
                 raise NoForm("other derivatives beside fields")
             yield from self.whole(relation)
 
@@ -325,7 +358,13 @@ class _Fields(Lowering):
 
     def field(self, latex: str, name: str) -> Term:
         """A component: a function of the coordinates, or a constant."""
-        return node("call", name, (0,) * len(self.coordinates), *self.coordinates) if latex in self.fields else name
+        return node("call", name, (0,) * len(self.variables_), *self.variables_) if latex in self.fields else name
+
+    def of_derivative(self, tree: Derivative, env: Env) -> Value:
+        value = self.value(tree.body, env)
+        for _ in range(sum(order for _, order in tree.variables)):
+            value = each_part(lambda t: _slope(t, TIME), value)
+        return value
 
     def gradient(self, value: Value) -> Value:
         if isinstance(value, list):
@@ -335,6 +374,8 @@ class _Fields(Lowering):
     def of_call(self, tree: Call, env: Env) -> Value:
         name = tree.function
         if isinstance(name, Name):
+            if not tree.arguments:
+                return self.of_name(name, env)
             if name.letter.startswith(NABLA):
                 bare = Name(name.letter.removeprefix(NABLA).replace(" ", ""))
                 return self.gradient(self.of_call(Call(bare, tree.arguments), env))
@@ -376,6 +417,11 @@ class _Fields(Lowering):
         if any(_along(pair[0]) for pair in pairwise(tree.factors)) or any(x == Name(NABLA) for x in tree.factors):
             raise NoForm("an operator before nothing")
         return super().of_mul(tree, env)
+
+
+def _is_other(tree: Tree) -> bool:
+    """Is it a derivative, and not by time?"""
+    return isinstance(tree, Derivative) and any(by != Name(TIME) for by, _ in tree.variables)
 
 
 def _joined(factors: tuple[Tree, ...]) -> Tree:
