@@ -1026,6 +1026,12 @@ POTENTIALS = (
     r"\mathbf{B} = \nabla\times\mathbf{A}",
 )
 
+WAVES = (
+    r"\nabla\times\mathbf{E} = -\frac{\partial\mathbf{B}}{\partial t}",
+    r"\nabla\times\mathbf{B} = \mu\epsilon\frac{\partial\mathbf{E}}{\partial t}",
+    r"\nabla\cdot\mathbf{E} = 0",
+)
+
 
 @pytest.mark.parametrize(
     ("relation", "where", "verdict"),
@@ -1039,6 +1045,10 @@ POTENTIALS = (
             "proved",
         ),
         (r"\frac{\partial\rho}{\partial t} = -\nabla\cdot\mathbf{J}", (), "undecided"),
+        (r"\nabla\cdot\mathbf{J} = 0", (r"\nabla\times\mathbf{H} = \mathbf{J}",), "proved"),
+        (r"\nabla\cdot\mathbf{v} = 0", (r"\nabla\cdot\mathbf{v} = \nabla\cdot\mathbf{u}",), "undecided"),
+        (r"\nabla^2\mathbf{E} = \mu\epsilon\frac{\partial^2\mathbf{E}}{\partial t^2}", WAVES, "proved"),
+        (r"\nabla^2\mathbf{E} = -\mu\epsilon\frac{\partial^2\mathbf{E}}{\partial t^2}", WAVES, "undecided"),
     ],
 )
 def test_fields_may_depend_on_time(relation: str, where: tuple[str, ...], verdict: str) -> None:

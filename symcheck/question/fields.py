@@ -57,7 +57,11 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
         constant = {x for x, phrase in asked.letters if phrase in ("constant", "scalar")}
         stated = _Stated.of(reading, _under_operators(reading) - constant)
         verdict, made, names = _verdict(stated.problems(), decide)
-        said = [read(right, reading.inference.notation) for _, _, right in reading.source[2].values()]
+        if verdict is not Status.PROVED and stated.hypotheses:  # equations between fields hold everywhere
+            more = _verdict(stated.differentiated().problems(), decide)
+            verdict, made, names = more if more[0] is Status.PROVED else (verdict, made, names)
+        texts = [*(right for _, _, right in reading.source[2].values()), *reading.source[3], *reading.source[4]]
+        said = [read(text, reading.inference.notation) for text in texts]
         perhaps = stated.fields - varying  # what stands alone under an operator varies, and what is defined as it says
         perhaps = perhaps.difference(reading.source[2], *map(_alone, (reading.tree, *said)))
         others = [_Stated.of(reading, each) for each in _fewer(stated.fields, perhaps) if verdict is not Status.PROVED]
@@ -148,10 +152,11 @@ def _is_name(tree: Tree) -> bool:
 
 def _under_operators(reading: Reading) -> frozenset[str]:
     """The letters that are differentiated, and those that say what these are."""
-    notation, (_, _, defined, *_) = reading.inference.notation, reading.source
+    notation, (_, _, defined, *others) = reading.inference.notation, reading.source
     said = {name: read(right, notation) for name, (_, _, right) in defined.items()}
+    given = [read(text, notation) for texts in others for text in texts]
     found = set[str]()
-    for part in (part for tree in (reading.tree, *said.values()) for part in nodes(tree)):
+    for part in (part for tree in (reading.tree, *said.values(), *given) for part in nodes(tree)):
         if isinstance(part, Call) and part.function in OPERATORS:
             found |= {each.letter for argument in part.arguments for each in nodes(argument) if isinstance(each, Name)}
         elif isinstance(part, Derivative):
@@ -228,6 +233,15 @@ class _Stated:
         valued = tuple(dict.fromkeys(each for each in domain(*trees, divisors=True) if not functions(each)))
         hypotheses = (*self.hypotheses, (DEFINED, valued)) if valued else self.hypotheses
         return [Problem(f"question{n or ''}", claim, (), hypotheses) for n, claim in enumerate(self.claims)]
+
+    def differentiated(self) -> _Stated:
+        """The same with the derivatives of the equations that are given."""
+        variables = _Fields(self.reading, self.fields, COORDINATES).variables_
+        hypotheses = [
+            (text, (*formulas, *(_rate(each, x) for each in formulas for x in variables if each.tag == "=")))
+            for text, formulas in self.hypotheses
+        ]
+        return replace(self, hypotheses=tuple(hypotheses))
 
     def without_sources(self) -> list[Problem]:
         """The same where vector fields have no divergence, which need not be said of a flow or a magnetic field."""
@@ -431,6 +445,10 @@ def _joined(factors: tuple[Tree, ...]) -> Tree:
 def _stem(latex: str) -> str:
     """The letter without its type, as a name."""
     return "_".join(re.findall(r"[A-Za-z0-9]+", _bold(latex) or latex))
+
+
+def _rate(equation: Formula, by: str) -> Formula:
+    return node("=", *(_slope(side, by) for side in equation.outside))
 
 
 def _slope(term: Term, by: str) -> Term:
