@@ -7,6 +7,7 @@ import pytest
 from symcheck import decide
 
 MEAN = r"\mu = \mathbb{E}[X]"
+CORRELATION = r"\rho = \frac{\operatorname{Cov}(X, Y)}{\sqrt{\operatorname{Var}(X) \operatorname{Var}(Y)}}"
 SPREAD = (r"\operatorname{Var}(X) = \sigma^2", r"E[X] = \mu")
 
 
@@ -25,6 +26,9 @@ SPREAD = (r"\operatorname{Var}(X) = \sigma^2", r"E[X] = \mu")
         (r"E[X^2] = \sigma^2 + \mu^2", SPREAD, "proved"),
         (r"\mathbb{E}[X^2] \ge \mathbb{E}[X]^2", (), "proved"),
         (r"E[aX + bY] = a E[X] - b E[Y]", (), "refuted"),
+        (r"(\operatorname{Cov}(X, Y))^2 \le \operatorname{Var}(X) \operatorname{Var}(Y)", (), "proved"),
+        (r"2 E[XY]^2 \le E[X^2] E[Y^2]", (), "refuted"),
+        (r"\rho^2 \le 1", CORRELATION, "proved"),
         (r"\operatorname{Var}(X/n) = \frac{\operatorname{Var}(X)}{n}", (), "refuted"),
     ],
 )
@@ -46,6 +50,7 @@ def test_laws_of_expectations_are_decided(relation: str, where: str, verdict: st
         ),  # which of them varies?
         (r"\operatorname{Var}(e^X) = 0", "undecided", "no algebraic form"),
         (r"E(x) = x^2 - 2x", "undecided", "definition"),
+        (r"E[n + 1] = E[n] + 1", "undecided", "or times it?"),  # of a sequence
     ],
 )
 def test_what_may_be_said_of_some_variables_is_not_refuted(relation: str, verdict: str, reason: str) -> None:

@@ -1,7 +1,7 @@
 r"""Expectations, variances and covariances by moments: that of (aX + b)^2 is a^2 E(X^2) + 2ab E(X) + b^2.
 
-What holds of any numbers in the places of the moments, of which a mean square is not below the square of the mean,
-holds of all random variables that have these moments. What is false is so of variables with a few values that are
+What holds of any numbers in the places of the moments for which Schwarz's inequality holds is so of all random
+variables that have these moments. What is false is so of variables with a few values that are
 equally likely. What is left to trust is that expectations are linear.
 """
 
@@ -74,17 +74,19 @@ class Found:
 
 def in_moments(asked: Asked) -> Found | None:
     """The question about expectations as one about moments; None if there are none."""
-    if not _SIGN.search(asked.relation):
+    if not any(map(_SIGN.search, (asked.relation, *asked.where))):
         return None
     with suppress(SymcheckError, StopIteration):
         reading = unlowered(asked)[0]
         trees = [reading.tree, *(read(text, reading.inference.notation) for text in (*asked.where, *asked.given))]
         own, *others = ([(_head(part), u) for part in nodes(tree) for u in _arguments(part)] for tree in trees)
         inside = [*own, *(each for several in others for each in several)]
-        if not own or not any(_is_certain(part) for tree in trees for part in nodes(tree)):
+        if not inside or not any(_is_certain(part) for tree in trees for part in nodes(tree)):
             return None
         within = {x.letter for _, u in inside for x in nodes(u) if isinstance(x, Name)} - MEANS
-        random = sorted(filter(_RANDOM.fullmatch, within)) or (sorted(within) if len(within) == 1 else [])
+        certain = any(head != "E" for head, _ in inside)  # E[n + 1] may be of a sequence
+        random = sorted(x for x in within if _RANDOM.fullmatch(x) and (certain or x[0] in "UVWXYZ"))
+        random = random or (sorted(within) if certain and len(within) == 1 else [])
         if not 0 < len(random) <= MOST:
             return None
         taken = {token for text in (asked.relation, *asked.where, *asked.given) for token in tex.texts(text)}
@@ -147,10 +149,17 @@ def _is_law(tree: Tree) -> bool:
 
 
 def _conditions(named: Named) -> Iterator[str]:
-    """That no mean square is below the square of the mean."""
+    """That mean squares are not negative, nor those of the differences from means, and Schwarz's inequality."""
+    names = named.names
     for factors, square in named.even():
-        mean = named.names.get(factors[:1]) if len(factors) == 2 else None
+        mean = names.get(factors[:1]) if len(factors) == 2 else None
         yield rf"{square} \ge {mean}^2" if mean else rf"{square} \ge 0"
+    for (x, y), of_both in ((each, name) for each, name in names.items() if len(each) == 2 and each[0] != each[1]):
+        if (x, x) in names and (y, y) in names:
+            yield rf"{of_both}^2 \le {names[x, x]} {names[y, y]}"
+            if (x,) in names and (y,) in names:
+                a, b = names[x,], names[y,]
+                yield rf"({of_both} - {a} {b})^2 \le ({names[x, x]} - {a}^2)({names[y, y]} - {b}^2)"
 
 
 def _over(outcomes: Sequence[Mapping[str, Tree]]) -> Moments:
