@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import combinations
 
 from symcheck.core.calculus import letters
+from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Problem
-from symcheck.core.terms import PI, Node, T, Term, mapped, node
+from symcheck.core.terms import PI, Formula, Node, Relation, T, Term, mapped, node
 from symcheck.question.jets import parts
 
 WHOLE = "whole"  # the name of the condition that letters are whole numbers
@@ -21,12 +23,29 @@ def with_half_turns(problem: Problem, names: Iterable[str]) -> Problem | None:
     whole = sorted(free & {*names})
     if not whole or not any(part.tag in _TURNING for tree in trees for part in parts(tree)):
         return None
-    said = tuple(node("=", node("sin", node("*", PI, x)), 0) for x in whole)
+    said = (*(node("=", node("sin", node("*", PI, x)), 0) for x in whole), *_positive(problem))
     hypotheses = tuple((name, tuple(map(_parted, formulas))) for name, formulas in problem.hypotheses)
     definitions = tuple((name, _parted(term)) for name, term in problem.definitions)
     return replace(
         problem, claim=_parted(problem.claim), hypotheses=(*hypotheses, (WHOLE, said)), definitions=definitions
     )
+
+
+def _positive(problem: Problem) -> Iterator[Formula]:
+    """Of numbers that are not negative, those from 1 on are positive, and so is the sum of two different ones."""
+    stated = {formula for _, formulas in problem.hypotheses for each in formulas for formula in conjuncts(each)}
+    lowest = {x: low for formula in stated for x, low in _low(formula)}
+    yield from (node(">", x, 0) for x, low in sorted(lowest.items()) if low > 0)
+    for x, y in combinations(sorted(lowest), 2):
+        if {node("!=", x, y), node("!=", y, x)} & stated:
+            yield node(">", node("+", x, y), 0)
+
+
+def _low(formula: Formula) -> Iterator[tuple[str, int]]:
+    match formula:
+        case Relation(tag=">=" | ">", terms=(str(x), int(low))) | Relation(tag="<=" | "<", terms=(int(low), str(x))):
+            if low >= 0:
+                yield x, low
 
 
 def _parted(tree: T) -> T:
