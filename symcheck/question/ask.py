@@ -37,6 +37,7 @@ from symcheck.question import (
     known_integrals,
     named,
     orders,
+    orthogonal,
     power_series,
     series,
     special,
@@ -284,6 +285,8 @@ def _answered(
             return replace(_of_events(of_events, asked), seconds=time.perf_counter() - started)
         if (of_moments := expectations.in_moments(asked)) is not None:
             return replace(_of_moments(of_moments, asked), seconds=time.perf_counter() - started)
+        if (of_cases := orthogonal.in_cases(asked)) is not None:
+            return replace(_of_equal_and_different(of_cases, asked), seconds=time.perf_counter() - started)
         if (of_orders := orders.ordered(asked)) is not None:
             return replace(_of_order(of_orders), seconds=time.perf_counter() - started)
         if (whole := with_whole_numbers(asked)) is not None:
@@ -406,6 +409,27 @@ def _of_moments(found: expectations.Found, asked: Asked) -> Answer:
     if answer.verdict is not Status.REFUTED:
         return replace(proved, verdict=Status.UNDECIDED, counterexample={}, certificate=(), reason=UNSETTLED)
     return _unless_special(answer, asked, found.special, law=found.law)
+
+
+def _of_equal_and_different(found: orthogonal.Cases, asked: Asked) -> Answer:
+    """The answer about a relation with Kronecker's delta, for equal letters and for different ones."""
+    m, n = found.letters
+    equal, different = (
+        answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
+        for one in (found.equal, found.different)
+    )
+    given = (*asked.where, *asked.given)
+    used = tuple(text for text in dict.fromkeys((*equal.used, *different.used)) if text in given)
+    whole = replace(different, reading=asked.relation, letters=equal.letters | different.letters, used=used)
+    if equal.verdict is Status.PROVED and different.verdict is Status.PROVED:
+        return replace(whole, certificate=(*equal.certificate, *different.certificate))
+    for case, answer in ((f"{m} = {n}", equal), (rf"{m} \ne {n}", different)):
+        if answer.verdict is Status.REFUTED:
+            point = answer.counterexample | ({n: answer.counterexample[m]} if m in answer.counterexample else {})
+            return replace(answer, reading=asked.relation, counterexample=point)
+        if answer.verdict is not Status.PROVED:
+            whole = replace(whole, verdict=answer.verdict, certificate=(), reason=f"where {case}: {answer.reason}")
+    return whole
 
 
 def _translated(one: Asked, asked: Asked, told: Mapping[str, str], meant: Mapping[str, str]) -> Answer:
