@@ -6937,7 +6937,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{array}{l} \\bar{n}_x\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\bar{n}_y\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\bar{n}_z\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\end{array}",
-        "System(Chain(Mul(\\bar{n}_x, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =), Chain(Mul(\\bar{n}_y, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =), Chain(Mul(\\bar{n}_z, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =))",
+        "System(Chain(Mul(\\bar{n}_x, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z)))); 1), 0; =), Chain(Mul(\\bar{n}_y, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z)))); 1), 0; =), Chain(Mul(\\bar{n}_z, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z)))); 1), 0; =))",
         "moorepants/learn-multibody-dynamics/lagrange.rst",
     ),
     (
@@ -35417,7 +35417,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "C_{\\textrm{projected}}(t)=v_1^T \\underline{C}(t) v_2",
-        "Chain(Call(C_{projected}; t), Mul(Transpose(v_1), Call(C; t), v_2); =)",
+        "Chain(Call(C_{projected}; t), Mul(Transpose(v_1), Call(\\underline{C}; t), v_2); =)",
         "fjosw/pyerrors/examples/06_gevp.ipynb",
     ),
     (

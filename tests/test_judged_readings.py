@@ -207,6 +207,7 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"\underline{\text{div}} (a \underline{\nabla} b) = 0": r"\text{div} (a \nabla b) = 0",
     r"y = \cos^2 \frac{1}{2} (a - b)": r"y = \cos^2 \left(\frac{1}{2} (a - b)\right)",
     r"\frac{\partial f}{\partial x}(x, y) = 2 x y": r"\frac{\partial f(x, y)}{\partial x} = 2 x y",
     r"\begin{equation} a = b. \tag{1} \end{equation}": r"a = b",
@@ -791,6 +792,34 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"m {^a} b = c": r"m {^2} b = c",
     r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",
     "C_{n} = a_1 + b_1\n\nC_{\\mu_{p}} = c_1": "C_{n} = a_1 + b_1 +\n\nC_{\\mu_{p}}",
+    r"e_{ij}^{n+1} = b e_i^{n+1}": r"e_{ij}^2 = b e_i^2",
+    r"\frac{\rho^{n+1} - \rho^n}{\Delta t} = c \rho n": r"\frac{\rho^2 - 1}{\Delta t} = c \rho^n n",
+    r"a^{n+1, 0} = a^n": r"a^{n+1, 0} = a",
+    r"y^{n(m+1)} - y^{n(m)} = a": r"y^{n(n+1)} - y^{m} = a m n",
+    r"E^X = E^\infty": r"E^X = E",
+    r"\frac{\partial c^i}{\partial t} = d_i + c^i, \quad i = 1, \ldots, 6": (
+        r"\frac{\partial c_i}{\partial t} = d_i + c_i, \quad i = 1, \ldots, 6"
+    ),
+    r"E = \sum_{i, j > i}^N \frac{C_6^{ij}}{R_{ij}^6}": r"E = \sum_{i, j > i}^N \frac{C_6}{R_{ij}^6}",
+    r"J(t, z) = f^I(t, z) + I": r"J(t, z) = f(t, z) + I",
+    r"R^1(u, v) = u R^2(u, v)": r"R_1(u, v) = u R_2(u, v)",
+    r"F = 1 - \frac{2b Ri}{1 + c}": r"F = 1 - \frac{2b R}{1 + c}",
+    r"v = \mathcal{EM}(a + b)": r"v = \mathcal{E}(a) + b",
+    r"\alpha - L^2 \Delta \alpha = 1": r"\alpha_2 - \alpha_1 = L \Delta \alpha",
+    r"s = f_i \left(\frac{a}{b}\right)^{3/2}": r"s = f_i \frac{a}{b}",
+    r"u = v \phi_h \left(\frac{z}{L}\right)": r"u = v \phi_h(z, L)",
+    r"T = R^\dagger (TX - X^\dagger TX) R": r"T = a + X^\dagger",
+    r"\hat\Theta \mathbf{H} = a \mathbf{H}": r"\hat\Theta = a",
+    r"\psi_i(x) = C_{\mu i} \phi_\mu(x)": r"\psi_i(x) = C_i \phi_i(x)",
+    r"E = \frac{f_{ia} f_{ia}}{e_a - e_i}": r"E = \frac{f_{ia}^2}{e_a - e_i}",
+    r"u_t(t, 0, y) = 0": r"u(t, 0, y) = 0",
+    r"p = \phi_r + \frac{1}{r} \phi_\theta": r"p = \phi_r + \frac{1}{r}",
+    r"B = \begin{pmatrix} I_n + A_0 & A_1 \\ 0 & I_m \end{pmatrix}": (
+        r"B = \begin{pmatrix} I_{11} & I_{12} \\ 0 & I_{22} \end{pmatrix}"
+    ),
+    r"z_n = h q(t_n, y_n) + \sum_{i=1}^q a_i z_{n-i}": r"z_n = h q(t_n, y_n) + \sum_{i=1}^p a_i z_{n-i}",
+    r"\underline{a} = \underline{b}": r"\underline{a} = \underline{\nabla} b",
+    r"\underline{w}^n \cdot \underline{S} = a": r"\underline{w} \cdot \underline{S} = a",
 }
 
 
@@ -804,3 +833,34 @@ def test_what_nothing_shows_is_in_doubt(latex: str) -> None:
 @pytest.mark.parametrize("word", ["log_sigmoid", "mean_t"])
 def test_a_word_that_begins_like_a_function_has_a_variable_of_its_own(word: str) -> None:
     assert lower(*first_reading(rf"y = \mathrm{{{word}}}(x)"))
+
+
+LINED = {  # what stands below a line is another letter, and what stands beside it is kept
+    r"\underline{a} \cdot \underline{b}_i = c": r"\underline{a} \cdot \underline{b}_j = c",
+    r"\underline{a} \cdot \underline{b}' = c": r"\underline{a} \cdot \underline{b} = c",
+    r"\underline{\underline{a}} \, \underline{b} = c": r"\underline{\underline{b}} \, \underline{a} = c",
+    r"a = \underline{a} \cdot \underline{b}": r"\underline{a} = a \cdot \underline{b}",
+    r"\underline{\nabla}_i a = \underline{b}": r"\underline{\nabla}_j a = \underline{b}",
+}
+
+
+@pytest.mark.parametrize("latex", LINED)
+def test_a_line_below_a_letter_makes_it_another_one_and_drops_no_scripts(latex: str) -> None:
+    assert lower(*first_reading(latex)) != lower(*first_reading(LINED[latex]))
+
+
+def test_lines_below_letters_make_vectors_and_matrices() -> None:
+    notation = first_reading(r"\underline{\underline{D}} \, \underline{w} = \underline{v}")[1]
+    kinds = [notation.find(each, 0) for each in (r"\underline{\underline{D}}", r"\underline{w}", r"\underline{v}")]
+    assert [each and each.kind for each in kinds] == ["matrix", "vector", "vector"]
+
+
+def test_the_last_of_the_values_of_an_index_is_equal_to_nothing_on_the_next_line() -> None:
+    tree = first_reading(r"z_i = a, \quad i = 1, \ldots, s, \\ y_n = b")[0]
+    assert bracketed(tree) == "System(Chain(z_i, a; =), Values(i; 1, Dots(), s), Chain(y_n, b; =))"
+
+
+@pytest.mark.parametrize("latex", [r"y = \arg(a, b)", r"y = \operatorname{sgn}(a, b)", r"y = \operatorname{atan2}(a)"])
+def test_functions_that_jump_have_as_many_arguments_as_they_have(latex: str) -> None:
+    with pytest.raises(SymcheckError, match="has"):
+        lower(*first_reading(latex))

@@ -19,6 +19,7 @@ from symcheck.reading.operators import operators
 from symcheck.reading.powers import raised_in_vain
 from symcheck.reading.side_by_side import doubted
 from symcheck.reading.sides import equated, without_dots
+from symcheck.reading.tensors import unsaid_products
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
@@ -316,6 +317,13 @@ _ALONE = re.compile(
 _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
+# and of potentials
+_SLOPES = re.compile(r"(\\(?:phi|psi|Phi|Psi)) _ (?:\{ )?([xyzrt]|\\theta)(?: \}|(?! [,\w]))")
+# letters with a line below them, and what shows that they are vectors
+_LINED = re.compile(r"(\\underline \{ (?:\w|\\[A-Za-z]+)(?: \{ (?:\w|\\[a-z]+) \})? \})")
+_OF_FIELDS = re.compile(
+    r"\\underline \{ \\underline|\\(?:nabla|cdot|times|otimes|vec)(?![a-z])|\{ (?:d i v|r o t|g r a d) "
+)
 _LABELS = "derivatives, or letters with a label? write them as fractions"
 _RUN = r"(?:[i-n]|\\(?:alpha|beta|mu|nu|lambda|rho|sigma|ell))"
 # two indices with a comma between them
@@ -396,6 +404,7 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
     yield from ((x if "^" in x else canonical(x), doubt) for x, doubt in operators(text))
+    yield from ((canonical(x), doubt) for x, doubt in unsaid_products(text))
     if "^" in text and " = " in text:
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
     if r"1 - \pi" in text and _WEIGHT.search(text):
@@ -472,6 +481,12 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
         said = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =")  # of what it is a function
         if not any(map(said.search, formulas)):
             found.setdefault(letter, _LABELS)
+    slopes = [each for formula in formulas for each in _SLOPES.findall(formula)]
+    for letter in {x for x, _ in slopes if len({by for y, by in slopes if y == x}) > 1}:
+        found.setdefault(letter, _LABELS)
+    lined = {x for formula in formulas if r"\underline {" in formula for x in _LINED.findall(formula)}
+    if lined and not any(map(_OF_FIELDS.search, formulas)):
+        found |= dict.fromkeys(map(canonical, lined), "a vector, or a bound? say what it is")
     integrated = [each for formula in formulas if r"\int " in formula for each in _ALONE.findall(formula)]
     if integrated:
         toks = [text for formula in formulas for text in tex.texts(formula)]
@@ -613,7 +628,8 @@ def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
     found = list(places)
     own = [k for k, place in enumerate(places) if place.role != "subscript"]
     for k, m in itertools.pairwise(own):
-        if places[k].after in (r"\cdot", r"\times") and places[m].before == places[k].after:
+        bracketed = places[k].after == r"\cdot" and places[m].before == "(" and places[m].after in ("+", "-")
+        if places[k].after in (r"\cdot", r"\times") and (places[m].before == places[k].after or bracketed):
             found[k] = replace(found[k], beside=(*found[k].beside, spelling(places[m])))
             found[m] = replace(found[m], beside=(*found[m].beside, spelling(places[k])))
     return found

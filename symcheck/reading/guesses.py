@@ -22,7 +22,7 @@ from symcheck.reading.arguments import (
 )
 from symcheck.reading.commands import LETTER_COMMANDS, OVER
 from symcheck.reading.evidence import Evidence, time
-from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
+from symcheck.reading.faces import ACCENT, HAT, TENSOR, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.occurrences import FRACTIONS, FUNCTIONS_SPELLED, INTEGRALS, Occurrence
@@ -96,6 +96,13 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
     if of.said or not of.arguments:
         return found
+    if any(place.role == "bound" and place.arguments is None for place in of.places):
+        doubt = "a function, or a number? say what it is"
+        found = [in_doubt(guess, doubt) if guess.letter.kind == "function" else guess for guess in found]
+    base, _, below = of.spelling.partition("_")
+    single = below == "t" or (below in ("x", "y", "z") and sum(_stem(x) == base for x in every) == 1)
+    if single and base not in defined and any(len(x) > 1 and below in x for x in of.arguments):
+        return [in_doubt(guess, "a derivative, or a label? write it as a fraction") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
@@ -127,6 +134,8 @@ def _before_brackets(of: Evidence, every: Mapping[str, Evidence], found: list[Gu
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     if of.spelling.endswith(r"\dagger }"):  # which is done to factors
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
+    if any(map(_raises_quotient, of.places)):
+        found = [in_doubt(guess, FACTOR) for guess in found]
     form = of.spelling not in _TYPICAL and any(map(_holds_form, of.places))
     if form or (any(map(_raises, of.places)) and _has_coefficients_beside(of, every)):
         found = [in_doubt(guess, FACTOR) for guess in found]
@@ -183,6 +192,15 @@ def _holds_form(place: Occurrence) -> bool:
     """Do the brackets behind it hold a product of a row, a matrix and a column, and nothing more?"""
     alone = len(place.arguments or ()) == 1 and not place.powered
     return alone and is_product(place.arguments or ()) and any(map(_QUADRATIC.fullmatch, place.arguments or ()))
+
+
+def _raises_quotient(place: Occurrence) -> bool:
+    """Does one fraction stand in brackets with a power behind them, which as a factor needs them too?"""
+    alone = place.powered and place.superscript is None and len(place.arguments or ()) == 1
+    return alone and place.word in _TYPICAL and any(map(_QUOTIENT.fullmatch, place.arguments or ()))
+
+
+_QUOTIENT = re.compile(r"\\[dt]?frac \{ [^+-]* \}")
 
 
 def _raises(place: Occurrence) -> bool:
@@ -271,7 +289,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         applied_to = _letter(of, kind="function", depends=depends, size=shape)
         function = Guess(applied_to, "a function", "it stands before its arguments only")
         yield in_doubt(function, FACTOR) if _is_greek(latex) else function
-    elif arguments and simple and _varies(of):
+    elif arguments and simple and _varies(of) and not (of.dotted and simple == ("T",) and time(every) == "t"):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
@@ -443,8 +461,12 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     small = of.spelling[:1] == "\\" and of.spelling[1:2].islower() and of.spelling != r"\zeta"
     coefficient = factor and small  # as in \phi(1.4 - x)
+    typical_stem = of.spelling[:1] == "\\" and _stem(of.spelling) in _TYPICAL
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_", "J_") or _OF_ORDER.match(of.spelling) is not None
+    if typical_stem and _holds_quotient(of):
+        yield in_doubt(function, FACTOR)
+        return
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if product is not matrix and not typical and (_is_hardly_factor(of) or _has_members_applied(of, every)):
         product = in_doubt(product, FACTOR)
@@ -541,6 +563,11 @@ def _holds_factors(of: Evidence) -> bool:
     return latin and all(map(_FACTORS.match, (args[0] for args in of.arguments)))
 
 
+def _holds_quotient(of: Evidence) -> bool:
+    """Do all brackets behind it hold one fraction, which needs none as a factor?"""
+    return not any(p.powered for p in of.places) and all(_QUOTIENT.fullmatch(args[0]) for args in of.arguments)
+
+
 def _is_function(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     """Is a letter that stands before brackets only a function for certain, by its face or by what stands beside it?"""
     if of.spelling.startswith((r"\mathcal", r"\mathscr")) or _is_primed(of):
@@ -604,7 +631,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
             styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
         )
 
-    if any(face(x) == f"{of.spelling}}}" for x in every):
+    if of.spelling == r"\hbar" or any(face(x) == f"{of.spelling}}}" for x in every):
         return False  # the length of the same letter in bold type
     beside = {x for place in of.places for x in place.beside}
     accented = HAT.match(of.spelling) is not None or _is_dotted(of)
@@ -879,10 +906,14 @@ def _styled(of: Evidence) -> Iterator[Guess]:
         return
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
-    if not of.capital:
+    if TENSOR.match(of.spelling.replace(" ", "")):
+        yield replace(matrix, why="two lines stand below it")
+        return
+    if not of.capital or of.spelling.startswith(r"\underline"):
         yield vector
         return
-    long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
+    ends = {(place.before.replace("\\", ""), place.after.replace("\\", "")) for place in of.places}
+    long = ("|", "|") in ends or {("|", "-"), ("-", "|")} <= ends  # or a distance
     if of.multiplied:
         yield matrix
     elif of.crossed:

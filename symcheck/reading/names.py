@@ -44,10 +44,13 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
     "SG": "specific-gravity", "MW": "molecular-weight", "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor",
-    "Ek": "Ekman",
+    "Ek": "Ekman", "Ri": "Richardson", "Da": "Damköhler", "Ha": "Hartmann", "Wo": "Womersley", "Wi": "Weissenberg",
+    "Eo": "Eötvös", "At": "Atwood",
 }  # fmt: skip
 # Those of them that may be products too: forces times radii, masses times accelerations.
-PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
+PRODUCTS = frozenset(
+    {"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta", "Da", "Ha", "At"}
+)
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
 STANDARD = "in degrees, or in the standard state? say what it is"
 DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
@@ -108,6 +111,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if each.above in (("0",), ("1",)) and each.below},
         {word for formula in raised for word in _APPLIED.findall(formula)},
         {each.above[0] for each in scripted if each.word == r"\delta" and each.below and len(each.above) == 1},
+        {each.word for each in scripted if "," in each.above and not each.framed},
         {(each.word, "".join(each.above)) for each in scripted if len(each.above) == 1 or each.above[:1] in _BOLD},
     )
     labelled = {
@@ -170,6 +174,10 @@ def _is_of_letters(place: Occurrence) -> bool:
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
 # a power with two indices of which the second one is typed too high: `x^{b_i, j}`
 _INDEXED_POWER = re.compile(r"([a-z]) _ (?:\{ )?[a-z](?: \})? , [a-z]")
+# a step of an iteration within a step of time: `y^{n (m + 1)}`
+_STEP_OF_STEP = re.compile(r"([i-n]) \( (?!\1)[i-n](?: [-+] 1)? \)")
+# the values that an index takes, from a number on
+_VALUED = re.compile(r"(?<![A-Za-z\\])([i-n]) (?:& )?= \d+ , (?:\d+ , )*(?:\\[lc]?dots|\. \. \.|\d+)(?: , \S+)?")
 # a number of combinations, or a power
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
@@ -209,6 +217,7 @@ class Told:
     framed: Collection[str]  # letters between two frames that have numbers, as in T_2^1
     applied: Collection[str]  # letters before brackets
     mixed: Collection[str]  # indices above Kronecker's delta
+    listed_above: Collection[str]  # letters with a list above them, as in a^{n, k}
     raised: Collection[tuple[str, str]]  # letters, each with the one that stands above it elsewhere
 
     @cached_property
@@ -221,6 +230,20 @@ class Told:
         """Letters that stand alone below another one, or among indices there."""
         found = {text for formula in self.formulas for pair in _INDICES_BELOW.findall(formula) for text in pair.split()}
         return found - {"{", "}", ","}
+
+    @cached_property
+    def counting(self) -> Collection[str]:
+        """Letters whose values are listed, which stand below other letters, and are no numbers elsewhere."""
+        valued = {letter for formula in self.formulas for letter in _VALUED.findall(formula)}
+        if not valued:
+            return valued
+        below = {
+            x
+            for formula in self.formulas
+            for x in valued
+            if re.search(rf"_ (?:\{{ )?{x}(?: \}}|(?![A-Za-z]))", formula)
+        }
+        return below - {word for formula in self.formulas for word in _Numbers(_VALUED.sub("", formula)).run()}
 
     @cached_property
     def multiplied(self) -> bool:
@@ -268,8 +291,15 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
         return POWER_OR_LABEL.format(inside[0])
     sign = sign or (of.word.startswith(r"\mathbb") and _UPRIGHT.match(" ".join(inside)) is not None)  # no set
-    if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
+    baseless = of.word in _NO_BASE and not (of.word == "e" and of.below)  # e_i is no number
+    if not inside or ((baseless or of.word.startswith(r"\mathbb")) and not sign):
         return None
+    if (
+        inside == [r"\infty"]
+        or _STEP_OF_STEP.fullmatch(" ".join(inside))
+        or (inside == ["1"] and of.applied and not of.below)
+    ):
+        return POWER_OR_LABEL.format(" ".join(inside))  # no powers that anybody prints
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
         return STANDARD
     if inside in (["0"], ["1"]) and not any((of.word, power) in told.raised for power in "23n"):
@@ -282,12 +312,27 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(powers[0])  # as in z^{(M - 1)} beside z^M
     if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
+    if of.word in told.listed_above and "," not in inside and (_letters(inside) or "".join(inside).isdigit()):
+        return POWER_OR_LABEL.format(" ".join(inside))  # beside `a^{n + 1, k}`
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
     if len(upright) == 1 and upright[0] in _TRANSPOSING:
         if upright[0] not in ("T", "H") or of.word not in labelled:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    if letters and of.word.startswith(r"\underline"):
+        return POWER_OR_LABEL.format(letters[0])
+    if len(letters) == len(inside) == 1 and letters[0] in told.counting and not of.plain and of.word not in told.powers:
+        return POWER_OR_LABEL.format(letters[0])
+    if of.applied and not of.below and len(inside) == 1 and inside[0].isupper() and inside[0] in told.numbers:
+        return POWER_OR_LABEL.format(inside[0])  # behind its argument a power would stand
+    if (
+        of.below
+        and len(letters) == len(inside) > 1
+        and "," not in inside
+        and {*itertools.pairwise(letters)} <= {*told.paired}
+    ):
+        return POWER_OR_LABEL.format(" ".join(inside))  # a pair of indices
     index = letters == ["".join(inside)] and letters[0] in _GREEK_INDICES and letters[0] in told.below
     if index and letters[0] not in told.numbers:
         return POWER_OR_LABEL.format(letters[0])  # summed over
@@ -572,6 +617,10 @@ def _is_laplacian(letter: str, formula: str) -> bool:
     Other changes beside it say that it is one.
     """
     own = re.escape(letter)
+    if re.search(rf"\^ (?:2|\{{ 2 \}}) (?:\\[,;:!] )*\\Delta {own}(?! [_^])(?![A-Za-z])", formula) and re.search(
+        rf"(?:^|[-+=] ){own} [-+=]", formula
+    ):
+        return True  # multiplied by the square of a length
     if formula.count(r"\Delta") > formula.count(rf"\Delta {letter}"):
         return False
     if re.search(
@@ -741,7 +790,8 @@ def _bracketed(texts: tuple[str, ...], start: int) -> int:
     reader = tex.Reader(" ".join(texts[end + 1 :]))
     while reader.peek() == "_":  # the scripts of the name
         reader.i += 1
-        reader.group()
+        if "=" in reader.group():
+            return 0  # its value there
     return end + 1 + reader.i
 
 

@@ -421,6 +421,7 @@ class Builder:
                     continue
             last = trees[end] if end < len(trees) else None
             valued = end + 1 < len(trees) and isinstance(trees[end + 1], Number | Dots)
+            valued |= k > 0 and isinstance(trees[k - 1], Dots)  # the end of `1, \\dots, s`
             if (
                 isinstance(last, Chain)
                 and last.signs[0] != r"\in"

@@ -22,11 +22,20 @@ _GIVEN = re.compile(rf"{_SIDE}(?:\\(?:ln|log) (?:\( )?)?(\\[a-z]+|[A-Za-z]) (?:\
 _SUMMED = re.compile(
     r"\\(?:sum|prod) _ \{ ([a-z]) = 1 \} \^ (?:[A-Za-z]|\{ [A-Za-z] \}) ((?:(?!\\\\|\\q?quad| = |\\sum|\\prod).)*)"
 )
+# the change in a step of time: `\\frac{\\rho^{n + 1} - \\rho^n}{\\Delta t}`
+_CHANGED = re.compile(
+    rf"\{{ ({_BASE}{_BELOW}) \^ (?:\{{ )?([a-z])(?: \+ {_NUMBER})?(?: \}})? "
+    rf"- \1 \^ (?:\{{ )?\2(?: - {_NUMBER})?(?: \}})? \}} "
+    r"\{ (?:\\Delta|\\delta|h|k|\\tau)(?![A-Za-z])"
+)
 _SEVERAL = 2  # letters with the same one above, of which no powers are multiplied
 
 
 def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
     """The letters of a formula, whose tokens stand apart, that have such a letter above, each with that letter."""
+    for _, step in _CHANGED.findall(text):
+        steps = re.findall(rf"({_BASE}{_BELOW}) \^ (?:{step}(?![A-Za-z])|\{{ {step}(?: [-+] {_NUMBER})? \}})", text)
+        yield from ((base, step) for base in steps)
     for base, step, rest in _NEXT.findall(text):
         above = re.compile(rf"\^ (?:{step}(?![A-Za-z])|\{{ {step}(?: [-+] {_NUMBER})? \}})")
         before = re.search(rf"(?<![A-Za-z\\]){re.escape(base)}(?: \}})? {above.pattern}", rest)

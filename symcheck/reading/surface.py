@@ -48,7 +48,7 @@ NOTHING = {  # layout, with the number of arguments that go with it
     r"\tiny": 0,
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
-BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
+BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"})
 # functions; braces end their arguments
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
 _ENTRY = r"[A-Z](?:_(?:\w|\{[^{}]*\}))?"
@@ -403,6 +403,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
         elif part in SECOND and k + 2 < len(parts):
             found += _second(part, parts[k + 1], parts[k + 2])
             k += 3
+        elif part == r"\underline" and k + 1 < len(parts):
+            found += _underlined(_inner(parts[k + 1]))
+            k += 2
         elif part in BRACED and k + 1 < len(parts):
             found += _inner(parts[k + 1])
             k += 2
@@ -437,6 +440,17 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
     return found
 
 
+def _underlined(inner: list[Part]) -> list[Part]:
+    """A letter with a line below it is one of its own; a line below more stresses it."""
+    letter, end = (inner[:2], 2) if inner[:1] == [r"\underline"] else _letter_here(inner, 0)
+    rest = inner[end:]
+    name = bool(letter) and letter[0] not in ROMAN and letter[0] != r"\nabla" and letter[:1] != [r"\partial"]
+    scripts = [part for k, part in enumerate(rest) if part in ("_", "^") or (k and rest[k - 1] in ("_", "^"))]
+    if not name or [part for part in rest if part != "'"] != scripts:
+        return inner
+    return [r"\underline", Group(letter), *rest]
+
+
 # scripts that are no powers
 MARKS = frozenset({"{", "}", "*", "+", "-", "'", r"\ast", r"\star", r"\prime", r"\dagger"})
 
@@ -462,6 +476,11 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     if command in STYLES and letter and not power and _is_bracket(rest[scripted:]):
         return [command, Group(letter), *rest[:scripted], *_styled(command, rest[scripted:])]  # bold of all of it
     if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
+        word = "".join(map(str, inner))
+        if command in (r"\mathcal", r"\mathscr", r"\mathfrak") and word.isalpha():
+            raise SymcheckError(
+                f"{command}{{{word}}}: one name, or a product? write {command} before each of its letters"
+            )
         return [each for part in inner for each in (command, Group([part]))]
     return [command, Group(inner)]
 
