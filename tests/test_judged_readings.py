@@ -820,6 +820,23 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"z_n = h q(t_n, y_n) + \sum_{i=1}^q a_i z_{n-i}": r"z_n = h q(t_n, y_n) + \sum_{i=1}^p a_i z_{n-i}",
     r"\underline{a} = \underline{b}": r"\underline{a} = \underline{\nabla} b",
     r"\underline{w}^n \cdot \underline{S} = a": r"\underline{w} \cdot \underline{S} = a",
+    r"\text{div} ((\rho \underline{u})^n a) = 0": r"\text{div} ((\rho \underline{u}) a) = 0",
+    r"\delta P^{n+\theta} = P^{n+\theta} - P^{n-1+\theta}": r"\delta P = P^{n+\theta} - Q^{n-1+\theta}",
+    r"\eta^n_{lm} = D^n_{11} n^2_{1, lm} + D^n_{22} n_2": r"\eta_{lm} = D_{11} n^2_{1, lm} + D_{22} n_2",
+    r"\sum_{i=0}^K a_i y^{n-i} + h \sum_{i=0}^K b_i \dot{y}^{n-i} = 0": r"\sum_{i=0}^K a_i y^{n-i} + h \dot{y} = 0",
+    r"J = \frac{\partial f^I}{\partial y}": r"J = \frac{\partial f_I}{\partial y}",
+    r"\dot\xi = g_p^T + f_p^T \lambda, \quad \xi(T) = 0": r"\dot\xi = g_p + f_p \lambda, \quad \xi(T) = 0",
+    r"h_a (e_b - e_I) = h'_{imp} (T_b - T_e)": r"h_a (e_b - e_I) = h_{imp} (T_b - T_e)",
+    r"\text{D}_i = \text{P}_1 \text{P}_3 (\text{P}_2 + \text{P}_4)": (
+        r"\text{D}_i = \text{P}_1 \text{P}_3 \cdot (\text{P}_2 + \text{P}_4)"
+    ),
+    r"b = \begin{cases} 1 & [O_2] < 0.01 \\ 0 & [O_2] > 0.01 \end{cases}": (
+        r"b = \begin{cases} 1 & x < 0.01 \\ 0 & x > 0.01 \end{cases}"
+    ),
+    r"yyn = y_p + y_c": r"y_n = y_p + y_c",
+    r"Eq = 0.01 + 0.02 \cos\theta": r"E_q = 0.01 + 0.02 \cos\theta",
+    r"m = \sum_{i=0}^n (x_i H(id_i))^2": r"m = \sum_{i=0}^n (x_i H(i d))^2",
+    r"u_t = \nabla \cdot (D \nabla u) + b": r"u_t = \nabla \cdot (D \nabla v) + b",
 }
 
 
@@ -864,3 +881,16 @@ def test_the_last_of_the_values_of_an_index_is_equal_to_nothing_on_the_next_line
 def test_functions_that_jump_have_as_many_arguments_as_they_have(latex: str) -> None:
     with pytest.raises(SymcheckError, match="has"):
         lower(*first_reading(latex))
+
+
+def test_an_index_that_is_compared_is_no_imaginary_unit() -> None:
+    notation = first_reading(r"a = \begin{cases} 0 & i = 1 \\ b & 2 \le i \le s \end{cases}")[1]
+    letter = notation.find("i", 0)
+    assert letter
+    assert not letter.number
+    assert first_reading(r"a = b e^{i t}")[1].find("i", 0).number == "i"  # type: ignore[union-attr]
+
+
+def test_tr_before_a_tensor_is_its_trace() -> None:
+    tree = first_reading(r"a = tr \underline{\underline{T}} b")[0]
+    assert bracketed(tree) == r"Chain(a, Mul(Call(tr; \underline{\underline{T}}), b); =)"

@@ -317,6 +317,8 @@ _ALONE = re.compile(
 _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
+# and of what a gradient is taken of
+_RATE_OF_FIELD = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t \})")
 # and of potentials
 _SLOPES = re.compile(r"(\\(?:phi|psi|Phi|Psi)) _ (?:\{ )?([xyzrt]|\\theta)(?: \}|(?! [,\w]))")
 # letters with a line below them, and what shows that they are vectors
@@ -405,7 +407,7 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
             yield name, "constant, or not? write brackets behind what depends on the variable"
     yield from ((x if "^" in x else canonical(x), doubt) for x, doubt in operators(text))
     yield from ((canonical(x), doubt) for x, doubt in unsaid_products(text))
-    if "^" in text and " = " in text:
+    if "^" in text and (" = " in text or r"\equiv" in text):
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
     if r"1 - \pi" in text and _WEIGHT.search(text):
         yield r"\pi", "the number pi, or a probability? say what it is"
@@ -481,6 +483,12 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
         said = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =")  # of what it is a function
         if not any(map(said.search, formulas)):
             found.setdefault(letter, _LABELS)
+    for letter in {x for text in formulas for x in _RATE_OF_FIELD.findall(text)}:
+        if any(
+            re.search(rf"\\nabla(?: \^ \{{ 2 \}}| \^ 2)? {re.escape(letter)}(?! _)(?![A-Za-z])", text)
+            for text in formulas
+        ):
+            found.setdefault(f"{letter}_t", _LABELS)
     slopes = [each for formula in formulas for each in _SLOPES.findall(formula)]
     for letter in {x for x, _ in slopes if len({by for y, by in slopes if y == x}) > 1}:
         found.setdefault(letter, _LABELS)
@@ -537,8 +545,8 @@ _PRIMED = re.compile(
 )
 # what may be transposed before a factor, where T is a letter, too
 _POWER_OF_T = re.compile(
-    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol|d+ot) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
-    rf" (?={_BASE})"
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol|d+ot) \{{ \w \}})){_INDEX}"
+    rf"(?: (?:\\right )?\))? \^ (?:T|\{{ T \}}) (?={_BASE}|\\(?:alpha|gamma|delta|eta|lambda|nu|tau|omega)(?![a-z]))"
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed

@@ -125,6 +125,11 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raised = isinstance(part.base.function, Name) and not isinstance(part.exponent, Number)
             if raised and part.exponent != Neg(Number("1")):
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
+        if isinstance(part, Pow) and any(isinstance(x, Name) for x in nodes(part.exponent)):
+            factors = part.base.factors if isinstance(part.base, Mul) else (part.base,)
+            kinds = [notation.find(x.letter, len(x.subscripts)) for x in factors if isinstance(x, Name)]
+            if any(letter is not None and letter.latex.startswith((r"\underline", r"\vec")) for letter in kinds):
+                raise SymcheckError(f"{to_latex(part)}: a power of a vector, or a label? say what it is")
         if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
             raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
         averaged = part.base if isinstance(part, Pow) and isinstance(part.base, Call) else None

@@ -219,6 +219,13 @@ def _has_coefficients_beside(of: Evidence, every: Mapping[str, Evidence]) -> boo
     return bool(below) and any(x.partition("_")[0] == stem and not each.arguments for x, each in every.items())
 
 
+def _is_beside_bare(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same upright letter stand with other indices, and nothing in brackets behind it?"""
+    stem, _, below = of.spelling.partition("_")
+    alike = (each for x, each in every.items() if x.partition(" ")[0] != of.spelling and x.partition("_")[0] == stem)
+    return bool(below) and any(not each.arguments for each in alike)
+
+
 def _has_members_bare(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     """Does the same letter stand with another index, and before a letter, as W_0 in `W_0 x` beside `W_1 (x + b)`?"""
     stem, _, below = of.spelling.partition("_")
@@ -296,9 +303,13 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
     elif arguments and not bare and (_NAMED.match(latex) or of.idle):
         function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
-        yield in_doubt(function, FACTOR) if _holds_factors(of) else function
+        yield in_doubt(function, FACTOR) if _holds_factors(of) or _is_beside_bare(of, every) else function
     elif arguments and not bare and not of.dotted and _is_function(of, every):
-        yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
+        function = Guess(
+            _letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does"
+        )
+        labelled = _is_primed(of) and "_" in latex and all(map(is_sum, arguments))
+        yield in_doubt(function, FACTOR) if labelled else function
     elif arguments and not bare and not of.dotted and not face(latex):
         yield from _before_sums(of, every)
     elif bare and not of.dotted and not of.derived and any(map(is_lone, of.places)):
@@ -733,7 +744,8 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [euler, replace(letter, remote=any(variable))]
         return [letter, euler]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
-        if of.below and all(map(_is_compared, of.places)):
+        ordered = any({place.before, place.after} & _ORDERED for place in of.places)
+        if (of.below or ordered) and all(map(_is_compared, of.places)):
             return [
                 Guess(_letter(of, depends="", name=variable_name(latex)), "a real number", "it is an index elsewhere")
             ]
@@ -758,6 +770,7 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     return []
 
 
+_ORDERED = frozenset({"<", ">", r"\le", r"\leq", r"\ge", r"\geq"})  # what no imaginary number is
 _COMPARED = frozenset({"=", r"\ne", r"\neq", "<", ">", r"\le", r"\leq", r"\ge", r"\geq"})
 
 

@@ -521,7 +521,8 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 before = texts[:start]
                 coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}") and len(_letters(above)) < 2
                 coefficient = coefficient and not (len(above) == 1 and above[0] in _AXES)
-                plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
+                derived = before[-1:] in (("d",), (r"\partial",)) and not (len(above) == 1 and above[0].isupper())
+                plain = not framed and (derived or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(
                     name, bare, word, tuple(above), framed, plain, applied, changed=changed > 0, below=low > behind
@@ -599,7 +600,14 @@ def _unit(latex: str, formula: str) -> str:
         return ""
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
         return "a matrix in brackets, or the unit of what stands before them? say what it is"
-    return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
+    compared = re.search(
+        rf"(?:[<>]|\\(?:le|ge|leq|geq|leqslant|geqslant)) {re.escape(latex)}|{re.escape(latex)} (?:& )?[<>]", formula
+    )
+    return (
+        ""
+        if _OF_MATRICES.search(formula) and not compared
+        else "a matrix in brackets, or a concentration? say what it is"
+    )
 
 
 def _is_multiplied(letter: str, formula: str) -> bool:

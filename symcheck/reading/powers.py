@@ -11,10 +11,13 @@ from collections.abc import Iterator
 _BASE = r"(?:[A-Za-z]|\\[A-Za-z]+(?: \{ (?:\w|\\[A-Za-z]+|\w _ (?:\w|\{ \w \})) \})?)"
 _BELOW = r"(?: _ (?:\w|\\[a-z]+|\{(?:[^{}]|\{[^{}]*\})*\}))?"
 _SIDE = r"(?:^|\\\\ |& |\\q?quad )"
-_REST = r"(?:& )?= ((?:(?!\\\\|\\q?quad| = ).)*)"
+_REST = r"(?:& )?(?:=|\\equiv) ((?:(?!\\\\|\\q?quad| = ).)*)"
 _NUMBER = r"(?:\d+|\d / \d|\\frac \{ \d \} \{ \d \}|\\frac \d \d)"
+_SHIFT = rf"(?:{_NUMBER}|\\(?:theta|vartheta|alpha)(?: _ (?:\w|\{{[^{{}}]*\}}))?)"
 # the next step, by itself on the left
-_NEXT = re.compile(rf"{_SIDE}(?:\{{ )?({_BASE}{_BELOW})(?: \}})? \^ \{{ ([a-z]) \+ {_NUMBER} \}} {_REST}")
+_NEXT = re.compile(
+    rf"{_SIDE}(?:\{{ )?((?:\\[dD]elta )?{_BASE}{_BELOW})(?: \}})? \^ \{{ ([a-z]) \+ {_SHIFT} \}} {_REST}"
+)
 # what is given by an equation, or its logarithm
 _GIVEN = re.compile(rf"{_SIDE}(?:\\(?:ln|log) (?:\( )?)?(\\[a-z]+|[A-Za-z]) (?:\) )?{_REST}")
 
@@ -22,6 +25,10 @@ _GIVEN = re.compile(rf"{_SIDE}(?:\\(?:ln|log) (?:\( )?)?(\\[a-z]+|[A-Za-z]) (?:\
 _SUMMED = re.compile(
     r"\\(?:sum|prod) _ \{ ([a-z]) = 1 \} \^ (?:[A-Za-z]|\{ [A-Za-z] \}) ((?:(?!\\\\|\\q?quad| = |\\sum|\\prod).)*)"
 )
+# a letter above the left side, which stands above others on the right
+_ALIKE = re.compile(rf"{_SIDE}({_BASE}){_BELOW} \^ (?:\{{ )?([a-z])(?: \}})? {_REST}")
+# a rate with letters above it, and no number
+_RATES = re.compile(r"\\d?dot \{ ([A-Za-z]) \} \^ (\{ [a-z](?: [-+] \w)? \}|[a-z](?![A-Za-z]))")
 # the change in a step of time: `\\frac{\\rho^{n + 1} - \\rho^n}{\\Delta t}`
 _CHANGED = re.compile(
     rf"\{{ ({_BASE}{_BELOW}) \^ (?:\{{ )?([a-z])(?: \+ {_NUMBER})?(?: \}})? "
@@ -33,14 +40,26 @@ _SEVERAL = 2  # letters with the same one above, of which no powers are multipli
 
 def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
     """The letters of a formula, whose tokens stand apart, that have such a letter above, each with that letter."""
+    for base, step, rest in _ALIKE.findall(text):
+        raised = {
+            *re.findall(rf"({_BASE})(?: ')*{_BELOW}(?: ')* \^ (?:{step}(?![A-Za-z])|\{{ (?:\\, )?{step} \}})", rest)
+        } - {base}
+        if raised and not re.search(
+            rf"(?<![A-Za-z\\]){step}(?! [_])(?![A-Za-z])", re.sub(rf"\^ (?:{step}|\{{ (?:\\, )?{step} \}})", "", rest)
+        ):
+            yield base, step
+    for base, above in _RATES.findall(text):
+        if re.search(rf"(?<![A-Za-z\\{{ ]){base} \^ {re.escape(above)}|[^{{] {base} \^ {re.escape(above)}", text):
+            yield base, above.strip("{ }")
     for _, step in _CHANGED.findall(text):
         steps = re.findall(rf"({_BASE}{_BELOW}) \^ (?:{step}(?![A-Za-z])|\{{ {step}(?: [-+] {_NUMBER})? \}})", text)
         yield from ((base, step) for base in steps)
     for base, step, rest in _NEXT.findall(text):
-        above = re.compile(rf"\^ (?:{step}(?![A-Za-z])|\{{ {step}(?: [-+] {_NUMBER})? \}})")
-        before = re.search(rf"(?<![A-Za-z\\]){re.escape(base)}(?: \}})? {above.pattern}", rest)
+        above = re.compile(rf"\^ (?:{step}(?![A-Za-z])|\{{ {step}(?: [-+] {_SHIFT})?(?: [-+] {_SHIFT})? \}})")
+        own = re.sub(r"^\\[dD]elta ", "", base)  # what changes
+        before = re.search(rf"(?<![A-Za-z\\]){re.escape(own)}(?: \}})? {above.pattern}", rest)
         if before and not re.search(rf"(?<![A-Za-z\\]){step}(?![A-Za-z])", above.sub("", rest)):
-            yield base, step
+            yield own, step
     for run, rest in _SUMMED.findall(text):
         above = re.compile(
             rf"({_BASE}) _ (?:\w|\\[a-z]+|\{{(?:[^{{}}]|\{{[^{{}}]*\}})*\}}) \^ (?:{run}(?![A-Za-z])|\{{ {run} \}})"
