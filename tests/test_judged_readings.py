@@ -80,6 +80,11 @@ OPAQUE = (
     r"P(X > z) = 0",
     r"y = \mathbb{1}(x > 0)",
     r"A = \mathbf{0}_{3 \times 2}",
+    r"\partial_t \rho + \partial_x (\rho u) = 0",
+    r"F_{\mu \nu} = \partial_\mu A_\nu - \partial_\nu A_\mu",
+    r"\partial_t^2 u = c^2 \partial_{xx} u",
+    r"\nabla_i Y = Z",
+    r"\nabla \Lambda(D) \subsetneq M",
 )
 
 
@@ -116,6 +121,13 @@ def test_a_derivative_at_a_place_is_not_that_of_a_constant(latex: str) -> None:
 
 
 OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
+    (r"c = \langle \psi | \phi \rangle", r"c = \langle \phi | \psi \rangle"),
+    (r"E = \langle \psi | \hat{H} | \psi \rangle", r"E = \langle \psi | \hat{V} | \psi \rangle"),
+    (r"\rho = \sum_i p_i | \psi_i \rangle \langle \psi_i |", r"\rho = \sum_i p_i \langle \psi_i | \, | \psi_i \rangle"),
+    (r"\hat{H} | \psi \rangle = E | \psi \rangle", r"| \psi \rangle \hat{H} = E | \psi \rangle"),
+    (r"| a \rangle \langle b | = c", r"\langle b | \, | a \rangle = c"),
+    (r"\partial_t u = v", r"\partial_x u = v"),
+    (r"\partial_t (u v) = w", r"v \partial_t u = w"),
     (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
     (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
     (r"\mathbf{A} = (\mathbf{v}, \mathbf{w}, 0)", r"\mathbf{A} = (\mathbf{w}, \mathbf{v}, 0)"),
@@ -207,6 +219,11 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"E = \left\langle \psi \middle| \hat{H} \middle| \psi \right\rangle": r"E = \langle \psi | \hat{H} | \psi \rangle",
+    r"\ket{\psi} = a \ket{0}": r"| \psi \rangle = a \left| 0 \right\rangle",
+    r"a = \braket{b|c}": r"a = \langle b | c \rangle",
+    r"E_n = n, \quad n = 0, 1, 2...": r"E_n = n, \quad n = 0, 1, 2, \dots",
+    r"\partial_t^2 u = v": r"\partial_{tt} u = v",
     r"\underline{\text{div}} (a \underline{\nabla} b) = 0": r"\text{div} (a \nabla b) = 0",
     r"y = \cos^2 \frac{1}{2} (a - b)": r"y = \cos^2 \left(\frac{1}{2} (a - b)\right)",
     r"\frac{\partial f}{\partial x}(x, y) = 2 x y": r"\frac{\partial f(x, y)}{\partial x} = 2 x y",
@@ -837,6 +854,8 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"Eq = 0.01 + 0.02 \cos\theta": r"E_q = 0.01 + 0.02 \cos\theta",
     r"m = \sum_{i=0}^n (x_i H(id_i))^2": r"m = \sum_{i=0}^n (x_i H(i d))^2",
     r"u_t = \nabla \cdot (D \nabla u) + b": r"u_t = \nabla \cdot (D \nabla v) + b",
+    r"\sum_{\kappa=1}^N X_\alpha^\kappa = 1": r"\sum_{\kappa=1}^N X_\kappa = 1",
+    r"\nabla^2 f(x) = \begin{pmatrix} a & b \\ b & c \end{pmatrix}": r"\nabla^2 f(x) = a",
 }
 
 
@@ -894,3 +913,26 @@ def test_an_index_that_is_compared_is_no_imaginary_unit() -> None:
 def test_tr_before_a_tensor_is_its_trace() -> None:
     tree = first_reading(r"a = tr \underline{\underline{T}} b")[0]
     assert bracketed(tree) == r"Chain(a, Mul(Call(tr; \underline{\underline{T}}), b); =)"
+
+
+FIELDS = {
+    r"\mathbf{c} = \mathbf{k} \times \mathbf{E} + \mathbf{B}": "vector",
+    r"\mathbf{E} = \mathbf{H}^T \mathbf{H}": "matrix",
+}
+
+
+@pytest.mark.parametrize("latex", FIELDS)
+def test_the_electric_field_is_a_vector_where_waves_or_other_fields_are_beside_it(latex: str) -> None:
+    letter = first_reading(latex)[1].find(r"\mathbf{E}", 0)
+    assert letter
+    assert letter.kind == FIELDS[latex]
+
+
+def test_bars_of_lengths_within_averages_are_no_states() -> None:
+    assert bracketed(first_reading(r"a = \langle |x|^2 \rangle")[0]) == "Chain(a, Call(average; Pow(Bars(x); 2)); =)"
+    assert bracketed(first_reading(r"a = \langle |x| y \rangle")[0]) == "Chain(a, Call(average; Mul(Bars(x), y)); =)"
+
+
+def test_what_is_integrated_as_a_power_of_one_letter_may_depend_on_the_variable() -> None:
+    assert all(formula.tag == "form" for formula in lower(*first_reading(r"\int_0^L \psi^2 \, dx = 1")))
+    assert all(formula.tag != "form" for formula in lower(*first_reading(r"\int_0^L x^2 \, dx = a")))

@@ -309,7 +309,8 @@ _HYPERGEOMETRIC = re.compile(
 _OF_FUNCTION = re.compile(r"(?<![A-Za-z\\])f ([a-z]) (?:t )?(?:_ (?:\w|\{[^{}]*\}) )?(?:\\left )?\(")
 # all that is integrated, and by what
 _ALONE = re.compile(
-    r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) (?:\\[,;:] )?d (\w|\\\w+)"
+    r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) "
+    r"(?:\^ (?:\d|\{ \d \}) )?(?:\\[,;:] )?d (\w|\\\w+)"
 )
 
 

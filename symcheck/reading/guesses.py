@@ -348,7 +348,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
     elif face(latex):
-        yield from _styled(of)
+        yield from _styled(of, every)
     elif of.square or (of.spelling.isupper() and any(each.square for each in every.values()) and not arguments):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "a multiple of the identity stands beside it")
     elif of.transposed and "T" not in every:
@@ -835,7 +835,13 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
         return
     if of.capital:
-        kinds = ("matrix",) if of.multiplied else ("vector",) if of.crossed else ("matrix", "vector")
+        kinds = (
+            ("matrix",)
+            if of.multiplied
+            else ("vector",)
+            if of.crossed or _is_field(of, every)
+            else ("matrix", "vector")
+        )
         for kind in kinds:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
@@ -911,7 +917,21 @@ def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
         yield Guess(_letter(of, kind="function", depends=depends, size=size), told, "it stands before its arguments")
 
 
-def _styled(of: Evidence) -> Iterator[Guess]:
+_WAVE_VECTOR = re.compile(r"(?:\\hat\{)?\\(?:mathbf|boldsymbol|bm|vec)\{k\}+(?:_.*)?")
+_FIELDS = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)\{([EBHD])\}(?:_.*)?")  # letters of fields
+
+
+def _is_field(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Is it the electric field, or one beside it, as another field, a wave vector or a rate of it shows?"""
+    if not (own := _FIELDS.fullmatch(of.spelling)) or of.multiplied:
+        return False
+    found = {match[1] for x in every if (match := _FIELDS.fullmatch(x)) and not every[x].transposed}
+    waves = any(_WAVE_VECTOR.fullmatch(x) for x in every)
+    rates = own[1] == "E" and any(place.before == r"\partial" for place in of.places)
+    return "E" in found and (len(found) > 1 or waves or rates)
+
+
+def _styled(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
     shifted = all(is_shift_of_time(args) or _BETWEEN.fullmatch(args[0]) for args in of.arguments)
     if of.arguments and not of.bare and shifted:
@@ -929,7 +949,7 @@ def _styled(of: Evidence) -> Iterator[Guess]:
     long = ("|", "|") in ends or {("|", "-"), ("-", "|")} <= ends  # or a distance
     if of.multiplied:
         yield matrix
-    elif of.crossed:
+    elif of.crossed or _is_field(of, every):
         yield vector
     else:
         near = {x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside}

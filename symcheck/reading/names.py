@@ -56,6 +56,7 @@ STANDARD = "in degrees, or in the standard state? say what it is"
 DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
 _EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # letters of expectations
 KINDS_OPEN = "too many of these may be vectors or matrices"
+STATES = "a state, of which nothing is calculated"
 INTEGRATED = "all that is integrated by"
 INDEX_IN_NAME = "an index of a name is not summed over"
 LABEL_DOUBT = "a power, or a label?"
@@ -134,6 +135,12 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in within}
         if _ABBREVIATED.search(formula):
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
+    found |= {
+        latex: STATES
+        for formula in formulas
+        if r"\rangle" in formula or r"\langle" in formula
+        for latex in _states(formula)
+    }
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
     for latex in found:
         if latex.startswith(r"\Delta ") and any(_is_multiplied(latex.split()[1], formula) for formula in formulas):
@@ -696,6 +703,22 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
                 return {}
         found[name] = f"the {DIMENSIONLESS[word]} number, or {a} times {b}? write \\cdot, or name one letter"
     return found
+
+
+_WITHIN = r"(?! ?(?:[\^_,)]|\\right))(?:(?!\||\\\||\\langle|\\rangle|[=&]|\\\\).)+"
+# products of states, perhaps with an operator between them, and states alone
+_PRODUCT_OF_STATES = re.compile(rf"\\langle {_WITHIN}(?:\|{_WITHIN})+\\rangle")
+_STATE = re.compile(rf"\|{_WITHIN}\\rangle|\\langle {_WITHIN}\|")
+
+
+def _states(formula: str) -> Iterator[str]:
+    r"""States in brackets, `| \psi \rangle`, `\langle \phi |`, and their products, `\langle \phi | \psi \rangle`."""
+    yield from _PRODUCT_OF_STATES.findall(formula)
+    rest = _PRODUCT_OF_STATES.sub(" , ", formula)
+    found = _STATE.findall(rest)
+    alone = _STATE.sub(" , ", rest)
+    if not re.search(r"\\[lr]angle|\|", alone):  # lengths or averages beside them may be what the bars belong to
+        yield from found
 
 
 def _accented(formula: str) -> Iterator[tuple[str, str]]:

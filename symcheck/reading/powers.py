@@ -35,6 +35,10 @@ _CHANGED = re.compile(
     rf"- \1 \^ (?:\{{ )?\2(?: - {_NUMBER})?(?: \}})? \}} "
     r"\{ (?:\\Delta|\\delta|h|k|\\tau)(?![A-Za-z])"
 )
+_SUMMED_GREEK = re.compile(
+    r"\\(?:sum|prod) _ \{ (\\[a-z]+) = 1 \} \^ (?:\S+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) "
+    r"((?:(?!\\\\|\\q?quad| = |\\sum|\\prod).)*)"
+)
 _SEVERAL = 2  # letters with the same one above, of which no powers are multiplied
 
 
@@ -67,6 +71,11 @@ def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
         raised = {*above.findall(rest)}
         if len(raised) >= _SEVERAL and not re.search(rf"(?<![A-Za-z\\]){run}(?![A-Za-z])", above.sub("", rest)):
             yield from ((base, run) for base in sorted(raised))
+    for run, rest in _SUMMED_GREEK.findall(text):
+        over = re.compile(
+            rf"({_BASE}) _ (?:\w|\\[a-z]+|\{{[^{{}}]*\}}) \^ (?:{re.escape(run)}(?![A-Za-z])|\{{ {re.escape(run)} \}})"
+        )
+        yield from ((base, run) for base in sorted({*over.findall(rest)}))
     for given, rest in _GIVEN.findall(text):
         above = re.compile(rf"({_BASE}){_BELOW} \^ (?:{re.escape(given)}(?![A-Za-z])|\{{ {re.escape(given)} \}})")
         found = above.findall(rest)

@@ -145,6 +145,9 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if found := _CALCULATED.search(source):
         raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
+    source = (
+        _STATES.sub(_with_states, source) if "angle" in source or r"\ket" in source or r"\bra" in source else source
+    )
     source = _OPTIONS.sub("", source)
     source = _SYMBOLS.sub(r"\\boldsymbol{\1}", source) if r"\boldmath" in source else source
     source = _ITALIC.sub(r"\\mathrm{\1}", source)
@@ -163,6 +166,30 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if rest != len(tokens):
         return source
     return phrased(_printed(_made_plain(parts)))
+
+
+_INSIDE = r"((?:(?!\\left|\\right|\\langle|\\rangle).)*?)"
+_BAR = r"(?:\||\\vert|\\lvert|\\rvert)"
+_BRACED = r"\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
+# states in brackets whose sizes are adapted, and the commands that are usual for them
+_STATES = re.compile(
+    rf"\\left\s*(?:\\langle{_INSIDE}\\right\s*{_BAR}|{_BAR}{_INSIDE}\\right\s*\\rangle|\\langle{_INSIDE}\\right\s*\\rangle)"
+    rf"|\\(?:ket{_BRACED}|bra{_BRACED}|braket{_BRACED})",
+    re.DOTALL,
+)
+
+
+def _with_states(found: re.Match[str]) -> str:
+    """The same in brackets of one size; an average stays as it is."""
+    bra, ket, both = found[1] or found[5], found[2] or found[4], found[3] or found[6]
+    if bra is not None:
+        return rf"\langle {bra} | "
+    if ket is not None:
+        return rf"| {ket} \rangle "
+    if both is None or not re.search(rf"\\middle|{_BAR}", both):
+        return found[0]
+    inner = re.sub(r"\\(?:vert|lvert|rvert)", "|", both.replace(r"\middle", ""))
+    return rf"\langle {inner} \rangle "
 
 
 _SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:[\w+*-]|\{(?:[^{}]|\{[^{}]*\})*\})|'|\([A-Za-z, ]*\))*"
