@@ -219,6 +219,8 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"y = x^{\mathrm{1/2}}": r"y = x^{1/2}",
+    r"x = \sum_{i=0}^n a_i, \quad 0 \le i, j \le n": r"x = \sum_{i=0}^n a_i, \quad 0 \le i \le n, \quad 0 \le j \le n",
     r"E = \left\langle \psi \middle| \hat{H} \middle| \psi \right\rangle": r"E = \langle \psi | \hat{H} | \psi \rangle",
     r"\ket{\psi} = a \ket{0}": r"| \psi \rangle = a \left| 0 \right\rangle",
     r"a = \braket{b|c}": r"a = \langle b | c \rangle",
@@ -856,6 +858,13 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"u_t = \nabla \cdot (D \nabla u) + b": r"u_t = \nabla \cdot (D \nabla v) + b",
     r"\sum_{\kappa=1}^N X_\alpha^\kappa = 1": r"\sum_{\kappa=1}^N X_\kappa = 1",
     r"\nabla^2 f(x) = \begin{pmatrix} a & b \\ b & c \end{pmatrix}": r"\nabla^2 f(x) = a",
+    r"-\Delta u + \exp(u) = 0": r"v - \Delta u + \exp(u) = 0",
+    r"\hat\pi(v)(\hat{x}) = b": r"\hat\pi(v) \hat{x} = b",
+    r"[S(\Phi, a)]^{n+\theta} = b S(\Phi^n, a^n)": r"[S(\Phi, a)]^2 = b S(\Phi, a)",
+    r"P = \frac{1}{2} P_{kk}": r"P = \frac{1}{2} P_{12}",
+    r"P_{ij} = R_{ik} \frac{\partial u_j}{\partial x_k}": r"P_{ij} = R_{ij} \frac{\partial u_j}{\partial x}",
+    r"J = I \frac{\partial f^I}{\partial y}": r"J = I \frac{\partial f}{\partial y}",
+    r"A P^{-1} D^{-1} x = b": r"\mathbf{A} \mathbf{P}^{-1} \mathbf{D}^{-1} \mathbf{x} = \mathbf{b}",
 }
 
 
@@ -936,3 +945,16 @@ def test_bars_of_lengths_within_averages_are_no_states() -> None:
 def test_what_is_integrated_as_a_power_of_one_letter_may_depend_on_the_variable() -> None:
     assert all(formula.tag == "form" for formula in lower(*first_reading(r"\int_0^L \psi^2 \, dx = 1")))
     assert all(formula.tag != "form" for formula in lower(*first_reading(r"\int_0^L x^2 \, dx = a")))
+
+
+def test_a_prime_differentiates_by_the_time_and_not_by_its_first_value() -> None:
+    letter = first_reading(r"y' = f(t, y), \quad y(t_0) = a")[1].find("y", 0)
+    assert letter
+    assert letter.depends == "t"
+
+
+@pytest.mark.parametrize("latex", [r"\bar{L} = \bar{A}^T", r"\bar{u} = \bar{v}^T"])
+def test_what_is_transposed_below_an_accent_is_a_matrix_if_it_is_capital(latex: str) -> None:
+    letter = first_reading(latex)[1].find(r"\bar{A}" if "A" in latex else r"\bar{v}", 0)
+    assert letter
+    assert letter.kind == ("matrix" if "A" in latex else "vector")

@@ -352,7 +352,7 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
     elif of.square or (of.spelling.isupper() and any(each.square for each in every.values()) and not arguments):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "a multiple of the identity stands beside it")
     elif of.transposed and "T" not in every:
-        kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
+        kind = "matrix" if _ACCENTED.sub("", latex).lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
     elif of.column and not of.bound and not arguments and "T" not in every:
         yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it stands in a row, or behind one")
@@ -386,6 +386,7 @@ def _in_kronecker_product(of: Evidence) -> bool:
     return of.spelling.isupper() and any(r"\otimes" in (place.before, place.after) for place in of.places)
 
 
+_ACCENTED = re.compile(r"^(?:\\(?:bar|overline|hat|widehat|tilde|widetilde|check|breve)\{)+")
 _NAMED = re.compile(r"\\text\{(?:\w\w|[A-Z]\}_)")  # several upright letters, or one with an index
 NORMED = "a vector, or a number? say what it is"
 FACTOR = "a factor before brackets, or a function? say what it is"
@@ -819,7 +820,7 @@ def _primed_by(of: Evidence, every: Mapping[str, Evidence]) -> str:
     if not any(place.primes and place.arguments is None for place in of.places):
         return ""
     inside = {place.arguments[0] for place in of.places if is_lone(place) and place.arguments}
-    own = {x for x in inside if is_letter(x)} or {x for x in ("x", "t", "s") if x in every}
+    own = {x for x in inside if is_letter(x) and "_" not in x} or {x for x in ("x", "t", "s") if x in every}
     return own.pop() if len(own) == 1 else ""
 
 
@@ -939,7 +940,7 @@ def _styled(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]:
         return
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
-    if TENSOR.match(of.spelling.replace(" ", "")):
+    if TENSOR.search(of.spelling.replace(" ", "")):
         yield replace(matrix, why="two lines stand below it")
         return
     if not of.capital or of.spelling.startswith(r"\underline"):

@@ -81,6 +81,7 @@ class Scripted:
     applied: bool = False  # do brackets stand behind it that hold no sum?
     changed: bool = False  # does the sign of a change stand before it?
     below: bool = False  # does anything stand below it?
+    derived: bool = False  # is it differentiated?
 
 
 # where names of the other kinds can be
@@ -331,7 +332,13 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(letters[0])
     if len(letters) == len(inside) == 1 and letters[0] in told.counting and not of.plain and of.word not in told.powers:
         return POWER_OR_LABEL.format(letters[0])
-    if of.applied and not of.below and len(inside) == 1 and inside[0].isupper() and inside[0] in told.numbers:
+    if (
+        (of.applied or of.derived)
+        and not of.below
+        and len(inside) == 1
+        and inside[0].isupper()
+        and inside[0] in told.numbers
+    ):
         return POWER_OR_LABEL.format(inside[0])  # behind its argument a power would stand
     if (
         of.below
@@ -532,7 +539,16 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 plain = not framed and (derived or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(
-                    name, bare, word, tuple(above), framed, plain, applied, changed=changed > 0, below=low > behind
+                    name,
+                    bare,
+                    word,
+                    tuple(above),
+                    framed,
+                    plain,
+                    applied,
+                    changed=changed > 0,
+                    below=low > behind,
+                    derived=before[-1:] == (r"\partial",),
                 )
             reader.i = start + 1 if changed and not above else behind
         except SymcheckError:
@@ -636,6 +652,10 @@ def _is_laplacian(letter: str, formula: str) -> bool:
         rf"(?:^|[-+=] ){own} [-+=]", formula
     ):
         return True  # multiplied by the square of a length
+    if letter in _POTENTIALS and re.search(
+        rf"(?:^(?:& )?- |\\int _ (?:\S|\\\w+|\{{[^{{}}]*\}}) (?:\{{ )?)\\Delta {own}(?![A-Za-z])(?! [_^])", formula
+    ):
+        return True  # as equations begin, and what is tested by others
     if formula.count(r"\Delta") > formula.count(rf"\Delta {letter}"):
         return False
     if re.search(

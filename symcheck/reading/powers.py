@@ -14,6 +14,7 @@ _SIDE = r"(?:^|\\\\ |& |\\q?quad )"
 _REST = r"(?:& )?(?:=|\\equiv) ((?:(?!\\\\|\\q?quad| = ).)*)"
 _NUMBER = r"(?:\d+|\d / \d|\\frac \{ \d \} \{ \d \}|\\frac \d \d)"
 _SHIFT = rf"(?:{_NUMBER}|\\(?:theta|vartheta|alpha)(?: _ (?:\w|\{{[^{{}}]*\}}))?)"
+_REST_BEHIND = r"[^=]*(?:=|\\equiv) (.*)"
 # the next step, by itself on the left
 _NEXT = re.compile(
     rf"{_SIDE}(?:\{{ )?((?:\\[dD]elta )?{_BASE}{_BELOW})(?: \}})? \^ \{{ ([a-z]) \+ {_SHIFT} \}} {_REST}"
@@ -27,6 +28,11 @@ _SUMMED = re.compile(
 )
 # a letter above the left side, which stands above others on the right
 _ALIKE = re.compile(rf"{_SIDE}({_BASE}){_BELOW} \^ (?:\{{ )?([a-z])(?: \}})? {_REST}")
+# a value of a function with letters above its brackets, beside its values at what has them above
+_VALUE_RAISED = re.compile(
+    rf"\[ ({_BASE}{_BELOW}) (?:\\left )?\( [^\[\]]* (?:\\right )?\) (?:\\right )?\] "
+    rf"\^ (?:\{{ )?([a-z])(?![a-z]){_REST_BEHIND}"
+)
 # a rate with letters above it, and no number
 _RATES = re.compile(r"\\d?dot \{ ([A-Za-z]) \} \^ (\{ [a-z](?: [-+] \w)? \}|[a-z](?![A-Za-z]))")
 # the change in a step of time: `\\frac{\\rho^{n + 1} - \\rho^n}{\\Delta t}`
@@ -51,6 +57,9 @@ def raised_in_vain(text: str) -> Iterator[tuple[str, str]]:
         if raised and not re.search(
             rf"(?<![A-Za-z\\]){step}(?! [_])(?![A-Za-z])", re.sub(rf"\^ (?:{step}|\{{ (?:\\, )?{step} \}})", "", rest)
         ):
+            yield base, step
+    for base, step, rest in _VALUE_RAISED.findall(text):
+        if re.search(rf"{re.escape(base)} (?:\\left )?\([^=]*\^ (?:\{{ )?{step}(?![A-Za-z])", rest):
             yield base, step
     for base, above in _RATES.findall(text):
         if re.search(rf"(?<![A-Za-z\\{{ ]){base} \^ {re.escape(above)}|[^{{] {base} \^ {re.escape(above)}", text):

@@ -148,7 +148,7 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     source = (
         _STATES.sub(_with_states, source) if "angle" in source or r"\ket" in source or r"\bra" in source else source
     )
-    source = _OPTIONS.sub("", source)
+    source = _UPRIGHT_NUMBER.sub(r"{\1}", _OPTIONS.sub("", source))
     source = _SYMBOLS.sub(r"\\boldsymbol{\1}", source) if r"\boldmath" in source else source
     source = _ITALIC.sub(r"\\mathrm{\1}", source)
     source = _WORDS.sub(_with_formulas, source)
@@ -707,6 +707,7 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 
 
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
+_UPRIGHT_NUMBER = re.compile(r"\\(?:mathrm|mathbf|rm)\s*\{\s*(\d+\s*/\s*\d+)\s*\}")
 _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold letter in text
 # words, perhaps with formulas among them
 _WORDS = re.compile(
