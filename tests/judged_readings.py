@@ -43340,11 +43340,6 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
     ),
     (
-        "b(v,\\mu) = \\mu \\, \\int_\\Omega v \\, {\\rm d}x,\n\t\t\\ \\ \\forall v\\in L^2(\\Omega),\n\t\t\\forall \\mu\\in \\mathbb{R}",
-        "System(Chain(Call(b; v, \\mu), Mul(\\mu, Over(\\int; _ { \\Omega }; v; x)); =), Forall(Chain(v, Pow(Call(L; \\Omega); 2); \\in)), Forall(Chain(\\mu, \\mathbb{R}; \\in)))",
-        "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
-    ),
-    (
         "a(u_h,v) + b(v,\\lambda_h)\n\t\t&=& \\ell(v), \\ \\ \\forall v\\in X_h \\\\\n\tb(u_h,\\mu) \\phantom{+ b(v,\\lambda)}\n\t        &=& 0,    \\ \\ \\ \\ \\  \\forall \\mu\\in\\mathbb{R}",
         "System(Chain(Add(Call(a; u_h, v), Call(b; v, \\lambda_h)), Call(\\ell; v); =), Forall(Chain(v, X_h; \\in)), Chain(Call(b; u_h, \\mu), 0; =), Forall(Chain(\\mu, \\mathbb{R}; \\in)))",
         "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
@@ -44283,6 +44278,546 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "\\boldsymbol{M}' & = \\boldsymbol{S}^{\\mathrm{T}} \\boldsymbol{M} \\boldsymbol{S} = \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix}^{\\mathrm{T}} \\begin{pmatrix} m & 0 \\\\ 0 & m \\end{pmatrix} \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix} = \\begin{pmatrix} 2m & 0 \\\\ 0 & 2m \\end{pmatrix} \\\\ \\boldsymbol{K}' & = \\boldsymbol{S}^{\\mathrm{T}} \\boldsymbol{K} \\boldsymbol{S} = \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix}^{\\mathrm{T}} \\begin{pmatrix} \\dfrac{mg}{l}+k & -k \\\\[1.5ex] -k & \\dfrac{mg}{l}+k \\end{pmatrix} \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix} = \\begin{pmatrix} \\dfrac{2mg}{l} & 0 \\\\[1.5ex] 0 & \\dfrac{2mg}{l}+4k \\end{pmatrix}",
         "System(Chain(\\boldsymbol{M}', Mul(Transpose(\\boldsymbol{S}), \\boldsymbol{M}, \\boldsymbol{S}), Mul(Transpose(MatrixOf(1, 1, 1, Neg(1))), MatrixOf(m, 0, 0, m), MatrixOf(1, 1, 1, Neg(1))), MatrixOf(Mul(2, m), 0, 0, Mul(2, m)); =, =, =), Chain(\\boldsymbol{K}', Mul(Transpose(\\boldsymbol{S}), \\boldsymbol{K}, \\boldsymbol{S}), Mul(Transpose(MatrixOf(1, 1, 1, Neg(1))), MatrixOf(Add(Div(Mul(m, g); l), k), Neg(k), Neg(k), Add(Div(Mul(m, g); l), k)), MatrixOf(1, 1, 1, Neg(1))), MatrixOf(Div(Mul(2, m, g); l), 0, 0, Add(Div(Mul(2, m, g); l), Mul(4, k))); =, =, =))",
         "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "a(\\psi,\\xi) = l(\\xi),\n     \\ \\ \\forall\\xi\\in \\Psi(0)",
+        "System(Chain(Call(a; \\psi, \\xi), Call(l; \\xi); =), Forall(Chain(\\xi, Call(\\Psi; 0); \\in)))",
+        "rheolef/rheolef/doc/usrman/axisymmetric.tex",
+    ),
+    (
+        "c_1 &=&\n            (\\chi_{n+1}-\\chi_n,\\, \\chi_n-\\chi_{n-1})\n\t  \\\\\n\t  &=& \n            (\\lambda_{n+1}-\\lambda_n)(\\lambda_n-\\lambda_{n-1})\n\t    +\n            (u_{n+1}-u_n,\\, u_n-u_{n-1})_V\n\t  \\\\\n        c_2 &=&\n            (\\dot{\\chi}_n,\\, \\chi_{n+1}-\\chi_n)\n\t  \\\\\n\t  &=& \n            (\\dot{\\lambda}_n,\\, \\lambda_{n+1}-\\lambda_n)\n\t    +\n            (\\dot{u}_n,\\, u_{n+1}-u_n)_V",
+        "System(Chain(c_1, Pair(Add(\\chi_{n+1}, Neg(Call(\\chi_n))); Add(Call(\\chi_n), Neg(\\chi_{n-1}))), Add(Mul(Add(\\lambda_{n+1}, Neg(Call(\\lambda_n))), Add(Call(\\lambda_n), Neg(\\lambda_{n-1}))), Marked(Pair(Add(u_{n+1}, Neg(Call(u_n))); Add(Call(u_n), Neg(u_{n-1}))); _{ V })); =, =), Chain(c_2, Pair(Call(\\dot{\\chi}_n); Add(\\chi_{n+1}, Neg(Call(\\chi_n)))), Add(Pair(Call(\\dot{\\lambda}_n); Add(\\lambda_{n+1}, Neg(Call(\\lambda_n)))), Marked(Pair(Call(\\dot{u}_n); Add(u_{n+1}, Neg(Call(u_n)))); _{ V })); =, =))",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\mathcal{N}(s,\\lambda(s),u(s)) &=& 0 \\\\\n\t  F(\\lambda(s),u(s)) &=& 0",
+        "System(Chain(Call(\\mathcal{N}; s, Call(\\lambda; s), Call(u; s)), 0; =), Chain(Call(F; Call(\\lambda; s), Call(u; s)), 0; =))",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\widetilde{\\mathcal{N}}_n(s,\\,\\chi\\!=\\!(\\lambda,u)) \n\t&=&\n\t  \\|\\chi-\\chi_n\\|^2\t\n\t- |s-s_n|^2\n         \\\\\n\t&=&\n\t  |\\lambda-\\lambda_n|^2\n\t+ \\|u-u_n\\|_V^2\t\n\t- |s-s_n|^2\n\t\\hspace{8em}",
+        "Chain(Call(\\widetilde{\\mathcal{N}}_n; s, Chain(\\chi, Pair(\\lambda; u); =)), Add(Pow(Norm(Add(\\chi, Neg(\\chi_n))); 2), Neg(Pow(Bars(Add(s, Neg(s_n))); 2))), Add(Pow(Bars(Add(\\lambda, Neg(\\lambda_n))); 2), Pow(Marked(Norm(Add(u, Neg(u_n))); _{ V }); 2), Neg(Pow(Bars(Add(s, Neg(s_n))); 2))); =, =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\mathcal{F}_n(s,\\chi(s)) = 0",
+        "Chain(Call(\\mathcal{F}_n; s, Call(\\chi; s)), 0; =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\phi(t,x) = \\exp\\left( -\\lambda t -r(t) |x-x_0(t)|^2 \\right)",
+        "Chain(Call(\\phi; t, x), Call(exp; Add(Neg(Mul(\\lambda, t)), Neg(Mul(Call(r; t), Pow(Bars(Add(x, Neg(Call(x_0; t)))); 2))))); =)",
+        "rheolef/rheolef/doc/usrman/convect.tex",
+    ),
+    (
+        "\\nu^{-1}\\boldsymbol{q} - \\nabla \\phi &=& 0 \n\t\\ \\mbox{ in } \\ \\Omega\n\t\n\t\\\\\n  {\\rm div}(\\boldsymbol{q} - \\boldsymbol{u}\\phi) - \\sigma\\phi &=& -f \n\t\\ \\mbox{ in } \\ \\Omega\n\t\n\t\\\\\n  \\phi &=& \\phi_\\Gamma\n\t\\ \\mbox{ on } \\ \\Gamma_d",
+        "System(Chain(Add(Mul(Pow(\\nu; Neg(1)), \\boldsymbol{q}), Neg(\\nabla \\phi)), 0; =), Words(\\text{in~\\Omega}), Chain(Add(Call(div; Add(\\boldsymbol{q}, Neg(Mul(\\boldsymbol{u}, \\phi)))), Neg(Mul(\\sigma, \\phi))), Neg(f); =), Words(\\text{in~\\Omega}), Chain(\\phi, \\phi_\\varGamma; =), Words(\\text{on~\\varGamma_{d}}))",
+        "rheolef/rheolef/doc/usrman/convect_hdg.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h),\n      \\ \\forall v_h \\in V_{0,h}",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, V_{0,h}; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet-nh.tex",
+    ),
+    (
+        "a(u,v) = l(v), \\ \\forall v \\in V_0",
+        "System(Chain(Call(a; u, v), Call(l; v); =), Forall(Chain(v, V_0; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet-nh.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h),\n      \\ \\forall v_h \\in V_h",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, V_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet.tex",
+    ),
+    (
+        "\\|\\boldsymbol{\\tau}\\|_{\\mathrm{div},2,\\Omega}^2\n    =\n    \\|\\boldsymbol{\\tau}\\|_{0,2,\\Omega}^2\n    +\n    \\|\\mathrm{div}(\\boldsymbol{\\tau})\\|_{0,2,\\Omega}^2",
+        "Chain(Pow(Marked(Norm(\\boldsymbol{\\tau}); _{ \\mathrm { d i v } , 2 , \\Omega }); 2), Add(Pow(Marked(Norm(\\boldsymbol{\\tau}); _{ 0 , 2 , \\Omega }); 2), Pow(Marked(Norm(Call(div; \\boldsymbol{\\tau})); _{ 0 , 2 , \\Omega }); 2)); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "m_s(\\bar{\\lambda}_h,\\mu_h)\n  &=&\n  k_h(\\mu_h)\n  ,\\ \\ \\forall \\mu_h\\in M_h",
+        "System(Chain(Call(m_s; \\bar{\\lambda}_h, \\mu_h), Call(k_h; \\mu_h); =), Forall(Chain(\\mu_h, M_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "u(x) = \\prod_{i=0}^{d-1} \\sin(\\pi x_i)",
+        "Chain(Call(u; x), BigProduct(i; 0; Add(d, Neg(1)); Call(sin; Mul(\\pi, x_i))); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "(u_h,\\lambda_h)\n  &=&\n  \\argmin_{v_h\\in X_h}\n  \\max_{\\mu_h\\in M_h(0)}\n  L_1(v_h,\\mu_h)",
+        "Chain(Pair(u_h; \\lambda_h), Limiting(argmin; _{ v _ { h } \\in X _ { h } }; Limiting(max; _{ \\mu _ { h } \\in M _ { h } ( 0 ) }; Call(L_1; v_h, \\mu_h))); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hho.tex",
+    ),
+    (
+        "m(\\check{u}_h,\\check{v}_h)\n  &=&\n  d_*(u_h^*,\\check{v}_h)\n  ,\\ \\ \\forall \\check{v}_h\\in X_h",
+        "System(Chain(Call(m; \\check{u}_h, \\check{v}_h), Call(d_*; u _ { h } ^ { * }, \\check{v}_h); =), Forall(Chain(\\check{v}_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet_hho.tex",
+    ),
+    (
+        "\\begin{array}{lcccl}\n      a({\\bf u}_h,{\\bf v}) &+& b({\\bf v}, p_h) &=& 0, \\ \\forall {\\bf v}\\in V_h(0), \\\\\n      b({\\bf u}_h,q) &-& c(p,q) &=& 0, \\ \\forall q \\in Q_h.\n    \\end{array}",
+        "System(Chain(Add(Call(a; \\mathbf{u}_h, \\mathbf{v}), Call(b; \\mathbf{v}, p_h)), 0; =), Forall(Chain(\\mathbf{v}, Call(V_h; 0); \\in)), Chain(Add(Call(b; \\mathbf{u}_h, q), Neg(Call(c; p, q))), 0; =), Forall(Chain(q, Q_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/incompressible-elasticity.tex",
+    ),
+    (
+        "-r \\Delta u^{(k+1)}\n\t&=&\n\tf\n\t+\n\t{\\rm div}\n\t\\left(\n\t\t\\boldsymbol{\\sigma}^{(k)} - r \\boldsymbol{\\gamma}^{(k)} \n\t\\right)\n        \\ \\mbox{ in } \\Omega \\\\\n      u^{(k+1)}&=& 0\n        \\ \\mbox{ on } \\partial\\Omega",
+        "System(Chain(Neg(Mul(r, \\Delta u ^ { ( k + 1 ) })), Add(f, Call(div; Add(\\boldsymbol { \\sigma } ^ { ( k ) }, Neg(Mul(r, \\boldsymbol { \\gamma } ^ { ( k ) }))))); =), Words(\\text{in~\\Omega}), Chain(u ^ { ( k + 1 ) }, 0; =), Words(\\text{on~\\partial\\Omega}))",
+        "rheolef/rheolef/doc/usrman/mosolov.tex",
+    ),
+    (
+        "\\breve{t}_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf v}_h) \n   :=\n   t_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf v}_h) \n   +\n   s_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf v}_h)",
+        "Chain(Call(\\breve{t}_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{v}_h; ;)), Add(Call(t_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{v}_h; ;)), Call(s_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{v}_h; ;))); =)",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "t_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf u}_h) \\geq 0\n   ,\\ \\forall {\\bf w}_h,\\,{\\bf u}_h \\in {\\bf X}_h",
+        "System(Chain(Call(t_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{u}_h; ;)), 0; \\ge), Forall(\\mathbf{w}_h), Forall(Chain(\\mathbf{u}_h, \\mathbf{X}_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "a({\\bf u},{\\bf u}) = l({\\bf u})",
+        "Chain(Call(a; \\mathbf{u}, \\mathbf{u}), Call(l; \\mathbf{u}); =)",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h),\n      \\ \\forall v_h \\in X_h",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/neumann-nh.tex",
+    ),
+    (
+        "u^{(n+1)} := u^{(n)} + \\delta u^{(n)}",
+        "Chain(u ^ { ( n + 1 ) }, Add(u ^ { ( n ) }, \\delta u ^ { ( n ) }); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "a\\left(u^{(n)} ;u^{*},v\\right) = l(v),\n      \\ \\forall v \\in W^{1,p}_0(\\Omega)",
+        "System(Chain(Call(a; Given(u ^ { ( n ) }; u ^ { * }, v; ;)), Call(l; v); =), Forall(Chain(v, Call(W _ { 0 } ^ { 1 , p }; \\Omega); \\in)))",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "u^{(n+1)} = \\omega u^* + (1-\\omega)*u^{(n)}",
+        "Chain(u ^ { ( n + 1 ) }, Add(Mul(\\omega, u ^ { * }), Operated(*; Add(1, Neg(\\omega)); u ^ { ( n ) })); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\omega_{\\rm opt} = 2/p",
+        "Chain(\\omega_{opt}, Div(2; p); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\int_\\Omega \n    p_h\\,q_h\n    \\,\\mathrm{d}x\n  &=&\n  \\int_\\Omega \n    p\\,q_h\n    \\,\\mathrm{d}x\n  ,\\ \\ \\forall q_h\\in Q_h",
+        "System(Chain(Over(\\int; _ { \\Omega }; Mul(p_h, q_h); x), Over(\\int; _ { \\Omega }; Mul(p, q_h); x); =), Forall(Chain(q_h, Q_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/raviart_thomas.tex",
+    ),
+    (
+        "\\begin{array}{lcccl}\n      a_h({\\bf u}_h,{\\bf v}_h) &+& b_h({\\bf v}_h, p_h) &=& l_h({\\bf v}_h), \\ \\forall {\\bf v}_h\\in {\\bf X}_h, \\\\\n      b_h({\\bf u}_h,q_h)       &-& c_h(p_h,q_h)        &=& k_h(q), \\ \\forall q_h \\in Q_h.\n    \\end{array}",
+        "System(Chain(Add(Call(a_h; \\mathbf{u}_h, \\mathbf{v}_h), Call(b_h; \\mathbf{v}_h, p_h)), Call(l_h; \\mathbf{v}_h); =), Forall(Chain(\\mathbf{v}_h, \\mathbf{X}_h; \\in)), Chain(Add(Call(b_h; \\mathbf{u}_h, q_h), Neg(Call(c_h; p_h, q_h))), Call(k_h; q); =), Forall(Chain(q_h, Q_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/stokes_dg.tex",
+    ),
+    (
+        "a(u_h,v_h) &=& l(v_h), \\ \\ \\forall v_h\\in W_h \\\\",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, W_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/surface.tex",
+    ),
+    (
+        "\\eta (x) = \\left\\{ \\begin{array}{ll}\n\t\t\\varepsilon   & \\mbox{ when } x \\in \\Omega_{\\rm west} \\\\ \n\t\t1             & \\mbox{ when } x \\in \\Omega_{\\rm east}\n      \t\t\\end{array} \\right.",
+        "Chain(Call(\\eta; x), Piecewise(\\varepsilon, Chain(x, \\Omega_{west}; \\in), 1, Chain(x, \\Omega_{east}; \\in)); =)",
+        "rheolef/rheolef/doc/usrman/transmission.tex",
+    ),
+    (
+        "\\omega_{K_0,S} \n  =\n  \\dfrac{\\eta_{|K_0}}\n        {\\eta_{|K_0} + \\eta_{|K_1}}\n  \\ \\ \\mbox{ and }\\ \\ \n  \\omega_{K_1,S}\n  =\n  \\dfrac{\\eta_{|K_1}}\n        {\\eta_{|K_0} + \\eta_{|K_1}}",
+        "System(Chain(\\omega_{K_0,S}, Div(\\eta_{|K_0}; Add(\\eta_{|K_0}, \\eta_{|K_1})); =), Chain(\\omega_{K_1,S}, Div(\\eta_{|K_1}; Add(\\eta_{|K_0}, \\eta_{|K_1})); =))",
+        "rheolef/rheolef/doc/usrman/transmission_dg.tex",
+    ),
+    (
+        "a(\\phi,\\varphi) &=& l(\\varphi), \\ \\forall \\varphi\\in X",
+        "System(Chain(Call(a; \\phi, \\varphi), Call(l; \\varphi); =), Forall(Chain(\\varphi, X; \\in)))",
+        "rheolef/rheolef/doc/usrman/transport_dg.tex",
+    ),
+    (
+        "{\\rm div}(\\boldsymbol{u}\\nabla \\phi) + \\sigma \\phi &=& f \n\t\\ \\ \\mbox{ in } \\ \\Omega\n\t\\\\\n  \\phi &=& u_\\Gamma\n\t\\ \\mbox{ on } \\ \\partial \\Omega_-",
+        "System(Chain(Add(Call(div; Mul(\\boldsymbol{u}, \\nabla \\phi)), Mul(\\sigma, \\phi)), f; =), Words(\\text{in~\\Omega}), Chain(\\phi, u_\\varGamma; =), Words(\\text{on~\\partial\\Omega_{-}}))",
+        "rheolef/rheolef/doc/usrman/transport_hdg.tex",
+    ),
+    (
+        "u^{(k+1)} &:=& \\argmin_{v\\in H^1(\\Omega)}\n\t\t L((v,\\gamma^{(k)});\\lambda^{(k)})\n\t\\\\\n    \\gamma^{(k+1)} &:=& \\argmin_{\\delta\\in L^{\\infty}(\\partial\\Omega)}\n\t\tL((u^{(k+1)},\\delta);\\lambda^{(k)})\n\t\\\\\n     \\lambda^{(k+1)}\n\t&:=&\n        \\lambda^{(k)}\n\t+ \\rho \\left( u^{(k+1)} - \\gamma^{(k+1)} \\right)\n        \\ \\mbox{ on } \\partial\\Omega",
+        "System(Chain(u ^ { ( k + 1 ) }, Limiting(argmin; _{ v \\in H ^ { 1 } ( \\Omega ) }; Call(L; Given(Pair(v; \\gamma ^ { ( k ) }); \\lambda ^ { ( k ) }; ;))); =), Chain(\\gamma ^ { ( k + 1 ) }, Limiting(argmin; _{ \\delta \\in L ^ { \\infty } ( \\partial \\Omega ) }; Call(L; Given(Pair(u ^ { ( k + 1 ) }; \\delta); \\lambda ^ { ( k ) }; ;))); =), Chain(\\lambda ^ { ( k + 1 ) }, Add(\\lambda ^ { ( k ) }, Mul(\\rho, Add(u ^ { ( k + 1 ) }, Neg(\\gamma ^ { ( k + 1 ) })))); =), Words(\\text{on~\\partial\\Omega}))",
+        "rheolef/rheolef/doc/usrman/yield_slip.tex",
+    ),
+    (
+        "\\dfrac{\\partial \\phi}{\\partial t}(t)\n    =\n    \\dfrac{1}{\\Delta t}\n    \\sum_{i=0}^p\n\t\\alpha_{p,i}\n        \\ \\phi (t\\!-\\!i\\Delta t)\n    +\n    \\mathcal{O} \\left( \\Delta t^p \\right)",
+        "Chain(Derivative(Call(\\phi; t); t, 1; True), Add(Mul(Div(1; \\Delta t), BigSum(i; 0; p; Mul(\\alpha_{p,i}, Call(\\phi; Add(t, Neg(Mul(i, \\Delta t))))))), Call(\\mathcal{O}; Pow(\\Delta t; p))); =)",
+        "rheolef/rheolef/doc/usrman/zalesak_dg.tex",
+    ),
+    (
+        "\\nabla\\boldsymbol{F} (\\widehat{\\boldsymbol{x}})\n  =\n  \\sum_{\\beta=1}^{n_p}\n    \\boldsymbol{x}_{K,\\beta}\n    \\otimes\n    \\nabla \\varphi_\\beta\n    (\\widehat{\\boldsymbol{x}})\n  ,\\ \\ \\forall \\widehat{\\boldsymbol{x}} \\in \\widehat{K}",
+        "System(Chain(Call(\\nabla \\boldsymbol { F }; \\widehat{\\boldsymbol{x}}), BigSum(\\beta; 1; n_p; Operated(\\otimes; \\boldsymbol{x}_{K,\\beta}; Call(\\nabla \\varphi _ { \\beta }; \\widehat{\\boldsymbol{x}}))); =), Forall(Chain(\\widehat{\\boldsymbol{x}}, \\widehat{K}; \\in)))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\bar{B}' &=& \\bar{A} \\bar{C}'",
+        "Chain(\\bar{B}', Mul(\\bar{A}, \\bar{C}'); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\ell_\\alpha(\\psi_\\gamma)\n  &=&\n  \\delta_{\\alpha,\\beta}\n  ,\\ \\ 1\\leq \\alpha,\\beta\\leq n\n  \\\\\n  \\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\ell_\\alpha(\\psi_\\gamma)\n  &=&\n  0\n  ,\\ \\ n+1\\leq \\alpha\\leq \\tilde{n}\n  ,\\ \\ 1\\leq \\beta\\leq n",
+        "System(Chain(BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\ell_\\alpha; \\psi_{\\gamma}))), \\delta_{\\alpha,\\beta}; =), Chain(1, \\alpha, n; \\le, \\le), Chain(1, \\beta, n; \\le, \\le), Chain(BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\ell_\\alpha; \\psi_{\\gamma}))), 0; =), Chain(Add(n, 1), \\alpha, \\tilde{n}; \\le, \\le), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\psi_\\alpha\n  &=&\n  \\sum_{\\beta=1}^m\n    \\bar{a}_{\\alpha,\\beta}\n    b_\\beta",
+        "Chain(\\psi_\\alpha, BigSum(\\beta; 1; m; Mul(\\bar{a}_{\\alpha,\\beta}, b_{\\beta})); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\ell_\\alpha(\\varphi_\\beta) &=& \\delta_{\\alpha,\\beta}\n  ,\\ \\ 1\\leq \\alpha,\\beta \\leq n",
+        "System(Chain(Call(\\ell_\\alpha; \\varphi_\\beta), \\delta_{\\alpha,\\beta}; =), Chain(1, \\alpha, n; \\le, \\le), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\Lambda_k\n  &=&\n  \\max_{\\widehat{\\boldsymbol{x}}\\in\\widehat{K}}\n  \\sum_{\\beta=1}^n\n  |\\varphi_\\beta(\\widehat{\\boldsymbol{x}})|",
+        "Chain(\\Lambda_k, Limiting(max; _{ \\widehat { \\boldsymbol { x } } \\in \\widehat { K } }; BigSum(\\beta; 1; n; Bars(Call(\\varphi_{\\beta}; \\widehat{\\boldsymbol{x}})))); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "G_{K,q,i,j}\n  &=&\n  \\sum_{\\beta=1}^{\\bar{n}}\n    X_{K,\\bar{\\beta},i}\n    \\bar{C}'_{\\bar{\\beta},q,j}",
+        "Chain(G_{K,q,i,j}, BigSum(\\beta; 1; \\bar{n}; Mul(X_{K,\\bar\\beta,i}, \\bar{C}_{\\bar\\beta,q,j}')); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\varphi_\\beta (\\widehat{\\boldsymbol{x}})\n  &=&\n  \\sum_{\\gamma=1}^{\\tilde{n}} a_{\\beta,\\gamma} \\psi_\\gamma(\\widehat{\\boldsymbol{x}})\n  ,\\ \\ \\forall\\widehat{\\boldsymbol{x}} \\in \\widehat{K}\n  ,\\ \\ 1\\leq \\beta\\leq n",
+        "System(Chain(Call(\\varphi_\\beta; \\widehat{\\boldsymbol{x}}), BigSum(\\gamma; 1; \\tilde{n}; Mul(a_{\\beta,\\gamma}, Call(\\psi_{\\gamma}; \\widehat{\\boldsymbol{x}}))); =), Forall(Chain(\\widehat{\\boldsymbol{x}}, \\widehat{K}; \\in)), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "G_K\n  &=&\n  X_K^T \\bar{B}'",
+        "Chain(G_K, Mul(Transpose(X_K), \\bar{B}'); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\tilde{\\boldsymbol{\\psi}}\n  &=&\n  (\\tilde{\\psi}_\\alpha)_{1\\leq \\alpha\\leq n}\n  \\ =\\ \n  \\{(p,0)\\}_{p\\in \\boldsymbol{b}_k}\n  \\cup\n  \\{(0,q)\\}_{q\\in \\boldsymbol{b}_k}\n  \\cup\n  \\{(x_1r,x_2r)\\}_{r\\in \\bar{\\boldsymbol{b}}_k}",
+        "Chain(\\tilde{\\boldsymbol{\\psi}}, Marked(\\tilde{\\psi}_\\alpha; _{ 1 \\leq \\alpha \\leq n }), Operated(\\cup; Operated(\\cup; Marked(Tuple(Pair(p; 0); {}); _{ p \\in \\boldsymbol { b } _ { k } }); Marked(Tuple(Pair(0; q); {}); _{ q \\in \\boldsymbol { b } _ { k } })); Marked(Tuple(Pair(Mul(x_1, r); Mul(x_2, r)); {}); _{ r \\in \\bar { \\boldsymbol { b } } _ { k } })); =, =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "J^{(\\alpha,\\beta)}_{-1}(x) &=& 0 \\\\\n    J^{(\\alpha,\\beta)}_0(x) &=& 1 \\\\\n    xJ^{(\\alpha,\\beta)}_{n}(x) &=& a_n^* J^{(\\alpha,\\beta)}_n(x) + b_n^* J^{(\\alpha,\\beta)}_{n-1}(x) + b_{n+1}^* J_{n+1}(x),\n    \t\\ \\ n \\geq 0",
+        "System(Chain(Call(J _ { - 1 } ^ { ( \\alpha , \\beta ) }; x), 0; =), Chain(Call(J _ { 0 } ^ { ( \\alpha , \\beta ) }; x), 1; =), Chain(Mul(x, Call(J _ { n } ^ { ( \\alpha , \\beta ) }; x)), Add(Mul(a _ { n } ^ { * }, Call(J _ { n } ^ { ( \\alpha , \\beta ) }; x)), Mul(b _ { n } ^ { * }, Call(J _ { n - 1 } ^ { ( \\alpha , \\beta ) }; x)), Mul(b _ { n + 1 } ^ { * }, Call(J_{n+1}; x))); =), Chain(n, 0; \\ge))",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "\\int_{-1}^1 f(x) {\\rm d}x \n  \\approx\n  \\sum_{r=0}^{R-1} f\\left(\\zeta_{r,R}^{(0,0)}\\right)\n                   \\ \\omega_{r,R}^{(0,0)}",
+        "Chain(Integral(Call(f; x); x; Neg(1); 1), BigSum(r; 0; Add(R, Neg(1)); Mul(Call(f; \\zeta _ { r , R } ^ { ( 0 , 0 ) }), \\omega _ { r , R } ^ { ( 0 , 0 ) })); \\approx)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "\\int_{-1}^1 f(x) (1-x)^\\alpha (1+x)^\\beta {\\rm d}x \n  \\approx \n  \\sum_{r=0}^{R-1} f\\left(\\check{\\zeta}_{r,R}^{(\\alpha,\\beta)}\\right)\n                   \\ \\check{\\omega}_{r,R}^{(\\alpha,\\beta)}",
+        "Chain(Integral(Mul(Call(f; x), Pow(Add(1, Neg(x)); \\alpha), Pow(Add(1, x); \\beta)); x; Neg(1); 1), BigSum(r; 0; Add(R, Neg(1)); Mul(Call(f; \\check { \\zeta } _ { r , R } ^ { ( \\alpha , \\beta ) }), \\check { \\omega } _ { r , R } ^ { ( \\alpha , \\beta ) })); \\approx)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "g  = f_f  -      A_{ii}^{-1} f_i",
+        "Chain(g, Add(f_f, Neg(Mul(Pow(A_{ii}; Neg(1)), f_i))); =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "C*u_f = g",
+        "Chain(Operated(*; C; u_f), g; =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "A u = f",
+        "Chain(Mul(A, u), f; =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "\\left( \\begin{array}{cc}     \n        A_{ii} & A_{ie} \\\\\n        A_{ei} & A_{ee}\n    \\end{array} \\right)\n    \\left( \\begin{array}{c}     \n        u_i \\\\ u_e\n    \\end{array} \\right)\n    =\n    \\left( \\begin{array}{c}     \n        f_i \\\\ f_e\n    \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(A_{ii}, A_{ie}, A_{ei}, A_{ee}), MatrixOf(u_i, u_e)), MatrixOf(f_i, f_e); =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "R_{l}=\\frac{(u+1)(u-1)\\left( e^{t}-e^{-t} \\right)}{\\left( u+1\n\\right)^{2}e^{t}-\\left( u-1 \\right)^{2}e^{-t}}\\, ,\\, T_{l}=\\frac{4u}{\\left(\nu+1 \\right)^{2}e^{t}-\\left( u-1 \\right)^{2}e^{-t}}",
+        "System(Chain(R_l, Div(Mul(Add(u, 1), Add(u, Neg(1)), Add(Pow(e; t), Neg(Pow(e; Neg(t))))); Add(Mul(Pow(Add(u, 1); 2), Pow(e; t)), Neg(Mul(Pow(Add(u, Neg(1)); 2), Pow(e; Neg(t)))))); =), Chain(T_l, Div(Mul(4, u); Add(Mul(Pow(Add(u, 1); 2), Pow(e; t)), Neg(Mul(Pow(Add(u, Neg(1)); 2), Pow(e; Neg(t)))))); =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\mu_{0}=\\cos \\theta =\\sin \\delta \\sin \\phi +\\cos \\delta \\cos \\phi \\cos\n{th}",
+        "Chain(\\mu_0, Call(cos; \\theta), Add(Mul(Call(sin; \\delta), Call(sin; \\phi)), Mul(Call(cos; \\delta), Call(cos; \\phi), Call(cos; Mul(t, h)))); =, =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        'u_{H_{2}O}\\left( z,z\' \\right)=\\int_{z\'}^{z} \\rho_{H_{2}O} \\left( z" \\right)\\,\n\\left( \\frac{P(z")}{P_{0}}\\sqrt \\frac{T_{0}}{T(z")} \\right)^{n}dz"',
+        "Chain(Call(u_{H_2O}; z, z'), Integral(Mul(Call(\\rho_{H_2O}; z''), Pow(Mul(Div(Call(P; z''); P_0), Sqrt(Div(T_0; Call(T; z'')))); n)); z''; z'; z); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "U_{l}=\\frac{T_{1,l}{\\, R}_{L+1,l}}{1-R_{1,l}^{\\star }R_{L+1,l+1}}\\, \\, ,\\, \\,\nD_{l}=\\frac{T_{1,l}}{1-R_{1,l}^{\\star }R_{L+1,l+1}}",
+        "System(Chain(U_l, Div(Mul(T_{1,l}, R_{L+1,l}); Add(1, Neg(Mul(R _ { 1 , l } ^ { \\star }, R_{L+1,l+1})))); =), Chain(D_l, Div(T_{1,l}; Add(1, Neg(Mul(R _ { 1 , l } ^ { \\star }, R_{L+1,l+1})))); =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "q_{ib} \\left( K_{f_{b}} , \\, Y \\right)  =\n-\\left(K_{f_{b}} + C\\,\\frac{\\mu_T}{\\sigma_T}\\right)\n                  \\dfrac{\\partial Y}{\\partial y}",
+        "Chain(Call(q_{ib}; K_{f_b}, Call(Y)), Neg(Mul(Add(K_{f_b}, Mul(C, Div(\\mu_T; \\sigma_T))), Derivative(Call(Y); y, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\displaystyle\\frac{\\partial^2 P}{\\partial n \\partial \\tau } = 0,",
+        "Chain(Derivative(Call(P); n, 1, \\tau, 1; True), 0; =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\dfrac{\\partial }{\\partial t}(\\rho \\underline{u})\n+\\underline{\\text{div}}\\, \\left( \\underline{u}\\otimes \\rho \\underline{u} \\right)\n= - \\underline{\\nabla} P + \\underline{\\text{div}}\\,  \\underline{\\underline{\\tau}}.",
+        "Chain(Add(Derivative(Mul(Call(\\rho), Call(\\underline{u})); t, 1; True), Call(div; Operated(\\otimes; Call(\\underline{u}); Mul(Call(\\rho), Call(\\underline{u}))))), Add(Neg(\\nabla P), Call(div; \\underline{\\underline{\\tau}})); =)",
+        "code-saturne/code_saturne/docs/theory/cavitation.tex",
+    ),
+    (
+        "E = \\rho e = \\rho\\varepsilon + \\frac{1}{2} \\rho u^2",
+        "Chain(E, Mul(\\rho, e), Add(Mul(\\rho, \\varepsilon), Mul(Div(1; 2), \\rho, Pow(u; 2))); =, =)",
+        "code-saturne/code_saturne/docs/theory/cfbase.tex",
+    ),
+    (
+        "\\displaystyle e_{b,int} =\n\\underbrace{\\frac{ h'_{imp,ext} }{ C_v\\,h_{int}+h'_r\\,h'_{imp,ext} }\\,\n  \\left(C_v\\,T_{imp,ext}+\\frac{1}{2}u^2_{i}+\\varepsilon_{sup,i}\\right)}_{A_b}\n+\\underbrace{\\frac{ C_v\\,h_{int}+h'_{imp,ext}(h'_r-1) }{ C_v\\,h_{int}+h'_r\\,h'_{imp,ext} }}_{B_b}\\,e_{I'}",
+        "Chain(e_{b,int}, Add(Mul(Div(h_{imp,ext}'; Add(Mul(C_v, h_{int}), Mul(h_r', h_{imp,ext}'))), Add(Mul(C_v, T_{imp,ext}), Mul(Div(1; 2), Pow(u_i; 2)), \\varepsilon_{sup,i})), Mul(Div(Add(Mul(C_v, h_{int}), Mul(h_{imp,ext}', Add(h_r', Neg(1)))); Add(Mul(C_v, h_{int}), Mul(h_r', h_{imp,ext}'))), e_{I'})); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "e_{b,int} = \\frac{h_b\\,h'_{imp,ext}}{h_{int}\\,(h_b+h'_{imp,ext})}\\,(T_{imp,ext}-T_{I'})+e_{I'}",
+        "Chain(e_{b,int}, Add(Mul(Div(Mul(h_b, h_{imp,ext}'); Mul(h_{int}, Add(h_b, h_{imp,ext}'))), Add(T_{imp,ext}, Neg(T_{I'}))), e_{I'}); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "P_{paroi} = P_i \\left( 1+ \\displaystyle\\frac{\\gamma -1}{\\gamma}\n\\displaystyle\\frac{\\rho_i}{P_i} \\underline{g} \\cdot (\\underline{x}_{paroi} - \\underline{x}_i)\n\\right)^{\\frac{\\gamma}{\\gamma -1}}",
+        "Chain(P_{paroi}, Mul(P_i, Pow(Add(1, Mul(Div(Add(\\gamma, Neg(1)); \\gamma), Div(\\rho_i; P_i), \\underline{g}, Add(\\underline{x}_{paroi}, Neg(\\underline{x}_i)); 3)); Div(\\gamma; Add(\\gamma, Neg(1))))); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "T^* = -\\displaystyle\\frac{\\phi_b}{\\rho\\,C_p\\,u_k}",
+        "Chain(T ^ { * }, Neg(Div(\\phi_b; Mul(\\rho, C_p, u_k))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "G_{\\text{calc}}=\\displaystyle\\frac{u_{\\tau,G}-u_{\\tau,F}}{2d} =\n\\displaystyle\\frac{u_{\\tau,I}+u_{\\tau,J}-2u_{\\tau,F}}{4d}",
+        "Chain(G_{calc}, Div(Add(u_{\\tau,G}, Neg(u_{\\tau,F})); Mul(2, d)), Div(Add(u_{\\tau,I}, u_{\\tau,J}, Neg(Mul(2, u_{\\tau,F}))); Mul(4, d)); =, =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\displaystyle\\frac{u_{\\tau,I'}}{u^*}=g(y^+)",
+        "Chain(Div(u_{\\tau,I'}; u ^ { * }), Call(g; y ^ { + }); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\frac{\\nu_t}{\\nu} = a_1 (y^+)^3",
+        "Chain(Div(\\nu_t; \\nu), Mul(a_1, Pow(y ^ { + }; 3)); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{l}\n\\textrm{R}_{ij}=\\textrm{S}_{3(i-1)+j}\\\\\n\\textrm{S}_i=\\textrm{R}_{q(i)r(i)}\n\\end{array}\\right.",
+        "System(Chain(\\text{R}_{ij}, \\text{S}_{3(i-1)+j}; =), Chain(\\text{S}_i, \\text{R}_{q(i)r(i)}; =))",
+        "code-saturne/code_saturne/docs/theory/clsyvt.tex",
+    ),
+    (
+        "\\underbrace{\\ \\ f_{b,int}\\ \\ }_{\\text{valeur de bord utilis\\'ee par le calcul}}\n= \\underbrace{\\ \\ f_{\\text{\\it r\\'eel}}\\ \\ }_{\\text{valeur r\\'eelle impos\\'ee au bord}}",
+        "Chain(f_{b,int}, f_{r\\'eel}; =)",
+        "code-saturne/code_saturne/docs/theory/condli.tex",
+    ),
+    (
+        "||\\lambda_l ||_{\\,\\mathbb{C}}  < 1",
+        "Chain(Marked(Norm(\\lambda_l); _{ \\, \\mathbb { C } }), 1; <)",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\displaystyle\\frac{\\partial\\underline{D}}{\\partial t}-\\underline{\\text{rot}}\\ \\underline{H}=-\\underline{j}",
+        "Chain(Add(Derivative(Call(\\underline{D}); t, 1; True), Neg(Call(rot; \\underline{H}))), Neg(\\underline{j}); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\begin{array}{lll}\n\\underline{j}\\cdot\\underline{E}&=&\n\\displaystyle-\\frac{\\partial \\underline{D}}{\\partial t}\\cdot\\underline{E}\n+\\underline{H}\\cdot\\underline{\\text{rot}}\\ \\underline{E}-\\text{div}\\,(\\underline{E}\\times\\underline{H})\\\\\n\\end{array}",
+        "Chain(Mul(\\underline{j}, \\underline{E}; 1), Add(Neg(Mul(Derivative(Call(\\underline{D}); t, 1; True), \\underline{E}; 1)), Mul(\\underline{H}, Call(rot; \\underline{E}); 1), Neg(Call(div; Cross(\\underline{E}; \\underline{H})))); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{l}\n{\\color{red}\\displaystyle P_J=\\frac{1}{2}\\,\\underline{j}\\cdot\\underline{E}^*}\\\\\n{\\color{red}\\underline{E}=-\\underline{\\nabla}{(P_R+i\\,P_I)}}\\\\\n{\\color{red}\\underline{j}=\\sigma\\underline{E}}\\\\\n\\end{array}\\right.",
+        "System(Chain(P_J, Mul(Div(1; 2), \\underline{j}, \\underline { E } ^ { * }; 2); =), Chain(\\underline{E}, Neg(Call(grad; Add(P_R, Mul(i, P_I)))); =), Chain(\\underline{j}, Mul(\\sigma, \\underline{E}); =))",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\underline{F}_L=\\sum\\limits_i\\left[{n_i\\,q_i\\left(\\underline{E} + \\underline{v}_i \\times \\underline{B}\\right)}\\right]",
+        "Chain(\\underline{F}_L, BigSum(i; Mul(n_i, q_i, Add(\\underline{E}, Cross(\\underline{v}_i; \\underline{B})))); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "h \\equiv e+ \\dfrac{1}{\\rho} P.",
+        "Chain(h, Add(e, Mul(Div(1; \\rho), P)); \\equiv)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\int_{\\Omega} \\text{div}\\, \\left( Y \\ \\underline{q} \\right) \\mathrm{d} \\Omega \\simeq \\sum_{{f} \\in \\mathcal{F}_{i}} Y_{f} \\ \\underline{q}_{f} \\cdot \\underline{S}_{f},",
+        "Chain(Over(\\int; _ { \\Omega }; Call(div; Mul(Y, \\underline{q})); \\Omega), Limiting(sum; _{ f \\in \\mathcal { F } _ { i } }; Mul(Y_f, \\underline{q}_f, \\underline{S}_f; 2)); \\simeq)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "C(h) \\ \\dfrac{\\partial{h}}{\\partial{t}} \\simeq \\text{div}\\, \\left( K(h) \\ \\underline{\\nabla}(h + z) \\right) + Q_s,",
+        "Chain(Mul(Call(C; Call(h)), Derivative(Call(h); t, 1; True)), Add(Call(div; Mul(Call(K; Call(h)), Call(grad; Add(Call(h), z)))), Q_s); \\simeq)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "a_{\\,{b}_{ik}} =  B_{\\,b,ik}\\,a_I\\\\",
+        "Chain(a_{\\,b_ik}, Mul(B_{b,ik}, a_I); =)",
+        "code-saturne/code_saturne/docs/theory/matrix.tex",
+    ),
+    (
+        "f(\\mu_i,\\mu_j) = \\dfrac{\\mu_i \\mu_j}{\\alpha_{{ij}}\n\\mu_i+(1-\\alpha_{{ij}}) \\mu_j}",
+        "Chain(Call(f; \\mu_i, \\mu_j), Div(Mul(\\mu_i, \\mu_j); Add(Mul(\\alpha_{ij}, \\mu_i), Mul(Add(1, Neg(\\alpha_{ij})), \\mu_j))); =)",
+        "code-saturne/code_saturne/docs/theory/navstv.tex",
+    ),
+    (
+        "{\\text{\\texttt{TRAV}}}({\\text{\\texttt{IEL}}},1) = |\\Omega_{IEL}| (-\\displaystyle (\\frac {\\partial p}\n{\\partial x})_{{\\text{\\texttt{IEL}}}}+(\\rho({\\text{\\texttt{IEL}}})-\\rho_0)g_x)",
+        "Chain(Call(\\text{\\text{TRAV}}; \\text{\\text{IEL}}, 1), Mul(Bars(\\Omega_{IEL}), Add(Neg(Marked(Derivative(Call(p); x, 1; True); _{ \\text { \\text { I E L } } })), Mul(Add(Call(\\rho; \\text{\\text{IEL}}), Neg(\\rho_0)), g_x))); =)",
+        "code-saturne/code_saturne/docs/theory/predvv.tex",
+    ),
+    (
+        "\\text{div}\\,(\\,{\\rho\\,\\underline{u}}\\,) = \\Gamma",
+        "Chain(Call(div; Mul(\\rho, \\underline{u})), \\varGamma; =)",
+        "code-saturne/code_saturne/docs/theory/resopv.tex",
+    ),
+    (
+        "\\left\\{\n\\begin{array}{ll}\n\\theta = 1 & \\text{for an implicit first order Euler scheme}, \\\\\n\\theta = \\frac{1}{2} & \\text{for second order Crank-Nicolson scheme}.\n\\end{array}\n\\right.",
+        "System(Chain(\\theta, 1; =), Words(\\text{for~an~implicit~first~order~Euler~scheme}), Chain(\\theta, Div(1; 2); =), Words(\\text{for~second~order~Crank-Nicolson~scheme}))",
+        "code-saturne/code_saturne/docs/theory/timstp.tex",
+    ),
+    (
+        "\\begin{array}{r c l}\n\\displaystyle k &=&\\frac{1}{2} tr{\\underline{\\underline{R}}}, \\\\\n\\mathcal{P} &=&\\frac{1}{2} tr \\left( \\underline{\\underline{\\mathcal{P}}} \\right) ,\n\\end{array}",
+        "System(Chain(k, Mul(Div(1; 2), Call(tr; \\underline{\\underline{R}})); =), Chain(\\mathcal{P}, Mul(Div(1; 2), Call(tr; \\underline{\\underline{\\mathcal{P}}})); =))",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\underline{\\underline{E}} = \\underline{\\underline{L}}-C \\left( \\underline{\\underline{\\alpha}} - \\underline{\\underline{\\widetilde{\\beta}}} \\right),",
+        "Chain(\\underline{\\underline{E}}, Add(\\underline{\\underline{L}}, Neg(Mul(C, Add(\\underline{\\underline{\\alpha}}, Neg(\\underline{\\underline{\\widetilde{\\beta}}}))))); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\displaystyle\n\\phi_{ij,1} = -\\rho\\,C_1 \\frac{\\varepsilon}{k} (R_{ij} - \\frac{2}{3} k \\delta_{ij})",
+        "Chain(\\phi_{ij,1}, Neg(Mul(\\rho, C_1, Div(\\varepsilon; k), Add(R_{ij}, Neg(Mul(Div(2; 3), k, \\delta_{ij}))))); =)",
+        "code-saturne/code_saturne/docs/theory/turrij.tex",
+    ),
+    (
+        "\\displaystyle\n\\Phi_{ij} - \\varepsilon_{ij} = \\phi_{ij,1} + \\phi_{ij,2} + \\phi_{ij,w}  -\\frac{2}{3} \\rho \\ \\delta_{ij} \\varepsilon",
+        "Chain(Add(\\Phi_{ij}, Neg(\\varepsilon_{ij})), Add(\\phi_{ij,1}, \\phi_{ij,2}, \\phi_{ij,w}, Neg(Mul(Div(2; 3), \\rho, \\delta_{ij}, \\varepsilon))); =)",
+        "code-saturne/code_saturne/docs/theory/turrij.tex",
+    ),
+    (
+        "\\underline{\\underline{\\mu}}=\\begin{bmatrix}\\mu_x & 0 & 0 \\\\ 0 & \\mu_y & 0 \\\\ 0 & 0 & \\mu_z \\end{bmatrix}",
+        "Chain(\\underline{\\underline{\\mu}}, MatrixOf(\\mu_x, 0, 0, 0, \\mu_y, 0, 0, 0, \\mu_z); =)",
+        "code-saturne/code_saturne/docs/theory/visort.tex",
+    ),
+    (
+        "\\omega(y,z) = \\sum_{p=1}^N \\Gamma_p \\, \\xi_{\\sigma_p}(r)",
+        "Chain(Call(\\omega; y, z), BigSum(p; 1; N; Mul(\\varGamma_p, Call(\\xi_{\\sigma_p}; r))); =)",
+        "code-saturne/code_saturne/docs/theory/vortex.tex",
+    ),
+    (
+        "\\epsilon_{\\textrm{sup}} = e - C_v T",
+        "Chain(\\epsilon_{sup}, Add(e, Neg(Mul(C_v, T))); =)",
+        "code-saturne/code_saturne/src/cfbl/cs_cf_thermo.c",
+    ),
+    (
+        "c^2  = \\gamma \\frac{p}{\\rho}",
+        "Chain(Pow(c; 2), Mul(\\gamma, Div(p; \\rho)); =)",
+        "code-saturne/code_saturne/src/cfbl/cs_cf_thermo.c",
+    ),
+    (
+        "f(t,x) = \\begin{cases} 1 & \\text{if}\\;\\; x=1/2, \\\\\n0 & \\text{otherwise}. \\end{cases}",
+        "Chain(Call(f; t, x), Piecewise(1, Chain(x, Div(1; 2); =), 0, None); =)",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "\\dot{y} = f(t,y),  \\qquad y(t_0) = y_0.",
+        "System(Chain(Call(\\dot{y}), Call(f; t, Call(y)); =), Chain(Call(y; t_0), y_0; =))",
+        "LLNL/sundials/doc/arkode/guide/source/Introduction.rst",
+    ),
+    (
+        "p_2(\\tau) =  \\tau^2\\,y_{n-1} + (1-\\tau^2)\\,y_{n} + h_n(\\tau+\\tau^2)\\,\\hat{f}_{n}.",
+        "Chain(Call(p_2; \\tau), Add(Mul(Pow(\\tau; 2), y_{n-1}), Mul(Add(1, Neg(Pow(\\tau; 2))), y_n), Mul(h_n, Add(\\tau, Pow(\\tau; 2)), \\hat{f}_n)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "G(z_i) = 0",
+        "Chain(Call(G; z_i), 0; =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "M \\approx I - \\gamma J \\, ,\n\\quad J = \\partial f / \\partial y \\, ,\n\\quad \\mbox{and} \\quad\n\\gamma = h_n \\beta_{n,0} \\, .",
+        "System(Chain(M, Add(I, Neg(Mul(\\gamma, J))); \\approx), Chain(J, Derivative(Call(f); y, 1; True); =), Chain(\\gamma, Mul(h_n, \\beta_{n,0}); =))",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "y_n^{(i+1)} = y_n^{(i)} + \\delta y_n^{(i)}",
+        "Chain(y _ { n } ^ { ( i + 1 ) }, Add(y _ { n } ^ { ( i ) }, \\delta y _ { n } ^ { ( i ) }); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "R \\leftarrow \\max\\{0.3R , \\|\\delta_m\\| / \\|\\delta_{m-1}\\| \\} \\, .",
+        "Chain(R, Call(max; Mul(0.3, R), Div(Norm(\\delta_m); Norm(\\delta_{m-1}))); \\leftarrow)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\dot z = q(t,y,\\dot{y},p) \\, , \\quad z(t_0) = 0 \\, .",
+        "System(Chain(Call(\\dot{z}), Call(q; t, Call(y), Call(\\dot{y}), p); =), Chain(Call(z; t_0), 0; =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "J = \\frac{\\partial G}{\\partial y}\n= \\frac{\\partial F}{\\partial y} +\n\\alpha\\frac{\\partial F}{\\partial \\dot{y}} \\, ,",
+        "Chain(J, Derivative(Call(G); y, 1; True), Add(Derivative(Call(F); y, 1; True), Mul(\\alpha, Derivative(Call(F); \\dot{y}, 1; True))); =, =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split} & F(t, y, \\dot y , p) = 0 \\\\ & y(t_0) = y_0(p) \\, ,~ {\\dot\ny}(t_0) = \\dot y_0(p) \\, , \\end{split}",
+        "System(Chain(Call(F; t, Call(y), Call(\\dot{y}), p), 0; =), Chain(Call(y; t_0), Call(y_0; p); =), Chain(Call(\\dot{y}; t_0), Call(\\dot{y}_0; p); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "W_{mean} = \\|W\\|_2 / \\sqrt{n}",
+        "Chain(W_{mean}, Div(Marked(Norm(W); _{ 2 }); Sqrt(n)); =)",
+        "LLNL/sundials/doc/idas/guide/source/sunlinsol/IDAS_interface.rst",
+    ),
+    (
+        "g(t) = \\int \\int u(t,x,y)~dx~dy ~.",
+        "Chain(Call(g; t), Antiderivative(Antiderivative(Call(u; t, x, y); x); y); =)",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "F(u_n + \\lambda\\delta_n) \\ge F(u_n) + \\beta \\nabla F(u_n)^T \\lambda\\delta_n \\, ,",
+        "Chain(Call(F; Add(u_n, Mul(\\lambda, \\delta_n))), Add(Call(F; u_n), Mul(\\beta, Transpose(Call(\\nabla F; u_n)), \\lambda, \\delta_n)); \\ge)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "(D_F)_{i,i} \\approx D_{F,mean},\\quad \\text{for}\\quad i=0,\\ldots,n-1.",
+        "System(Chain(Marked(D_F; _{ i , i }), D_{F,mean}; \\approx), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/kinsol/guide/source/sunlinsol/KINSOL_interface.rst",
+    ),
+    (
+        "b + u = \\nabla \\cdot (D \\nabla u) + c(u) + u,",
+        "Chain(Add(b, u), Add(Call(div; Mul(D, \\nabla u)), Call(c; u), u); =)",
+        "LLNL/sundials/doc/kinsol/kin_ex_cxx.tex",
+    ),
+    (
+        "m = \\min_{0\\le i< n} x_i.",
+        "Chain(m, Limiting(min; _{ 0 \\le i < n }; x_i); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "\\| Pz - r \\|_{\\text{wrms}} < tol",
+        "Chain(Marked(Norm(Add(Mul(P, z), Neg(r))); _{ \\text { w r m s } }), \\text{tol}; <)",
+        "LLNL/sundials/doc/shared/sunlinsol/SUNLinSol_API.rst",
+    ),
+    (
+        "\\mathbf{A} =\n\\begin{bmatrix}\n\\mathbf{A_0} & 0 & \\cdots & 0\\\\\n0 & \\mathbf{A_2} & \\cdots & 0\\\\\n\\vdots & \\vdots & \\ddots & \\vdots\\\\\n0 & 0 & \\cdots & \\mathbf{A_{n-1}}\\\\\n\\end{bmatrix}",
+        "Chain(\\mathbf{A}, MatrixOf(\\mathbf{A}_0, 0, Dots(), 0, 0, \\mathbf{A}_2, Dots(), 0, Dots(), Dots(), Dots(), Dots(), 0, 0, Dots(), \\mathbf{A}_{n-1}); =)",
+        "LLNL/sundials/doc/shared/sunmatrix/SUNMatrix_MagmaDense.rst",
+    ),
+    (
+        "\\alpha^{(n)} =(\\alpha_0^{(n)}, \\ldots, \\alpha_{m_n}^{(n)})",
+        "Chain(\\alpha ^ { ( n ) }, Tuple(\\alpha _ { 0 } ^ { ( n ) }, Dots(), \\alpha _ { m _ { n } } ^ { ( n ) }; ()); =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
     ),
 )
 

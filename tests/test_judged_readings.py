@@ -859,6 +859,11 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"\sum_{\kappa=1}^N X_\alpha^\kappa = 1": r"\sum_{\kappa=1}^N X_\kappa = 1",
     r"\nabla^2 f(x) = \begin{pmatrix} a & b \\ b & c \end{pmatrix}": r"\nabla^2 f(x) = a",
     r"-\Delta u + \exp(u) = 0": r"v - \Delta u + \exp(u) = 0",
+    r"F(u) = -\Delta u + \exp(u)": r"F(u) = v - \Delta u + \exp(u)",
+    r"b(u, q) = 0, \quad \forall q \in L^2(\Omega)": r"b(u, q) = 0, \quad \forall q \in L(\Omega)",
+    r"F = B A^{-1} C b": r"F = A^{-1} b",
+    r"Q_{ij} = G_{ij} - \delta_{ij} G_{kk}": r"Q_{ij} = G_{ij} - \delta_{ij} G_{12}",
+    r"\partial u / \partial t = 2 u_{xx} + b": r"\partial u / \partial t = 2 v_{12} + b",
     r"\hat\pi(v)(\hat{x}) = b": r"\hat\pi(v) \hat{x} = b",
     r"[S(\Phi, a)]^{n+\theta} = b S(\Phi^n, a^n)": r"[S(\Phi, a)]^2 = b S(\Phi, a)",
     r"P = \frac{1}{2} P_{kk}": r"P = \frac{1}{2} P_{12}",
@@ -895,6 +900,9 @@ def test_a_line_below_a_letter_makes_it_another_one_and_drops_no_scripts(latex: 
 
 
 def test_lines_below_letters_make_vectors_and_matrices() -> None:
+    moving = first_reading(r"\frac{\partial \underline{D}}{\partial t} = \underline{\nabla} b")[1]
+    assert (letter := moving.find(r"\underline{D}", 0))
+    assert letter.kind == "vector"
     notation = first_reading(r"\underline{\underline{D}} \, \underline{w} = \underline{v}")[1]
     kinds = [notation.find(each, 0) for each in (r"\underline{\underline{D}}", r"\underline{w}", r"\underline{v}")]
     assert [each and each.kind for each in kinds] == ["matrix", "vector", "vector"]
@@ -920,6 +928,9 @@ def test_an_index_that_is_compared_is_no_imaginary_unit() -> None:
 
 
 def test_tr_before_a_tensor_is_its_trace() -> None:
+    assert (
+        first_reading(r"a = tr{\underline{\underline{T}}}")[0] == first_reading(r"a = tr(\underline{\underline{T}})")[0]
+    )
     tree = first_reading(r"a = tr \underline{\underline{T}} b")[0]
     assert bracketed(tree) == r"Chain(a, Mul(Call(tr; \underline{\underline{T}}), b); =)"
 

@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_doubled, is_product
 from symcheck.reading.commands import ACCENTS
-from symcheck.reading.faces import FACES, is_styled
+from symcheck.reading.faces import FACES, TENSOR, is_styled
 from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, POWER_OR_LABEL, names_of_several_tokens
 from symcheck.reading.occurrences import BOLD, FUNCTIONS_SPELLED, Occurrence, occurrences, words
 from symcheck.reading.operators import operators
@@ -78,7 +78,8 @@ class Evidence:
     @cached_property
     def capital(self) -> bool:
         """Is it bold, without an arrow, and capital?"""
-        return is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling
+        line = self.spelling.startswith(r"\underline{") and not TENSOR.match(self.spelling)
+        return is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling and not line
 
     @cached_property
     def multiplied(self) -> bool:
@@ -318,6 +319,10 @@ _ALONE = re.compile(
 _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
+# spaces of functions whose powers may be integrated
+_OF_SPACE = re.compile(r"\\in (L)(?: _ (?:\w|\{ \w \}))? \^ (?:\d|p|\{ [\dp] \}) (?:\\left )?\(")
+# second derivatives written below a letter
+_CURVED = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ \{ ([xyzt]) \2 \}")
 # and of what a gradient is taken of
 _RATE_OF_FIELD = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t \})")
 # and of potentials
@@ -484,6 +489,11 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
         said = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =")  # of what it is a function
         if not any(map(said.search, formulas)):
             found.setdefault(letter, _LABELS)
+    for space in {x for text in formulas for x in _OF_SPACE.findall(text)}:
+        found.setdefault(space, "a power of a value, or a space of functions? say what it is")
+    for letter, below in {pair for text in formulas for pair in _CURVED.findall(text)}:
+        if any(re.search(rf"\\partial {re.escape(letter)}(?! [_^])(?![A-Za-z])", text) for text in formulas):
+            found.setdefault(f"{letter}_{{{below}{below}}}", _LABELS)
     for letter in {x for text in formulas for x in _RATE_OF_FIELD.findall(text)}:
         if any(
             re.search(rf"\\nabla(?: \^ \{{ 2 \}}| \^ 2)? {re.escape(letter)}(?! _)(?![A-Za-z])", text)

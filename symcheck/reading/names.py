@@ -653,7 +653,8 @@ def _is_laplacian(letter: str, formula: str) -> bool:
     ):
         return True  # multiplied by the square of a length
     if letter in _POTENTIALS and re.search(
-        rf"(?:^(?:& )?- |\\int _ (?:\S|\\\w+|\{{[^{{}}]*\}}) (?:\{{ )?)\\Delta {own}(?![A-Za-z])(?! [_^])", formula
+        rf"(?:(?:^|= )(?:& )?- |\\int _ (?:\S|\\\w+|\{{[^{{}}]*\}}) (?:\{{ )?)\\Delta {own}(?![A-Za-z])(?! [_^])",
+        formula,
     ):
         return True  # as equations begin, and what is tested by others
     if formula.count(r"\Delta") > formula.count(rf"\Delta {letter}"):

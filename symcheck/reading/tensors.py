@@ -20,8 +20,13 @@ _BELOW = re.compile(rf"_ {_INDICES}")
 _SUMMED = frozenset("ijklmn") | {rf"\{x}" for x in ("alpha", "beta", "kappa", "lambda", "mu", "nu", "rho", "sigma")}
 _TOLD = "summed over {}, or not? write \\sum, or say what the letters are"
 _MOST = 3  # indices of one letter
+_LOW = r"(?: _ (?:\w|\{[^{}]*\}))?"
 _ADJOINT = re.compile(r"(?<![A-Za-z\\])([A-Z])(?: _ (?:\w|\{[^{}]*\}))? \^ (?:\{ \\dagger \}|\\dagger)")
 _CAPITALS = re.compile(r"(?<![A-Za-z\\])[A-Z](?: _ (?:\w|\{[^{}]*\}))? (?:\\[,;:!] )*[A-Z](?![A-Za-z])")
+# an inverse between capitals, which a number would not be printed between
+_BETWEEN = re.compile(
+    rf"(?<![A-Za-z\\])[A-Z]{_LOW} (?:\\[,;:!] )*[A-Z]{_LOW} \^ \{{ - 1 \}} (?:\\[,;:!] )*[A-Z](?![A-Za-z])"
+)
 # what shows that there are matrices
 _OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:- )?(?:T|\\top) \}|\\top)|m a t r i x|\\(?:mathbf|boldsymbol|bm) ")
 # inverses of capitals, and a capital beside one
@@ -58,7 +63,7 @@ def unsaid_products(text: str) -> Iterator[tuple[str, str]]:
                     if found:
                         yield found[0], _TOLD.format(min(shared))
             for first, run in _TRACE.findall(right):
-                if run not in own and left.strip("& ") == first:
+                if run not in own and (left.strip("& ") == first or own & _SUMMED):
                     yield f"{first} _ {{ {run} {run} }}", _TOLD.format(run)
             for first, below, second, behind in _PAIR.findall(right):
                 if max(len(_runs(below)), len(_runs(behind))) > _MOST:
@@ -70,8 +75,9 @@ def unsaid_products(text: str) -> Iterator[tuple[str, str]]:
                     yield f"{first} _ {below}", _TOLD.format(min(shared))
     if r"\dagger" in text and "m a t r i x" not in text and _CAPITALS.search(text):
         yield from ((letter, "numbers, or matrices? say what they are") for letter in _ADJOINT.findall(text))
-    inverse = {*_INVERSE.findall(text)} if text.count("- 1 }") > 1 else set()
-    if len(inverse) > 1 and not _OF_MATRICES.search(text) and _INVERSE_PAIR.search(text):
+    inverse = {*_INVERSE.findall(text)} if "- 1 }" in text else set()
+    between = bool(inverse) and _BETWEEN.search(text) is not None
+    if (between or len(inverse) > 1) and not _OF_MATRICES.search(text) and (between or _INVERSE_PAIR.search(text)):
         yield from ((letter, "numbers, or matrices? say what they are") for letter in sorted(inverse))
     if "I _ " in text:
         yield from ((letter, "a block, or a number? say what it is") for letter in _BLOCK.findall(text))
