@@ -527,6 +527,25 @@ LICENCES = {  # of the repositories from whose packages displays were taken
     "ziatdinovmax/gpax": "MIT",
     "zwicker-group/py-pde": "MIT",
     "zxcalc/pyzx": "Apache-2.0",
+    "DTUWindEnergy/PyWake": "MIT",
+    "Dynare/dynare": "GPL-3.0-or-later",
+    "FluidityProject/fluidity": "LGPL-2.1",
+    "LLNL/sundials": "BSD-3-Clause",
+    "NanoComp/mpb": "GPL-2.0-or-later",
+    "PyEllips/pyElli": "GPL-3.0",
+    "Quantco/glum": "BSD-3-Clause",
+    "abess-team/abess": "GPL-3.0",
+    "code-saturne/code_saturne": "GPL-2.0-or-later",
+    "ctsim/ctsim": "GPL-2.0-or-later",
+    "getdp/getdp": "GPL-2.0-or-later",
+    "james-d-pickering/introductory-quantum-mechanics": "not stated",
+    "jonathan-taylor/stats-lecture-notes": "not stated",
+    "psi4/psi4": "LGPL-3.0",
+    "pycodegen/lbmpy": "AGPL-3.0-or-later",
+    "qucontrol/weylchamber": "BSD-3-Clause",
+    "rheolef/rheolef": "GPL-2.0-or-later",
+    "rigetti/forest-benchmarking": "Apache-2.0",
+    "sandialabs/pyGSTi": "Apache-2.0",
 }
 
 JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, repository and path
@@ -6937,7 +6956,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "\\begin{array}{l} \\bar{n}_x\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\bar{n}_y\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\bar{n}_z\\cdot ({}^N\\bar{v}^{B_o} + {}^N\\bar{\\omega}^B \\times (-r\\hat{n}_z)) = 0 \\\\ \\end{array}",
-        "System(Chain(Mul(\\bar{n}_x, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =), Chain(Mul(\\bar{n}_y, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =), Chain(Mul(\\bar{n}_z, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z))))), 0; =))",
+        "System(Chain(Mul(\\bar{n}_x, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z)))); 1), 0; =), Chain(Mul(\\bar{n}_y, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z)))); 1), 0; =), Chain(Mul(\\bar{n}_z, Add(\\prescript { N } { } { \\bar { v } } ^ { B _ { o } }, Cross(\\prescript { N } { } { \\bar { \\omega } } ^ { B }; Neg(Mul(r, \\hat{n}_z)))); 1), 0; =))",
         "moorepants/learn-multibody-dynamics/lagrange.rst",
     ),
     (
@@ -35417,7 +35436,7 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
     ),
     (
         "C_{\\textrm{projected}}(t)=v_1^T \\underline{C}(t) v_2",
-        "Chain(Call(C_{projected}; t), Mul(Transpose(v_1), Call(C; t), v_2); =)",
+        "Chain(Call(C_{projected}; t), Mul(Transpose(v_1), Call(\\underline{C}; t), v_2); =)",
         "fjosw/pyerrors/examples/06_gevp.ipynb",
     ),
     (
@@ -41214,6 +41233,3591 @@ JUDGED = (  # LaTeX, the right reading as a fully bracketed expression, reposito
         "E_{\\text{RMSE}} = \\sqrt{\\frac{1}{N}\\sum_{i=1}^{N}[e_i-s_i]^2}",
         "Chain(E_{RMSE}, Sqrt(Mul(Div(1; N), BigSum(i; 1; N; Pow(Add(e_i, Neg(s_i)); 2)))); =)",
         "ThibHlln/hydroeval/hydroeval/objective_functions.py",
+    ),
+    (
+        "f(z) = a * y_i + b,\nx_i \\leq z < x_{i + 1}",
+        "System(Chain(Call(f; z), Add(Operated(*; a; y_i), b); =), Chain(x_i, z, x_{i+1}; \\le, <))",
+        "abess-team/abess/abess/functions.py",
+    ),
+    (
+        "L=\\frac{\\delta u^{2} \\Psi_{h}}{\\frac{g}{T_{0}}\\Psi_{m}^{2}(\\delta {\\theta}+0.61 T_{0} \\delta {q})}",
+        "Chain(L, Div(Mul(Pow(\\delta u; 2), \\Psi_h); Mul(Div(g; T_0), Pow(\\Psi_m; 2), Add(\\delta \\theta, Mul(0.61, T_0, \\delta q)))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\rho \\bar{q_{l}}=\\frac{4}{3}\\pi \\bar{r_{3}}^{3}\\rho_{w}N_{d}",
+        "Chain(Mul(\\rho, \\bar{q}_l), Mul(Div(4; 3), \\pi, Pow(\\bar{r}_3; 3), \\rho_w, N_d); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "F_{abs}^{H_{2}O}=\\mu_{0}F\\sum\\limits_{n=1}^{n=8} A_{l(n)}",
+        "Chain(F _ { a b s } ^ { H _ { 2 } O }, Mul(\\mu_0, F, BigSum(n; 1; 8; A_{l(n)})); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\delta \\theta=\\theta (z_2) -\\theta (z_1)=\n\\left(\\frac{\\theta_{\\star}}{\\kappa} \\right)\\Psi_{h}\\left({L,z_2,z_1} \\right)",
+        "Chain(\\delta \\theta, Add(Call(\\theta; z_2), Neg(Call(\\theta; z_1))), Mul(Div(\\theta_\\star; \\kappa), Call(\\Psi_h; L, z_2, z_1)); =, =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "G=-g_{i} \\frac{\\mu_{t}}{\\sigma_{t} }\\frac{1}{\\theta }\\frac{\\partial \\theta\n}{\\partial z}",
+        "Chain(G, Neg(Mul(g_i, Div(\\mu_t; \\sigma_t), Div(1; Call(\\theta)), Derivative(Call(\\theta); z, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\frac{dw_{2}}{dt}=C_{2}\\frac{w_{1}-w_{2}}{\\tau_{1}},",
+        "Chain(Derivative(Call(w_2); t, 1), Mul(C_2, Div(Add(w_1, Neg(Call(w_2))); \\tau_1)); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "u_{O_{3}}\\left( z,z' \\right)=\\left| f_{Green}\\left( z\n\\right)-f_{Green}(z') \\right|",
+        "Chain(Call(u_{O_3}; z, z'), Bars(Add(Call(f_{Green}; z), Neg(Call(f_{Green}; z')))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "F_{dep}=\\bar{q_{l}}\\frac{1}{R_{t}}=\\bar{q_{l}}V_{dep}",
+        "Chain(F_{dep}, Mul(\\bar{q}_l, Div(1; R_t)), Mul(\\bar{q}_l, V_{dep}); =, =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "A_{3}=\\left( \\frac{\\rho_{w}R_{v}T}{e_{s}D_{v}^{\\star }}-\\frac{L_{v}\\rho\n_{w}}{k_{a}^{\\star }T}\\left( 1-\\frac{L_{v}}{TR_{v}} \\right) \\right)^{-1},\\,\n\\, A=\\frac{2\\sigma_{vw}}{R_{v}T\\rho_{w}},\nB_{i}=\\frac{\\nu \\phi_{s}\\epsilon_{m}M_{w}\\rho_{ai}}{M_{ai}\\rho_{w}}",
+        "System(Chain(A_3, Pow(Add(Div(Mul(\\rho_w, R_v, T); Mul(e_s, D _ { v } ^ { \\star })), Neg(Mul(Div(Mul(L_v, \\rho_w); Mul(k _ { a } ^ { \\star }, T)), Add(1, Neg(Div(L_v; Mul(T, R_v))))))); Neg(1)); =), Chain(A, Div(Mul(2, \\sigma_{vw}); Mul(R_v, T, \\rho_w)); =), Chain(B_i, Div(Mul(\\nu, \\phi_s, \\epsilon_m, M_w, \\rho_{ai}); Mul(M_{ai}, \\rho_w)); =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\left( \\frac{\\partial N_{d}}{\\partial t} \\right)_{C}=0.",
+        "Chain(Marked(Derivative(Call(N_d); t, 1; True); _{ C }), 0; =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "R_{1,l}=R_{1,l-1}+\\frac{T_{1,l-1}R_{l}T_{1,l-1}^{\\star }}{1-R_{1,l-1}^{\\star\n}R_{l}}\\, \\, ,\\, \\, T_{1,l}=\\frac{T_{1,l-1}T_{l}}{1-R_{1,l-1}^{\\star }R_{l}}",
+        "System(Chain(R_{1,l}, Add(R_{1,l-1}, Div(Mul(T_{1,l-1}, R_l, T _ { 1 , l - 1 } ^ { \\star }); Add(1, Neg(Mul(R _ { 1 , l - 1 } ^ { \\star }, R_l))))); =), Chain(T_{1,l}, Div(Mul(T_{1,l-1}, T_l); Add(1, Neg(Mul(R _ { 1 , l - 1 } ^ { \\star }, R_l)))); =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\dfrac{y^+}{u^+} = \\dfrac{y^+}{ \\dfrac{1}{\\kappa} \\ln \\left( \\dfrac{y+z_0}{z_0}\\right) + C_{log}}.",
+        "Chain(Div(y ^ { + }; u ^ { + }), Div(y ^ { + }; Add(Mul(Div(1; \\kappa), Call(ln; Div(Add(y, z_0); z_0))), C_\\log)); =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\left( 1 + \\dfrac{\\mu_T}{ \\mu} \\right) \\dfrac{\\partial u^+}{\\partial y^+} = 1,",
+        "Chain(Mul(Add(1, Div(\\mu_T; \\mu)), Derivative(Call(u ^ { + }); y ^ { + }, 1; True)), 1; =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "m^+ = -\\dfrac{C_{prod} \\rho_l \\min \\left( P-P_V,0\n\\right)\\alpha(1-\\alpha)}{0.5\\rho_lu_\\infty^2t_\\infty},\\qquad\nm^- = -\\dfrac{C_{dest} \\rho_v \\max \\left( P-P_V,0\n\\right)\\alpha(1-\\alpha)}{0.5\\rho_lu_\\infty^2t_\\infty},",
+        "System(Chain(m ^ { + }, Neg(Div(Mul(C_{prod}, \\rho_l, Call(min; Add(P, Neg(P_V)), 0), \\alpha, Add(1, Neg(\\alpha))); Mul(0.5, \\rho_l, Pow(u_\\infty; 2), t_\\infty))); =), Chain(m ^ { - }, Neg(Div(Mul(C_{dest}, \\rho_v, Call(max; Add(P, Neg(P_V)), 0), \\alpha, Add(1, Neg(\\alpha))); Mul(0.5, \\rho_l, Pow(u_\\infty; 2), t_\\infty))); =))",
+        "code-saturne/code_saturne/docs/theory/cavitation.tex",
+    ),
+    (
+        "P = (\\gamma -1) \\rho (e - \\frac{1}{2} u^2)",
+        "Chain(P, Mul(Add(\\gamma, Neg(1)), \\rho, Add(e, Neg(Mul(Div(1; 2), Pow(u; 2))))); =)",
+        "code-saturne/code_saturne/docs/theory/cfbase.tex",
+    ),
+    (
+        "P = (\\hat{\\gamma} -1) \\displaystyle\\frac{\\rho}{(1-b\\rho)}\n(e - \\frac{1}{2} u^2 + a\\rho) - a \\rho^2",
+        "Chain(P, Add(Mul(Add(\\hat{\\gamma}, Neg(1)), Div(\\rho; Add(1, Neg(Mul(b, \\rho)))), Add(e, Neg(Mul(Div(1; 2), Pow(u; 2))), Mul(a, \\rho))), Neg(Mul(a, Pow(\\rho; 2)))); =)",
+        "code-saturne/code_saturne/docs/theory/cfbase.tex",
+    ),
+    (
+        "e = \\varepsilon + \\frac{1}{2} u^2\n= (C_v T + \\varepsilon_{sup}) + \\frac{1}{2} u^2",
+        "Chain(e, Add(\\varepsilon, Mul(Div(1; 2), Pow(u; 2))), Add(Add(Mul(C_v, T), \\varepsilon_{sup}), Mul(Div(1; 2), Pow(u; 2))); =, =)",
+        "code-saturne/code_saturne/docs/theory/cfener.tex",
+    ),
+    (
+        "\\underline{\\nabla}{P}=c^2\\,\\underline{\\nabla}{\\rho}+\\beta\\,\\underline{\\nabla}{s}",
+        "Chain(\\nabla P, Add(Mul(Pow(c; 2), \\nabla \\rho), Mul(\\beta, \\nabla s)); =)",
+        "code-saturne/code_saturne/docs/theory/cfmsvl.tex",
+    ),
+    (
+        "\\begin{array}{l}\nP_b=P_{ext}\\\\\n\\\\\n\\rho_b=\\rho_i \\left(\\displaystyle\\frac{P_{ext}}{P_i}\\right)^{\\frac{1}{\\gamma}}\n\\end{array}",
+        "System(Chain(P_b, P_{ext}; =), Chain(\\rho_b, Mul(\\rho_i, Pow(Div(P_{ext}; P_i); Div(1; \\gamma))); =))",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "\\phi_b=h_b\\,(f_{b,ext}-f_{I'})",
+        "Chain(\\phi_b, Mul(h_b, Add(f_{b,ext}, Neg(f_{I'}))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "\\begin{array}{lll}\nP_{\\text{calc}}\n&=&\\mu_{t,I}\\left(\\displaystyle\\frac{2u_{\\tau,I}+2d  \\, \\displaystyle\\frac{\\,u^*}{\\kappa\n\t     \\left(2d + z_0\\right) } -2u_{\\tau,F}}{4d}\\right)^2 \\\\\n&=&\n\\mu_{t,I}\\left(\\displaystyle\\frac{u_{\\tau,I}+d \\,\\displaystyle\\frac{\\,u^*}{\\kappa\n\t  \\left(2d + z_0\\right)} -u_{\\tau,F}}{2d}\\right)^2\n\\end{array}",
+        "Chain(P_{calc}, Mul(\\mu_{t,I}, Pow(Div(Add(Mul(2, u_{\\tau,I}), Mul(2, d, Div(u ^ { * }; Mul(\\kappa, Add(Mul(2, d), z_0)))), Neg(Mul(2, u_{\\tau,F}))); Mul(4, d)); 2)), Mul(\\mu_{t,I}, Pow(Div(Add(u_{\\tau,I}, Mul(d, Div(u ^ { * }; Mul(\\kappa, Add(Mul(2, d), z_0)))), Neg(u_{\\tau,F})); Mul(2, d)); 2)); =, =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "k= \\displaystyle\\frac{u_k^2}{C_\\mu^\\frac{1}{2}}",
+        "Chain(k, Div(Pow(u_k; 2); Pow(C_\\mu; Div(1; 2))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "h_b=\\displaystyle\\frac{\\phi_b}{f_{b,ext}-f_{I'}}=\\frac{\\rho\\,C\\,u_k}{f^+_{I'}}",
+        "Chain(h_b, Div(\\phi_b; Add(f_{b,ext}, Neg(f_{I'}))), Div(Mul(\\rho, C, u_k); f _ { I ' } ^ { + }); =, =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "\\mathcal{K}=\\left\\{\n\\begin{array}{ll}\n\\displaystyle\\frac{1}{\\sigma}\n             &\\text{if } y^+ < y^+_1\\\\\n\\displaystyle\\frac{1}{\\sigma}\n+\\displaystyle\\frac{a_1 (y^+)^3}{\\sigma_t}\n             &\\text{if } y^+_1 \\leqslant y^+ < y^+_2\\\\\n\\displaystyle\\frac{\\kappa \\,y^+}{\\sigma_t}\n             &\\text{if } y^+_2\\leqslant y^+\\\\\n\\end{array}\n\\right.",
+        "Chain(\\mathcal{K}, Piecewise(Div(1; \\sigma), Chain(y ^ { + }, y _ { 1 } ^ { + }; <), Add(Div(1; \\sigma), Div(Mul(a_1, Pow(y ^ { + }; 3)); \\sigma_t)), Chain(y _ { 1 } ^ { + }, y ^ { + }, y _ { 2 } ^ { + }; \\le, <), Div(Mul(\\kappa, y ^ { + }); \\sigma_t), Chain(y _ { 2 } ^ { + }, y ^ { + }; \\le)); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\left\\{\n\\begin{array}{ll}\nf^+ = \\sigma \\,y^+ & \\text{if } y^+ < y^+_1 \\\\\nf^+ = a_2 -\\displaystyle\\frac{\\sigma_t}{2\\,a_1\\,(y^+)^2}& \\text{if } y_1^+ \\leqslant y^+ < y_2^+ \\\\\nf^+ = \\displaystyle\\frac{\\sigma_t}{\\kappa}\\,ln(y^+)+a_3& \\text{if } y^+_2 \\leqslant y^+\\\\\n\\end{array}\n\\right.",
+        "System(Implies(Chain(y ^ { + }, y _ { 1 } ^ { + }; <); Chain(f ^ { + }, Mul(\\sigma, y ^ { + }); =)), Implies(Chain(y _ { 1 } ^ { + }, y ^ { + }, y _ { 2 } ^ { + }; \\le, <); Chain(f ^ { + }, Add(a_2, Neg(Div(\\sigma_t; Mul(2, a_1, Pow(y ^ { + }; 2))))); =)), Implies(Chain(y _ { 2 } ^ { + }, y ^ { + }; \\le); Chain(f ^ { + }, Add(Mul(Div(\\sigma_t; \\kappa), Call(ln; y ^ { + })), a_3); =)))",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\mathcal{K}= \\displaystyle\\frac{\\kappa \\,y^+}{\\sigma_t}",
+        "Chain(\\mathcal{K}, Div(Mul(\\kappa, y ^ { + }); \\sigma_t); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{lcl}\nu_{F,t} & = & u_{I',t}\\\\\nu_{F,\\tilde{n}} & = & 0\\\\\nu_{F,b} & = & u_{I',b}\n\\end{array}\\right.",
+        "System(Chain(u_{F,t}, u_{I',t}; =), Chain(u_{F,\\tilde n}, 0; =), Chain(u_{F,b}, u_{I',b}; =))",
+        "code-saturne/code_saturne/docs/theory/clsyvt.tex",
+    ),
+    (
+        "x_{1}^{*} &=& \\dfrac{\\alpha_{1}\\rho_{1}}{\\rho_{m}} , \\\\\n  x_{2}^{*} &=& \\dfrac{\\displaystyle \\sum_{i=1}^{N_{classes}} \\alpha_{2, \\,i} \\, \\rho_{2}}{\\rho_{m}}.",
+        "System(Chain(x _ { 1 } ^ { * }, Div(Mul(\\alpha_1, \\rho_1); \\rho_m); =), Chain(x _ { 2 } ^ { * }, Div(BigSum(i; 1; N_{classes}; Mul(\\alpha_{2i}, \\rho_2)); \\rho_m); =))",
+        "code-saturne/code_saturne/docs/theory/combustion_coal.tex",
+    ),
+    (
+        "\\frac {\\partial  (\\rho f)}{\\partial t}=\\rho \\frac {\\partial f}{\\partial t} + f\n\\frac {\\partial \\rho}{\\partial t}",
+        "Chain(Derivative(Mul(Call(\\rho), Call(f)); t, 1; True), Add(Mul(Call(\\rho), Derivative(Call(f); t, 1; True)), Mul(Call(f), Derivative(Call(\\rho); t, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{lll}\n& \\delta f_1 & <\\ 1 \\\\\n& \\delta f_2 & <\\ 1 \\\\\n& \\delta f_3 & <\\ 1 \\\\\n\\end{array}\\right.",
+        "System(Chain(\\delta f _ { 1 }, 1; <), Chain(\\delta f _ { 2 }, 1; <), Chain(\\delta f _ { 3 }, 1; <))",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\forall i \\in [1,N],\\ \\ \\ \\displaystyle\\int_{\\Omega_i}\\text{div}\\,\\,(\\rho\\,\\underline{u})\\ d\\Omega = 0",
+        "System(Forall(Chain(i, Interval(1; N; []); \\in)), Chain(Over(\\int; _ { \\Omega _ { i } }; Call(div; Mul(\\rho, \\underline{u})); \\Omega), 0; =))",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\underline{\\text{rot}}\\ \\underline{B}=\\mu_0\\underline{j}",
+        "Chain(Call(rot; \\underline{B}), Mul(\\mu_0, \\underline{j}); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "-\\underline{\\text{rot}}\\ (\\underline{\\text{rot}}\\ {\\underline{A}}) = -\\mu_0\\underline{j}",
+        "Chain(Neg(Call(rot; Call(rot; \\underline{A}))), Neg(Mul(\\mu_0, \\underline{j})); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "P_J=\\underline{j}\\cdot\\underline{E}=\\left(-\\frac{\\partial \\underline{D}}{\\partial t} +\\underline{\\text{rot}}\\ \\underline{H}\\right)\\cdot\\underline{E}",
+        "Chain(P_J, Mul(\\underline{j}, \\underline{E}; 1), Mul(Add(Neg(Derivative(Call(\\underline{D}); t, 1; True)), Call(rot; \\underline{H})), \\underline{E}; 1); =, =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\frac{\\partial\\underline{B}}{\\partial t}+\\underline{\\text{rot}}\\ \\underline{E}=0",
+        "Chain(Add(Derivative(Call(\\underline{B}); t, 1; True), Call(rot; \\underline{E})), 0; =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "{\\color{red}\\underline{B} = \\underline{\\text{rot}}\\ {\\underline{A}}}",
+        "Chain(\\underline{B}, Call(rot; \\underline{A}); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\begin{array}{lll}\n\\displaystyle\\underline{j}\\cdot\\underline{E}&=&\n\\displaystyle-\\frac{\\varepsilon_0}{2}\\frac{\\partial E^2}{\\partial t}\n-\\frac{1}{2\\,\\mu_0}\\frac{\\partial B^2}{\\partial t}\n-\\frac{1}{\\mu_0}\\text{div}\\,(\\underline{E}\\times\\underline{B})\n\\end{array}",
+        "Chain(Mul(\\underline{j}, \\underline{E}; 1), Add(Neg(Mul(Div(\\varepsilon_0; 2), Derivative(Pow(Call(E); 2); t, 1; True))), Neg(Mul(Div(1; Mul(2, \\mu_0)), Derivative(Pow(Call(B); 2); t, 1; True))), Neg(Mul(Div(1; \\mu_0), Call(div; Cross(\\underline{E}; \\underline{B}))))); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\displaystyle\\varepsilon_0\\,\\mu_0\\,\\frac{\\partial\\underline{E}}{\\partial t}-\\underline{\\text{rot}}\\ \\underline{B}=-\\mu_0\\underline{j}",
+        "Chain(Add(Mul(\\varepsilon_0, \\mu_0, Derivative(Call(\\underline{E}); t, 1; True)), Neg(Call(rot; \\underline{B}))), Neg(Mul(\\mu_0, \\underline{j})); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\beta= -\\frac{1}{\\rho}  \\left.\\dfrac{\\partial \\rho}{\\partial T}\\right|_P.",
+        "Chain(\\beta, Neg(Mul(Div(1; Call(\\rho)), Marked(Derivative(Call(\\rho); T, 1; True); _{ P }))); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\dfrac{\\lambda}{C_p} \\left(\\underline{\\nabla} h -\\dfrac{1-\\beta T }{\\rho}\\underline{\\nabla} P\\right) = \\lambda \\underline{\\nabla} T,",
+        "Chain(Mul(Div(\\lambda; C_p), Add(\\nabla h, Neg(Mul(Div(Add(1, Neg(Mul(\\beta, T))); \\rho), \\nabla P)))), Mul(\\lambda, \\nabla T); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\dfrac{\\partial }{\\partial t}(\\rho \\underline{u}) +\\underline{\\text{div}}\\, \\left( \\underline{u}\\otimes \\rho \\underline{u} \\right)\n =\n\\rho \\dfrac{\\partial \\underline{u}}{\\partial t} +\n\\underbrace{\n\\dfrac{\\partial \\rho}{\\partial t} \\underline{u}\n}_{\n\\left[ \\Gamma  -  \\text{div}\\, \\left(\\rho \\underline{u} \\right) \\right]  \\underline{u}\n}\n+ \\text{div}\\, \\left(\\rho \\underline{u} \\right) \\underline{u}\n+\n\\underbrace{\n\\underline{\\underline{\\nabla}} \\, \\underline{u} \\cdot \\left( \\rho \\underline{u} \\right)\n}_{\n\\text{convection}\n} .",
+        "Chain(Add(Derivative(Mul(Call(\\rho), Call(\\underline{u})); t, 1; True), Call(div; Operated(\\otimes; Call(\\underline{u}); Mul(Call(\\rho), Call(\\underline{u}))))), Add(Mul(Call(\\rho), Derivative(Call(\\underline{u}); t, 1; True)), Mul(Derivative(Call(\\rho); t, 1; True), Call(\\underline{u})), Mul(Call(div; Mul(Call(\\rho), Call(\\underline{u}))), Call(\\underline{u})), Mul(Call(grad; Call(\\underline{u})), Mul(Call(\\rho), Call(\\underline{u})); 1)); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\displaystyle \\underline{q''}=-\\lambda \\underline{\\nabla} T,",
+        "Chain(\\underline{q}'', Neg(Mul(\\lambda, \\nabla T)); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\dfrac{\\partial \\rho}{\\partial t} + \\text{div}\\,(\\rho \\underline{u})=0.",
+        "Chain(Add(Derivative(Call(\\rho); t, 1; True), Call(div; Mul(Call(\\rho), \\underline{u}))), 0; =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\tau_T=\\dfrac{3}{2}\\dfrac{C_\\mu}{\\sigma_T}\\dfrac{k}{\\varepsilon}",
+        "Chain(\\tau_T, Mul(Div(3; 2), Div(C_\\mu; \\sigma_T), Div(k; \\varepsilon)); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\underline{\\underline{R}} \\equiv \\overline{\\underline{u}^\\prime \\otimes \\underline{u}^ \\prime}.",
+        "Chain(\\underline{\\underline{R}}, Call(overlined; Operated(\\otimes; \\underline{u}'; \\underline{u}')); \\equiv)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "(\\underline{\\nabla} P)_{I'} = (\\underline{\\nabla} P)_I +  \\mathcal{O}(h)",
+        "Chain(Marked(\\nabla P; _{ I ' }), Add(Marked(\\nabla P; _{ I }), Call(\\mathcal{O}; h)); =)",
+        "code-saturne/code_saturne/docs/theory/gradrc.tex",
+    ),
+    (
+        "\\left. \\displaystyle\\frac{\\delta P}{\\delta n}\\right|_{M_{\\,b_{\\,ik}}} =\n\\displaystyle\\frac{1}{2}\\left[\\left. \\displaystyle\\frac{\\delta P}{\\delta\nn}\\right|_{I} +  \\left. \\displaystyle\\frac{\\delta P}{\\delta\nn}\\right|_{F_{\\,b_{\\,ik}}}\\right] + \\mathcal{O}(h^2)",
+        "Chain(Marked(Div(\\delta P; \\delta n); _{ M _ { \\, b _ { i k } } }), Add(Mul(Div(1; 2), Add(Marked(Div(\\delta P; \\delta n); _{ I }), Marked(Div(\\delta P; \\delta n); _{ F _ { \\, b _ { i k } } }))), Call(\\mathcal{O}; Pow(h; 2))); =)",
+        "code-saturne/code_saturne/docs/theory/gradrc.tex",
+    ),
+    (
+        "P_{F_{\\,b_{\\,ik}}} = P_{I'}  + \\mathcal{O}(h^2)",
+        "Chain(P_{F_\\,b_ik}, Add(P_{I'}, Call(\\mathcal{O}; Pow(h; 2))); =)",
+        "code-saturne/code_saturne/docs/theory/gradrc.tex",
+    ),
+    (
+        "S_e = \\frac{\\theta - \\theta_r}{\\theta_s - \\theta_r} =\n  \\begin{cases}\n     \\left[1 + {\\left|\\alpha h\\right|}^n \\right]^{-m} &\\text{if $h < 0$} \\\\\n    1 \\quad &\\text{if $h \\geq 0$}\n  \\end{cases}",
+        "Chain(S_e, Div(Add(\\theta, Neg(\\theta_r)); Add(\\theta_s, Neg(\\theta_r))), Piecewise(Pow(Add(1, Pow(Bars(Mul(\\alpha, h)); n)); Neg(m)), Chain(h, 0; <), 1, Chain(h, 0; \\ge)); =, =)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "\\underline{q} = \\theta \\underline{ u} = -K \\underline{\\nabla} H = -K \\underline{\\nabla} (h + z)",
+        "Chain(\\underline{q}, Mul(\\theta, \\underline{u}), Neg(Mul(K, \\nabla H)), Neg(Mul(K, Call(grad; Add(h, z)))); =, =, =)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "\\overrightarrow{OG} = \\sum_{l=1}^q \\frac{\\overrightarrow{OX_l}}{q}",
+        "Chain(\\vec { O G }, BigSum(l; 1; q; Div(\\vec { O X _ { l } }; q)); =)",
+        "code-saturne/code_saturne/docs/theory/mesh_algo.tex",
+    ),
+    (
+        "Q_{LSQ} = \\frac{min(|C_{egv}|)}{max(|C_{egv}|)}",
+        "Chain(Q_{LSQ}, Div(Call(min; Bars(C_{egv})); Call(max; Bars(C_{egv}))); =)",
+        "code-saturne/code_saturne/docs/theory/mesh_quality.tex",
+    ),
+    (
+        "f(\\mu_i,\\mu_j)= \\frac{1}{2}(\\mu_i+\\mu_j)",
+        "Chain(Call(f; \\mu_i, \\mu_j), Mul(Div(1; 2), Add(\\mu_i, \\mu_j)); =)",
+        "code-saturne/code_saturne/docs/theory/navstv.tex",
+    ),
+    (
+        "\\frac {\\partial (\\rho \\underline{u})} {\\partial t }+\n\\text{div}\\,(\\rho \\underline{u} \\otimes \\underline{u}) =\n\\text{div}\\,(\\underline{\\underline{\\sigma}}) + \\underline{S} - \\text{div}\\,{(\\rho\\,\\underline{\\underline{R}})}",
+        "Chain(Add(Derivative(Mul(Call(\\rho), Call(\\underline{u})); t, 1; True), Call(div; Operated(\\otimes; Mul(Call(\\rho), Call(\\underline{u})); Call(\\underline{u})))), Add(Call(div; \\underline{\\underline{\\sigma}}), \\underline{S}, Neg(Call(div; Mul(Call(\\rho), \\underline{\\underline{R}})))); =)",
+        "code-saturne/code_saturne/docs/theory/predvv.tex",
+    ),
+    (
+        "{\\text{\\texttt{W1}}}(I) = {\\text{\\texttt{W1}}}(I) - \\frac{|\\Omega_i|}{\\rho_I} {\\text{\\texttt{SMACEL}}}(I)\n\\label {SM1}",
+        "Chain(Call(\\text{\\text{W1}}; I), Add(Call(\\text{\\text{W1}}; I), Neg(Mul(Div(Bars(\\Omega_i); \\rho_I), Call(\\text{\\text{SMACEL}}; I)))); =)",
+        "code-saturne/code_saturne/docs/theory/resopv.tex",
+    ),
+    (
+        "\\underline{\\underline{D}}\\ \\underline{W} = \\underline{\\Gamma}",
+        "Chain(Mul(\\underline{\\underline{D}}, \\underline{W}), \\underline{\\varGamma}; =)",
+        "code-saturne/code_saturne/docs/theory/resopv.tex",
+    ),
+    (
+        "\\underline{\\underline{B}} = \\left(\n                    \\begin{array} {ccc}\n                    \\underline{\\underline{B_1}} & 0 & 0 \\\\\n                    0 & \\underline{\\underline{B_2}} & 0 \\\\\n                    0 & 0 & \\underline{\\underline{B_3}}\n                    \\end{array}\n              \\right)",
+        "Chain(\\underline{\\underline{B}}, MatrixOf(\\underline{\\underline{B}}_1, 0, 0, 0, \\underline{\\underline{B}}_2, 0, 0, 0, \\underline{\\underline{B}}_3); =)",
+        "code-saturne/code_saturne/docs/theory/resopv.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{r c l}\n\\underline{\\nabla}_{i} Y  \\cdot \\underline{d}_{ij} &=& \\underline{\\nabla}_{f_{ij}} Y \\cdot \\underline{d}_{ij} , \\\\\n\\underline{\\nabla}_{i} Y  \\cdot \\underline{d}_{ib} &=& \\underline{\\nabla}_{f_{b}} Y \\cdot \\underline{d}_{ib} .\n\\end{array}\\right.",
+        "System(Chain(Mul(Call(grad_i; Y), \\underline{d}_{ij}; 1), Mul(Call(grad_{f_ij}; Y), \\underline{d}_{ij}; 1); =), Chain(Mul(Call(grad_i; Y), \\underline{d}_{ib}; 1), Mul(Call(grad_{f_b}; Y), \\underline{d}_{ib}; 1); =))",
+        "code-saturne/code_saturne/docs/theory/spadis.tex",
+    ),
+    (
+        "\\dot{m}_{f_i} \\equiv \\left(\\rho \\underline{u}\\right)_{f} \\cdot \\underline{S}_{{f_i}},",
+        "Chain(Call(\\dot{m}_{f_i}), Mul(Marked(Mul(\\rho, \\underline{u}); _{ f }), \\underline{S}_{f_i}; 1); \\equiv)",
+        "code-saturne/code_saturne/docs/theory/spadis.tex",
+    ),
+    (
+        "\\left(\\begin{array}{cc}\nA_{11}&A_{12}\\\\\nA_{21}&A_{22}\n\\end{array}\\right)\n\\left(\\begin{array}{c}\n(k_{ts}-k^{(n)})\\\\(\\varepsilon_{ts}-\\varepsilon^{(n)})\n\\end{array}\\right)\n=\\left(\\begin{array}{c}\n\\displaystyle\\frac{k_e-k^{(n)}}{\\Delta t}\\\\\n\\displaystyle\\frac{\\varepsilon_e-\\varepsilon^{(n)}}{\\Delta t}\n\\end{array}\\right)",
+        "Chain(Mul(MatrixOf(A_{11}, A_{12}, A_{21}, A_{22}), MatrixOf(Add(k_{ts}, Neg(k ^ { ( n ) })), Add(\\varepsilon_{ts}, Neg(\\varepsilon ^ { ( n ) })))), MatrixOf(Div(Add(k_e, Neg(k ^ { ( n ) })); \\Delta t), Div(Add(\\varepsilon_e, Neg(\\varepsilon ^ { ( n ) })); \\Delta t)); =)",
+        "code-saturne/code_saturne/docs/theory/turbke.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{l}\n\\displaystyle\n\\rho^{(n)}\\frac{k_{ts}-k^{(n)}}{\\Delta t} =\n\\rho^{(n)}\\frac{k_e-k^{(n)}}{\\Delta t}\n+S_k(k_{ts},\\varepsilon_{ts})-S_k(k^{(n)},\\varepsilon^{(n)})\\\\\n\\displaystyle\n\\rho^{(n)}\\frac{\\varepsilon_{ts}-\\varepsilon^{(n)}}{\\Delta t}  =\n\\rho^{(n)}\\frac{\\varepsilon_e-\\varepsilon^{(n)}}{\\Delta t}\n+S_\\varepsilon(k_{ts},\\varepsilon_{ts})-S_\\varepsilon(k^{(n)},\\varepsilon^{(n)})\n\\end{array}\\right.",
+        "System(Chain(Mul(\\rho ^ { ( n ) }, Div(Add(k_{ts}, Neg(k ^ { ( n ) })); \\Delta t)), Add(Mul(\\rho ^ { ( n ) }, Div(Add(k_e, Neg(k ^ { ( n ) })); \\Delta t)), Call(S_k; k_{ts}, \\varepsilon_{ts}), Neg(Call(S_k; k ^ { ( n ) }, \\varepsilon ^ { ( n ) }))); =), Chain(Mul(\\rho ^ { ( n ) }, Div(Add(\\varepsilon_{ts}, Neg(\\varepsilon ^ { ( n ) })); \\Delta t)), Add(Mul(\\rho ^ { ( n ) }, Div(Add(\\varepsilon_e, Neg(\\varepsilon ^ { ( n ) })); \\Delta t)), Call(S_\\varepsilon; k_{ts}, \\varepsilon_{ts}), Neg(Call(S_\\varepsilon; k ^ { ( n ) }, \\varepsilon ^ { ( n ) }))); =))",
+        "code-saturne/code_saturne/docs/theory/turbke.tex",
+    ),
+    (
+        "\\dfrac{\\mathrm{d} \\varepsilon}{\\mathrm{d} t} = \\frac{C_{\\varepsilon 1} P - C_{\\varepsilon 2}^* \\varepsilon }{T}\n          + \\text{div}\\, \\left[ \\left( \\frac{\\nu}{2}  + \\frac{\\nu_t}{\\sigma_{\\varepsilon}}  \\right) \\underline{\\nabla} \\varepsilon \\right]",
+        "Chain(Derivative(Call(\\varepsilon); t, 1), Add(Div(Add(Mul(C_{\\varepsilon1}, P), Neg(Mul(C _ { \\varepsilon 2 } ^ { * }, Call(\\varepsilon)))); T), Call(div; Mul(Add(Div(\\nu; 2), Div(\\nu_t; \\sigma_\\varepsilon)), \\nabla \\varepsilon))); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\begin{array}{rcl}\n\\alpha_{ij} &=& -2 \\widetilde{\\Delta}^2 |\\widetilde{\\overline{D_{ij}}}|\n\\widetilde{\\overline{D_{ij}}} , \\\\\n\\beta_{ij} &=& -2 \\overline{\\Delta}^2 |\\overline{D_{ij}}| \\overline{D_{ij}}.\n\\end{array}",
+        "System(Chain(\\alpha_{ij}, Neg(Mul(2, Pow(\\widetilde{\\Delta}; 2), Bars(\\widetilde{\\overline{D}}_{ij}), \\widetilde{\\overline{D}}_{ij})); =), Chain(\\beta_{ij}, Neg(Mul(2, Pow(\\overline{\\Delta}; 2), Bars(\\overline{D}_{ij}), \\overline{D}_{ij})); =))",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\dfrac{\\mathrm{d} \\varphi}{\\mathrm{d} t}  =\n   \\left( 1-\\alpha^3 \\right) f_w\n + \\alpha^3 f_h - P \\frac{\\varphi}{k}\n+  \\frac{2}{k} \\frac{\\nu_t}{\\sigma_k} \\underline{\\nabla} \\varphi  \\cdot \\underline{\\nabla} k + \\text{div}\\, \\left[ \\left( \\frac{\\nu}{2} + \\frac{\\nu_t}{\\sigma_\\varphi}  \\right) \\underline{\\nabla} \\varphi \\right]",
+        "Chain(Derivative(Call(\\varphi); t, 1), Add(Mul(Add(1, Neg(Pow(\\alpha; 3))), f_w), Mul(Pow(\\alpha; 3), f_h), Neg(Mul(P, Div(Call(\\varphi); k))), Mul(Div(2; k), Div(\\nu_t; \\sigma_k), \\nabla \\varphi, \\nabla k), Call(div; Mul(Add(Div(\\nu; 2), Div(\\nu_t; \\sigma_\\varphi)), \\nabla \\varphi))); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "C = C^*,",
+        "Chain(C, C ^ { * }; =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\begin{array}{r c l}\n\\underline{\\underline{d}} & = & C_{S} \\displaystyle \\underline{\\underline{\\text{div}}}\\, \\left( \\rho \\frac{k}{\\varepsilon }\n\\underline{\\underline{R}} \\cdot \\underline{\\underline{\\underline{\\nabla}}} \\, \\underline{\\underline{R}} \\right), \\\\\nd & = & C_{\\varepsilon }\\displaystyle \\text{div}\\, \\left( \\rho \\frac{k}{\\varepsilon}\n\\underline{\\underline{R}} \\cdot \\underline{\\nabla} \\varepsilon \\right).\n\\end{array}",
+        "System(Chain(\\underline{\\underline{d}}, Mul(C_S, Call(div; Mul(\\rho, Div(k; \\varepsilon), \\underline{\\underline{R}}, Call(grad; \\underline{\\underline{R}})))); =), Chain(d, Mul(C_\\varepsilon, Call(div; Mul(\\rho, Div(k; \\varepsilon), \\underline{\\underline{R}}, \\nabla \\varepsilon))); =))",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\tau_p = \\frac{5 C_{\\mu}k^{\\frac{3}{2}}}{\\varepsilon\\,\\overline{U}}",
+        "Chain(\\tau_p, Div(Mul(5, C_\\mu, Pow(k; Div(3; 2))); Mul(\\varepsilon, \\overline{U})); =)",
+        "code-saturne/code_saturne/docs/theory/vortex.tex",
+    ),
+    (
+        "\\frac{d \\Phi_p}{dt} \\,=\\, - \\frac{\\Phi_p - \\Pi}{\\tau_\\phi}",
+        "Chain(Derivative(Call(\\Phi_p); t, 1), Neg(Div(Add(Call(\\Phi_p), Neg(\\Pi)); \\tau_\\phi)); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\alpha = 1",
+        "Chain(\\alpha, 1; =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\Delta=2\\max_{i\\le3,V\\in\\mathcal{V}}\\Big\\{\\big|x_i^V-x_i^C\\big|\\Big\\}",
+        "Chain(\\Delta, Mul(2, Limiting(max; _{ i \\le 3 , V \\in \\mathcal { V } }; Tuple(Bars(Add(x _ { i } ^ { V }, Neg(x _ { i } ^ { C }))); {}))); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "T_{v} = \\left(1+0.61q\\right)T",
+        "Chain(T_v, Mul(Add(1, Mul(0.61, q)), T); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\begin{pmatrix}\ny_{c,t}\\\\\ny_{u,t}\n\\end{pmatrix}\n=\n\\begin{pmatrix}\nT_{c,c} & T_{c,u}\\\\\nT_{u,c} & T_{u,u}\n\\end{pmatrix}\n\\begin{pmatrix}\ny_{c,t-1}\\\\\ny_{u,t-1}\n\\end{pmatrix}\n+\n\\begin{pmatrix}\nR_{c,c} & R_{c,u}\\\\\nR_{u,c} & R_{u,u}\n\\end{pmatrix}\n\\begin{pmatrix}\n\\varepsilon_{c,t}\\\\\n\\varepsilon_{u,t}\n\\end{pmatrix}",
+        "Chain(MatrixOf(y_{c,t}, y_{u,t}), Add(Mul(MatrixOf(T_{c,c}, T_{c,u}, T_{u,c}, T_{u,u}), MatrixOf(y_{c,t-1}, y_{u,t-1})), Mul(MatrixOf(R_{c,c}, R_{c,u}, R_{u,c}, R_{u,u}), MatrixOf(\\varepsilon_{c,t}, \\varepsilon_{u,t}))); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/_sources/the-model-file.rst.txt",
+    ),
+    (
+        "\\textrm{sign}(x) =\n\\begin{cases}\n-1 &\\quad\\text{if }x<0\\\\\n0 &\\quad\\text{if }x=0\\\\\n1 &\\quad\\text{if }x>0\n\\end{cases}",
+        "Chain(Call(sign; x), Piecewise(Neg(1), Chain(x, 0; <), 0, Chain(x, 0; =), 1, Chain(x, 0; >)); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/_sources/the-model-file.rst.txt",
+    ),
+    (
+        "\\begin{split}\\begin{pmatrix}\ny_{c,t}\\\\\ny_{u,t}\n\\end{pmatrix}\n=\n\\begin{pmatrix}\nT_{c,c} & T_{c,u}\\\\\nT_{u,c} & T_{u,u}\n\\end{pmatrix}\n\\begin{pmatrix}\ny_{c,t-1}\\\\\ny_{u,t-1}\n\\end{pmatrix}\n+\n\\begin{pmatrix}\nR_{c,c} & R_{c,u}\\\\\nR_{u,c} & R_{u,u}\n\\end{pmatrix}\n\\begin{pmatrix}\n\\varepsilon_{c,t}\\\\\n\\varepsilon_{u,t}\n\\end{pmatrix}\\end{split}",
+        "Chain(MatrixOf(y_{c,t}, y_{u,t}), Add(Mul(MatrixOf(T_{c,c}, T_{c,u}, T_{u,c}, T_{u,u}), MatrixOf(y_{c,t-1}, y_{u,t-1})), Mul(MatrixOf(R_{c,c}, R_{c,u}, R_{u,c}, R_{u,u}), MatrixOf(\\varepsilon_{c,t}, \\varepsilon_{u,t}))); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "\\begin{split}B_{p+1} = \\begin{pmatrix}\n-A_p & O_{n,m}\\\\\nO_{m,n} & O_m\n\\end{pmatrix}\\end{split}",
+        "Chain(B_{p+1}, MatrixOf(Neg(A_p), O_{n,m}, O_{m,n}, O_m); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "\\begin{split}B_i = \\begin{pmatrix}\nA_i-A_{i-1} & O_{n,m}\\\\\nO_{m,n} & O_m\n\\end{pmatrix}\\end{split}",
+        "Chain(B_i, MatrixOf(Add(A_i, Neg(A_{i-1})), O_{n,m}, O_{m,n}, O_m); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "\\begin{aligned}g = a_0(y^{\\star}_{\\infty}-y_{\\infty}) + g\\sum_{i=1}^{m-1} a_i + g\\sum_{i=0}^{\\infty} d_i\\\\\\Leftrightarrow a_0(y^{\\star}_{\\infty}-y_{\\infty}) = \\left(1-\\sum_{i=1}^{m-1} a_i-\\sum_{i=0}^{\\infty} d_i\\right) g\\end{aligned}",
+        "Iff(Chain(g, Add(Mul(a_0, Add(y _ { \\infty } ^ { \\star }, Neg(y_\\infty))), Mul(g, BigSum(i; 1; Add(m, Neg(1)); a_i)), Mul(g, BigSum(i; 0; Infinity(); d_i))); =); Chain(Mul(a_0, Add(y _ { \\infty } ^ { \\star }, Neg(y_\\infty))), Mul(Add(1, Neg(BigSum(i; 1; Add(m, Neg(1)); a_i)), Neg(BigSum(i; 0; Infinity(); d_i))), g); =))",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "\\textrm{lab\\_rat} = (w \\ell)/(p y)",
+        "Chain(\\text{lab\\_rat}, Div(Mul(w, \\ell); Mul(p, y)); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "Y_t = \\mathbf{c} + \\sum_{i=1}^p A_i Y_{t-i} + \\varepsilon_t",
+        "Chain(Y_t, Add(\\mathbf{c}, BigSum(i; 1; p; Mul(A_i, Y_{t-i})), \\varepsilon_t); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "A_0 Y_t = \\mathbf{c} + \\sum_{i=1}^p A_i Y_{t-i} + \\varepsilon_t",
+        "Chain(Mul(A_0, Y_t), Add(\\mathbf{c}, BigSum(i; 1; p; Mul(A_i, Y_{t-i})), \\varepsilon_t); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "y = \\left(\\alpha^{1/\\xi} \\ell^{1-1/\\xi}+(1-\\alpha)^{1/\\xi}k^{1-1/\\xi}\\right)^{\\xi/(\\xi-1)}",
+        "Chain(y, Pow(Add(Mul(Pow(\\alpha; Div(1; \\xi)), Pow(\\ell; Add(1, Neg(Div(1; \\xi))))), Mul(Pow(Add(1, Neg(\\alpha)); Div(1; \\xi)), Pow(k; Add(1, Neg(Div(1; \\xi)))))); Div(\\xi; Add(\\xi, Neg(1)))); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "y_{u,t} = T_{u,c}y_{c,t-1} + T_{u,u}y_{u,t-1} +  R_{u,c}\\varepsilon_{c,t} + R_{u,u}\\varepsilon_{u,t}",
+        "Chain(y_{u,t}, Add(Mul(T_{u,c}, y_{c,t-1}), Mul(T_{u,u}, y_{u,t-1}), Mul(R_{u,c}, \\varepsilon_{c,t}), Mul(R_{u,u}, \\varepsilon_{u,t})); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "y_{t+h|t-\\tau} = \\mathbb E[y_{t+h}|\\mathcal{Y}_{\\underline{t-\\tau}}] = \\alpha\\mathcal{C}^{h+\\tau} \\mathcal{Y}_{t-\\tau}",
+        "Chain(y_{t+h|t-\\tau}, Call(\\mathbb{E}; Given(y_{t+h}; \\mathcal{Y}_{t-\\tau}; |)), Mul(\\alpha, Pow(\\mathcal{C}; Add(h, \\tau)), \\mathcal{Y}_{t-\\tau}); =, =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "y_t=Ty_{t-1}+R\\varepsilon_t",
+        "Chain(y_t, Add(Mul(T, y_{t-1}), Mul(R, \\varepsilon_t)); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "\\begin{split}\\textrm{sign}(x) =\n       \\begin{cases}\n       -1 &\\quad\\text{if }x<0\\\\\n       0 &\\quad\\text{if }x=0\\\\\n       1 &\\quad\\text{if }x>0\n       \\end{cases}\\end{split}",
+        "Chain(Call(sign; x), Piecewise(Neg(1), Chain(x, 0; <), 0, Chain(x, 0; =), 1, Chain(x, 0; >)); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "Y_t = \\sum_{i=1}^{p+1} B_i Y_{t-i} + \\zeta_t",
+        "Chain(Y_t, Add(BigSum(i; 1; Add(p, 1); Mul(B_i, Y_{t-i})), \\zeta_t); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "a_t = a_{t-1} + e_t",
+        "Chain(a_t, Add(a_{t-1}, e_t); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "a_t  = \\rho a_{t-1} + \\varepsilon_t",
+        "Chain(a_t, Add(Mul(\\rho, a_{t-1}), \\varepsilon_t); =)",
+        "Dynare/dynare/usr/share/doc/dynare/dynare.html/the-model-file.html",
+    ),
+    (
+        "ξ_{QCB}(\\rho, \\sigma) = - \\log[ \\min_{0\\le s\\le 1} tr(\\rho^s \\sigma^{1-s}) ]",
+        "Chain(Call(ξ_{QCB}; \\rho, \\sigma), Neg(Call(log; Limiting(min; _{ 0 \\le s \\le 1 }; Call(tr; Mul(Pow(\\rho; s), Pow(\\sigma; Add(1, Neg(s)))))))); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/distance_measures.py",
+    ),
+    (
+        "D_A(\\rho, \\sigma) = \\arccos(\\sqrt{F(\\rho, \\sigma)})",
+        "Chain(Call(D_A; \\rho, \\sigma), Call(arccos; Sqrt(Call(F; \\rho, \\sigma))); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/distance_measures.py",
+    ),
+    (
+        "D_B(\\rho, \\sigma)^2 = 2(1- \\sqrt{F(\\rho, \\sigma)})",
+        "Chain(Pow(Call(D_B; \\rho, \\sigma); 2), Mul(2, Add(1, Neg(Sqrt(Call(F; \\rho, \\sigma))))); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/distance_measures.py",
+    ),
+    (
+        "T(\\rho, \\sigma) = (1/2)||\\rho-\\sigma||_1",
+        "Chain(Call(T; \\rho, \\sigma), Mul(Div(1; 2), Marked(Norm(Add(\\rho, Neg(\\sigma))); _{ 1 })); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/distance_measures.py",
+    ),
+    (
+        "Q_{QCB}(\\rho, \\sigma) = \\min_{0\\le s\\le 1} tr(\\rho^s \\sigma^{1-s})",
+        "Chain(Call(Q_{QCB}; \\rho, \\sigma), Limiting(min; _{ 0 \\le s \\le 1 }; Call(tr; Mul(Pow(\\rho; s), Pow(\\sigma; Add(1, Neg(s)))))); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/distance_measures.py",
+    ),
+    (
+        "K_{\\rm tot} = H \\otimes X",
+        "Chain(K_{tot}, Operated(\\otimes; H; X); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/operator_tools/compose_superoperators.py",
+    ),
+    (
+        "COVAR(O_i, O_j) = E[O_i O_j] - E[O_i] E[O_j]",
+        "Chain(Call(\\text{COVAR}; O_i, O_j), Add(Indexed(E; Mul(O_i, O_j)), Neg(Mul(Indexed(E; O_i), Indexed(E; O_j)))); =)",
+        "rigetti/forest-benchmarking/forest/benchmarking/randomized_benchmarking.py",
+    ),
+    (
+        "u >= (1 - d r/(d-1))^2",
+        "Chain(u, Pow(Add(1, Neg(Div(Mul(d, r); Add(d, Neg(1))))); 2); \\ge)",
+        "rigetti/forest-benchmarking/forest/benchmarking/randomized_benchmarking.py",
+    ),
+    (
+        "u(x,y,t) = \\cos(\\theta) p(r,\\theta,t) - \\sin(\\theta) q(r,\\theta,t),\\\\\nv(x,y,t) = \\sin(\\theta) p(r,\\theta,t) + \\cos(\\theta) q(r,\\theta,t).",
+        "System(Chain(Call(u; x, y, t), Add(Mul(Call(cos; \\theta), Call(p; r, \\theta, t)), Neg(Mul(Call(sin; \\theta), Call(q; r, \\theta, t)))); =), Chain(Call(v; x, y, t), Add(Mul(Call(sin; \\theta), Call(p; r, \\theta, t)), Mul(Call(cos; \\theta), Call(q; r, \\theta, t))); =))",
+        "getdp/getdp/contrib/pewe/README.rst",
+    ),
+    (
+        "c_p = \\sqrt{\\frac{\\lambda + 2 \\mu}{\\rho}}, c_s = \\sqrt{\\frac{\\mu}{\\rho}},",
+        "System(Chain(c_p, Sqrt(Div(Add(\\lambda, Mul(2, \\mu)); \\rho)); =), Chain(c_s, Sqrt(Div(\\mu; \\rho)); =))",
+        "getdp/getdp/contrib/pewe/README.rst",
+    ),
+    (
+        "p'(r,\\theta,t) = e^{i\\omega t}\\sum_{n=0}^{\\infty} \\left(C_n \\frac{d}{dr} J_n (\\gamma_p' r) + D_n\\frac{n}{r} J_n (\\gamma_s' r) \\right) \\cos(n \\theta),\\\\\nq'(r,\\theta,t) = e^{i\\omega t}\\sum_{n=0}^\\infty  \\left(C_n\\frac{-n}{r} H_n^{(2)}(\\gamma_p' r)-D_n \\frac{d}{dr} J_n(\\gamma_s' r)\\right) \\sin(n\\theta).",
+        "System(Chain(Call(p'; r, \\theta, t), Mul(Pow(e; Mul(i, \\omega, t)), BigSum(n; 0; Infinity(); Mul(Add(Mul(C_n, Derivative(Call(J_n; Mul(\\gamma_p', r)); r, 1)), Mul(D_n, Div(n; r), Call(J_n; Mul(\\gamma_s', r)))), Call(cos; Mul(n, \\theta))))); =), Chain(Call(q'; r, \\theta, t), Mul(Pow(e; Mul(i, \\omega, t)), BigSum(n; 0; Infinity(); Mul(Add(Mul(C_n, Div(Neg(n); r), Call(H _ { n } ^ { ( 2 ) }; Mul(\\gamma_p', r))), Neg(Mul(D_n, Derivative(Call(J_n; Mul(\\gamma_s', r)); r, 1)))), Call(sin; Mul(n, \\theta))))); =))",
+        "getdp/getdp/contrib/pewe/README.rst",
+    ),
+    (
+        "p(y \\mid \\theta, \\phi)\n&= \\exp \\left(\\frac{y \\theta - b(\\theta)}{\\phi / w} + c(y; w / \\phi) \\right),",
+        "Chain(Call(p; Given(y; \\theta, \\phi; |)), Call(exp; Add(Div(Add(Mul(y, \\theta), Neg(Call(b; \\theta))); Div(\\phi; w)), Call(c; Given(y; Div(w; \\phi); ;)))); =)",
+        "Quantco/glum/glum/_distribution.py",
+    ),
+    (
+        "\\delta\\Psi \\left( \\rho, \\mathbf{u}, \\mathbf{\\xi} \\right)\n&=   \\Psi \\left( \\rho, \\mathbf{u}, \\mathbf{\\xi} \\right)\n- \\Psi \\left( \\rho_0, \\mathbf{0}, \\mathbf{\\xi} \\right) \\\\\n\\delta\\Psi^{\\mathrm{incomp}} \\left( \\rho, \\mathbf{u}, \\mathbf{\\xi} \\right)\n&=   \\Psi^{\\mathrm{incomp}} \\left( \\rho, \\mathbf{u}, \\mathbf{\\xi} \\right)\n- \\Psi \\left( \\rho_0, \\mathbf{0}, \\mathbf{\\xi} \\right)",
+        "System(Chain(Call(\\delta \\Psi; \\rho, \\mathbf{u}, \\mathbf{\\xi}), Add(Call(\\Psi; \\rho, \\mathbf{u}, \\mathbf{\\xi}), Neg(Call(\\Psi; \\rho_0, 0, \\mathbf{\\xi}))); =), Chain(Call(\\delta \\Psi ^ { \\mathrm { i n c o m p } }; \\rho, \\mathbf{u}, \\mathbf{\\xi}), Add(Call(\\Psi ^ { \\mathrm { i n c o m p } }; \\rho, \\mathbf{u}, \\mathbf{\\xi}), Neg(Call(\\Psi; \\rho_0, 0, \\mathbf{\\xi}))); =))",
+        "pycodegen/lbmpy/src/lbmpy/equilibrium/continuous_hydro_maxwellian.py",
+    ),
+    (
+        "\\Psi \\left( \\rho, \\mathbf{u}, \\mathbf{\\xi} \\right)\n= \\rho \\left( \\frac{1}{2 \\pi c_s^2} \\right)^{d/2}\n\\exp \\left( \\frac{- (\\mathbf{\\xi} - \\mathbf{u})^2 }{2 c_s^2} \\right)",
+        "Chain(Call(\\Psi; \\rho, \\mathbf{u}, \\mathbf{\\xi}), Mul(\\rho, Pow(Div(1; Mul(2, \\pi, Pow(c_s; 2))); Div(d; 2)), Call(exp; Div(Neg(Pow(Add(\\mathbf{\\xi}, Neg(\\mathbf{u})); 2)); Mul(2, Pow(c_s; 2))))); =)",
+        "pycodegen/lbmpy/src/lbmpy/equilibrium/continuous_hydro_maxwellian.py",
+    ),
+    (
+        "\\Psi^{\\mathrm{incomp}} \\left( \\rho, \\mathbf{u}, \\mathbf{\\xi} \\right)\n= \\Psi \\left( \\rho_0, \\mathbf{u}, \\mathbf{\\xi} \\right)\n+ \\Psi \\left( \\delta\\rho, \\mathbf{0}, \\mathbf{\\xi} \\right)",
+        "Chain(Call(\\Psi ^ { \\mathrm { i n c o m p } }; \\rho, \\mathbf{u}, \\mathbf{\\xi}), Add(Call(\\Psi; \\rho_0, \\mathbf{u}, \\mathbf{\\xi}), Call(\\Psi; \\delta \\rho, 0, \\mathbf{\\xi})); =)",
+        "pycodegen/lbmpy/src/lbmpy/equilibrium/continuous_hydro_maxwellian.py",
+    ),
+    (
+        "f_i^{\\mathrm{incomp}} (\\rho, \\mathbf{u})\n= w_i \\rho + w_i \\rho_0 \\left(\n\\frac{\\mathbf{c}_i \\cdot \\mathbf{u}}{c_s^2}\n+ \\frac{(\\mathbf{c}_i \\cdot \\mathbf{u})^2}{2 c_s^4}\n- \\frac{\\mathbf{u} \\cdot \\mathbf{u}}{2 c_s^2}\n\\right).",
+        "Chain(Call(f _ { i } ^ { \\mathrm { i n c o m p } }; \\rho, \\mathbf{u}), Add(Mul(w_i, \\rho), Mul(w_i, \\rho_0, Add(Div(Mul(\\mathbf{c}_i, \\mathbf{u}; 1); Pow(c_s; 2)), Div(Pow(Mul(\\mathbf{c}_i, \\mathbf{u}; 1); 2); Mul(2, Pow(c_s; 4))), Neg(Div(Mul(\\mathbf{u}, \\mathbf{u}; 1); Mul(2, Pow(c_s; 2))))))); =)",
+        "pycodegen/lbmpy/src/lbmpy/equilibrium/discrete_hydro_maxwellian.py",
+    ),
+    (
+        "f_i (\\rho, \\mathbf{u})\n= w_i \\rho \\left(\n1 + \\frac{\\mathbf{c}_i \\cdot \\mathbf{u}}{c_s^2}\n+ \\frac{(\\mathbf{c}_i \\cdot \\mathbf{u})^2}{2 c_s^4}\n- \\frac{\\mathbf{u} \\cdot \\mathbf{u}}{2 c_s^2}\n\\right).",
+        "Chain(Call(f_i; \\rho, \\mathbf{u}), Mul(w_i, \\rho, Add(1, Div(Mul(\\mathbf{c}_i, \\mathbf{u}; 1); Pow(c_s; 2)), Div(Pow(Mul(\\mathbf{c}_i, \\mathbf{u}; 1); 2); Mul(2, Pow(c_s; 4))), Neg(Div(Mul(\\mathbf{u}, \\mathbf{u}; 1); Mul(2, Pow(c_s; 2)))))); =)",
+        "pycodegen/lbmpy/src/lbmpy/equilibrium/discrete_hydro_maxwellian.py",
+    ),
+    (
+        "\\delta f_i &= f_i - w_i \\\\\n\\delta f_i^{\\mathrm{incomp}} &= f_i^{\\mathrm{incomp}} - w_i \\\\",
+        "System(Chain(\\delta f _ { i }, Add(f_i, Neg(w_i)); =), Chain(\\delta f _ { i } ^ { \\mathrm { i n c o m p } }, Add(f _ { i } ^ { \\mathrm { i n c o m p } }, Neg(w_i)); =))",
+        "pycodegen/lbmpy/src/lbmpy/equilibrium/discrete_hydro_maxwellian.py",
+    ),
+    (
+        "F (\\mathbf{c})\n= \\frac{1}{\\rho c_s^2}\n\\mathbf{F} \\cdot ( \\mathbf{c} - \\mathbf{u} )\nf^{\\mathrm{eq}} (\\mathbf{c})",
+        "Chain(Call(F; \\mathbf{c}), Mul(Div(1; Mul(\\rho, Pow(c_s; 2))), \\mathbf{F}, Add(\\mathbf{c}, Neg(\\mathbf{u})), Call(f ^ { \\mathrm { e q } }; \\mathbf{c}); 2); =)",
+        "pycodegen/lbmpy/src/lbmpy/forcemodels.py",
+    ),
+    (
+        "m^{\\ast}_{ab|\\gamma} &:= \\sum_{c = 0}^{\\gamma} \\binom{\\gamma}{c} v_z^{\\gamma - c} \\kappa^{\\ast}_{abc} \\\\\nm^{\\ast}_{a|\\beta\\gamma} &:= \\sum_{b = 0}^{\\beta} \\binom{\\beta}{b} v_z^{\\beta - b} m^{\\ast}_{ab|\\gamma} \\\\\nm^{\\ast}_{\\alpha\\beta\\gamma} &:=\n\\sum_{a = 0}^{\\alpha} \\binom{\\alpha}{a} v_z^{\\alpha - a} m^{\\ast}_{a|\\beta\\gamma} \\\\",
+        "System(Chain(m _ { a b | \\gamma } ^ { * }, BigSum(c; 0; \\gamma; Mul(Binomial(\\gamma; c), Pow(v_z; Add(\\gamma, Neg(c))), \\kappa _ { a b c } ^ { * })); =), Chain(m _ { a | \\beta \\gamma } ^ { * }, BigSum(b; 0; \\beta; Mul(Binomial(\\beta; b), Pow(v_z; Add(\\beta, Neg(b))), m _ { a b | \\gamma } ^ { * })); =), Chain(m _ { \\alpha \\beta \\gamma } ^ { * }, BigSum(a; 0; \\alpha; Mul(Binomial(\\alpha; a), Pow(v_z; Add(\\alpha, Neg(a))), m _ { a | \\beta \\gamma } ^ { * })); =))",
+        "pycodegen/lbmpy/src/lbmpy/moment_transforms/centralmomenttransforms.py",
+    ),
+    (
+        "\\kappa_{ab|\\gamma} &:= \\sum_{c = 0}^{\\gamma} \\binom{\\gamma}{c} v_z^{\\gamma - c} m_{abc} \\\\\n\\kappa_{a|\\beta\\gamma} &:= \\sum_{b = 0}^{\\beta} \\binom{\\beta}{b} v_z^{\\beta - b} \\kappa_{ab|\\gamma} \\\\\n\\kappa_{\\alpha\\beta\\gamma} &:=\n\\sum_{a = 0}^{\\alpha} \\binom{\\alpha}{a} v_z^{\\alpha - a} \\kappa_{a|\\beta\\gamma} \\\\",
+        "System(Chain(\\kappa_{ab|\\gamma}, BigSum(c; 0; \\gamma; Mul(Binomial(\\gamma; c), Pow(v_z; Add(\\gamma, Neg(c))), m_{abc})); =), Chain(\\kappa_{a|\\beta\\gamma}, BigSum(b; 0; \\beta; Mul(Binomial(\\beta; b), Pow(v_z; Add(\\beta, Neg(b))), \\kappa_{ab|\\gamma})); =), Chain(\\kappa_{\\alpha\\beta\\gamma}, BigSum(a; 0; \\alpha; Mul(Binomial(\\alpha; a), Pow(v_z; Add(\\alpha, Neg(a))), \\kappa_{a|\\beta\\gamma})); =))",
+        "pycodegen/lbmpy/src/lbmpy/moment_transforms/centralmomenttransforms.py",
+    ),
+    (
+        "f_{xyz} &:= f_i \\text{ such that } c_i = (x,y,z)^T \\\\\n\\kappa_{xy|\\gamma} &:= \\sum_{z \\in \\{-1, 0, 1\\} } f_{xyz} \\cdot (z - u_z)^{\\gamma} \\\\\n\\kappa_{x|\\beta \\gamma} &:= \\sum_{y \\in \\{-1, 0, 1\\}} \\kappa_{xy|\\gamma} \\cdot (y - u_y)^{\\beta} \\\\\n\\kappa_{\\alpha \\beta \\gamma} &:= \\sum_{x \\in \\{-1, 0, 1\\}} \\kappa_{x|\\beta \\gamma} \\cdot (x - u_x)^{\\alpha}",
+        "System(Chain(f_{xyz}, f_i; =), Words(\\text{subject~to}), Chain(c_i, Transpose(Tuple(x, y, z; ())); =), Chain(\\kappa_{xy|\\gamma}, Limiting(sum; _{ z \\in \\{ - 1 , 0 , 1 \\} }; Mul(f_{xyz}, Pow(Add(z, Neg(u_z)); \\gamma))); =), Chain(\\kappa_{x|\\beta\\gamma}, Limiting(sum; _{ y \\in \\{ - 1 , 0 , 1 \\} }; Mul(\\kappa_{xy|\\gamma}, Pow(Add(y, Neg(u_y)); \\beta))); =), Chain(\\kappa_{\\alpha\\beta\\gamma}, Limiting(sum; _{ x \\in \\{ - 1 , 0 , 1 \\} }; Mul(\\kappa_{x|\\beta\\gamma}, Pow(Add(x, Neg(u_x)); \\alpha))); =))",
+        "pycodegen/lbmpy/src/lbmpy/moment_transforms/centralmomenttransforms.py",
+    ),
+    (
+        "f_{xyz} &:= f_i \\text{ such that } c_i = (x,y,z)^T \\\\\nm_{xy|\\gamma} &:= \\sum_{z \\in \\{-1, 0, 1\\} } f_{xyz} \\cdot z^{\\gamma} \\\\\nm_{x|\\beta \\gamma} &:= \\sum_{y \\in \\{-1, 0, 1\\}} m_{xy|\\gamma} \\cdot y^{\\beta} \\\\\nm_{\\alpha \\beta \\gamma} &:= \\sum_{x \\in \\{-1, 0, 1\\}} m_{x|\\beta \\gamma} \\cdot x^{\\alpha}",
+        "System(Chain(f_{xyz}, f_i; =), Words(\\text{subject~to}), Chain(c_i, Transpose(Tuple(x, y, z; ())); =), Chain(m_{xy|\\gamma}, Limiting(sum; _{ z \\in \\{ - 1 , 0 , 1 \\} }; Mul(f_{xyz}, Pow(z; \\gamma))); =), Chain(m_{x|\\beta\\gamma}, Limiting(sum; _{ y \\in \\{ - 1 , 0 , 1 \\} }; Mul(m_{xy|\\gamma}, Pow(y; \\beta))); =), Chain(m_{\\alpha\\beta\\gamma}, Limiting(sum; _{ x \\in \\{ - 1 , 0 , 1 \\} }; Mul(m_{x|\\beta\\gamma}, Pow(x; \\alpha))); =))",
+        "pycodegen/lbmpy/src/lbmpy/moment_transforms/rawmomenttransforms.py",
+    ),
+    (
+        "\\mathbf{H} = \\mathbf{H}_\\mathbf{k}(\\mathbf{x}) e^{i \\mathbf{k} \\cdot \\mathbf{x}},",
+        "Chain(\\mathbf{H}, Mul(Call(\\mathbf{H}_{\\mathbf k}; \\mathbf{x}), Pow(e; Mul(i, \\mathbf{k}, \\mathbf{x}; 2))); =)",
+        "NanoComp/mpb/doc/docs/Developer_Information.md",
+    ),
+    (
+        "\\mathbf{H}_\\mathbf{k} = \\sum_\\mathbf{G} \\mathbf{h}_\\mathbf{G} e^{i \\mathbf{G} \\cdot \\mathbf{x}} \\, .",
+        "Chain(\\mathbf{H}_{\\mathbf k}, BigSum(\\mathbf{G}; Mul(\\mathbf{h}_{\\mathbf G}, Pow(e; Mul(i, \\mathbf{G}, \\mathbf{x})))); =)",
+        "NanoComp/mpb/doc/docs/Developer_Information.md",
+    ),
+    (
+        "\\varepsilon(\\mathbf{x}) = \\varepsilon(-\\mathbf{x})^*",
+        "Chain(Call(\\varepsilon; \\mathbf{x}), Marked(Call(\\varepsilon; Neg(\\mathbf{x})); ^*); =)",
+        "NanoComp/mpb/doc/docs/Scheme_User_Interface.md",
+    ),
+    (
+        "\\begin{pmatrix}\n\\mathbf{A_{SS}^{(2)}} & \\mathbf{A_{SD}^{(1)}}\\\\\n\\mathbf{A_{DS}^{(1)}} & \\mathbf{A_{DD}^{(0)}}\n\\end{pmatrix}\n\\begin{pmatrix}\n\\mathbf{X_S}\\\\\n\\mathbf{X_D}\n\\end{pmatrix}\n=\\omega\n\\begin{pmatrix}\n\\mathbf{X_S}\\\\\n\\mathbf{X_D}\n\\end{pmatrix}",
+        "Chain(Mul(MatrixOf(\\mathbf { A } _ { S S } ^ { ( 2 ) }, \\mathbf { A } _ { S D } ^ { ( 1 ) }, \\mathbf { A } _ { D S } ^ { ( 1 ) }, \\mathbf { A } _ { D D } ^ { ( 0 ) }), MatrixOf(\\mathbf{X}_S, \\mathbf{X}_D)), Mul(\\omega, MatrixOf(\\mathbf{X}_S, \\mathbf{X}_D)); =)",
+        "psi4/psi4/doc/sphinxman/source/adc.rst",
+    ),
+    (
+        "E_{\\text{total}}^{\\text{CBS}} = \\mathcal{F}_{\\text{highest_1}} \\left(E_{\\text{total},\\; \\text{SCF}}^{\\text{aug-cc-pVQZ}}\\right) \\; + \\mathcal{F}_{\\text{corl_xtpl_helgaker_2}} \\left(E_{\\text{corl},\\; \\text{MP2}}^{\\text{aug-cc-pV[TQ]Z}}\\right) \\; + \\delta_{\\text{MP2}}^{\\text{CCSD(T)}}",
+        "Chain(E _ { \\text { t o t a l } } ^ { \\text { C B S } }, Add(Call(\\mathcal{F}_{highest\\_1}; E _ { \\text { t o t a l } , \\; \\text { S C F } } ^ { \\text { a u g - c c - p V Q Z } }), Call(\\mathcal{F}_{corl\\_xtpl\\_helgaker\\_2}; E _ { \\text { c o r l } , \\; \\text { M P 2 } } ^ { \\text { a u g - c c - p V [ T Q ] Z } }), \\delta _ { \\text { M P 2 } } ^ { \\text { C C S D ( T ) } }); =)",
+        "psi4/psi4/doc/sphinxman/source/cbs_eqn.rst",
+    ),
+    (
+        "\\delta_{\\text{MP2}}^{\\text{CCSD(T)}} \\; = \\mathcal{F}_{\\text{corl_xtpl_helgaker_2}} \\left(E_{\\text{corl},\\; \\text{CCSD(T)}}^{\\text{aug-cc-pV[DT]Z}}\\right) - \\mathcal{F}_{\\text{corl_xtpl_helgaker_2}} \\left(E_{\\text{corl},\\; \\text{MP2}}^{\\text{aug-cc-pV[DT]Z}}\\right)",
+        "Chain(\\delta _ { \\text { M P 2 } } ^ { \\text { C C S D ( T ) } }, Add(Call(\\mathcal{F}_{corl\\_xtpl\\_helgaker\\_2}; E _ { \\text { c o r l } , \\; \\text { C C S D ( T ) } } ^ { \\text { a u g - c c - p V [ D T ] Z } }), Neg(Call(\\mathcal{F}_{corl\\_xtpl\\_helgaker\\_2}; E _ { \\text { c o r l } , \\; \\text { M P 2 } } ^ { \\text { a u g - c c - p V [ D T ] Z } }))); =)",
+        "psi4/psi4/doc/sphinxman/source/cbs_eqn.rst",
+    ),
+    (
+        "{\\hat{T}} = {\\hat{T}_1} + {\\hat{T}_2} + {\\hat{T}_3} + \\cdots + {\\hat{T}_N},",
+        "Chain(\\hat{T}, Add(\\hat{T}_1, \\hat{T}_2, \\hat{T}_3, Dots(), \\hat{T}_N); =)",
+        "psi4/psi4/doc/sphinxman/source/cc.rst",
+    ),
+    (
+        "\\gamma_{\\alpha\\alpha} (\\vec r_1) = \\nabla \\rho_{\\alpha} (\\vec r_1) \\cdot \\nabla\n\\rho_{\\alpha} (\\vec r_1)",
+        "Chain(Call(\\gamma_{\\alpha\\alpha}; \\vec{r}_1), Mul(Call(\\nabla \\rho _ { \\alpha }; \\vec{r}_1), Call(\\nabla \\rho _ { \\alpha }; \\vec{r}_1); 1); =)",
+        "psi4/psi4/doc/sphinxman/source/dft.rst",
+    ),
+    (
+        "\\lim_{r\\rightarrow\\infty} v_{\\mathrm{x}}^{\\mathrm{LRC}} (r) = -\n\\frac{1}{r},",
+        "Chain(Limiting(lim; _{ r \\rightarrow \\infty }; Call(v _ { \\mathrm { x } } ^ { \\mathrm { L R C } }; r)), Neg(Div(1; r)); =)",
+        "psi4/psi4/doc/sphinxman/source/dft.rst",
+    ),
+    (
+        "\\gamma_{\\alpha\\beta} (\\vec r_1) = \\nabla \\rho_{\\alpha} (\\vec r_1) \\cdot \\nabla\n\\rho_{\\beta} (\\vec r_1)",
+        "Chain(Call(\\gamma_{\\alpha\\beta}; \\vec{r}_1), Mul(Call(\\nabla \\rho _ { \\alpha }; \\vec{r}_1), Call(\\nabla \\rho _ { \\beta }; \\vec{r}_1); 1); =)",
+        "psi4/psi4/doc/sphinxman/source/dft.rst",
+    ),
+    (
+        "\\lim_{r\\rightarrow\\infty} v_{\\mathrm{x}}^{\\mathrm{Hybrid}} (r) = -\n\\frac{\\alpha}{r},",
+        "Chain(Limiting(lim; _{ r \\rightarrow \\infty }; Call(v _ { \\mathrm { x } } ^ { \\mathrm { H y b r i d } }; r)), Neg(Div(\\alpha; r)); =)",
+        "psi4/psi4/doc/sphinxman/source/dft.rst",
+    ),
+    (
+        "\\lim_{r\\rightarrow\\infty} v_{\\mathrm{x}}^{\\mathrm{tuned-LRC}} (r) = -\n\\frac{1}{r} + I_{\\mathrm{IP}} +\n\\epsilon_{\\mathrm{HOMO}}",
+        "Chain(Limiting(lim; _{ r \\rightarrow \\infty }; Call(v _ { \\mathrm { x } } ^ { \\mathrm { t u n e d - L R C } }; r)), Add(Neg(Div(1; r)), I_{IP}, \\epsilon_{HOMO}); =)",
+        "psi4/psi4/doc/sphinxman/source/dft.rst",
+    ),
+    (
+        "\\lim_{r\\rightarrow\\infty} v_{\\mathrm{x}}^{\\mathrm{Local}} (r) = 0",
+        "Chain(Limiting(lim; _{ r \\rightarrow \\infty }; Call(v _ { \\mathrm { x } } ^ { \\mathrm { L o c a l } }; r)), 0; =)",
+        "psi4/psi4/doc/sphinxman/source/dft.rst",
+    ),
+    (
+        "f_{damp}(R_{ij}) = \\frac{1}{1 + e^{- \\alpha_6 (R_{ij}/R_{vdW} - 1)}}",
+        "Chain(Call(f_{damp}; R_{ij}), Div(1; Add(1, Pow(e; Neg(Mul(\\alpha_6, Add(Div(R_{ij}; R_{vdW}), Neg(1))))))); =)",
+        "psi4/psi4/doc/sphinxman/source/dftd3.rst",
+    ),
+    (
+        "E_{DFT-NL}=E_{DFT}+E_{NL}",
+        "Chain(E_{DFT-NL}, Add(E_{DFT}, E_{NL}); =)",
+        "psi4/psi4/doc/sphinxman/source/dftnl.rst",
+    ),
+    (
+        "E_{NN} = \\sum_{i, j<i}^{N_{atom}}\\frac{Z_i Z_j}{|\\mathbf{R}_i - \\mathbf{R}_j|}",
+        "Chain(E_{NN}, Limiting(sum; _{ i , j < i }^{ N _ { a t o m } }; Div(Mul(Z_i, Z_j); Bars(Add(\\mathbf{R}_i, Neg(\\mathbf{R}_j))))); =)",
+        "psi4/psi4/doc/sphinxman/source/glossary_psivariables.rst",
+    ),
+    (
+        "E_{\\text{IE}} = E_{dimer} - \\sum_{monomer}^{n}{E_{monomer}^{\\text{CP}}}",
+        "Chain(E_{IE}, Add(E_{dimer}, Neg(Limiting(sum; _{ m o n o m e r }^{ n }; E _ { m o n o m e r } ^ { \\text { C P } }))); =)",
+        "psi4/psi4/doc/sphinxman/source/glossary_psivariables.rst",
+    ),
+    (
+        "E_{\\text{SCF}} & = E_{NN} + E_{1e^-} + E_{2e^-} + E_{xc} + E_{\\text{-D}} \\\\\n& = E_{\\text{FCTL/HF}} + E_{\\text{-D}}",
+        "Chain(E_{SCF}, Add(E_{NN}, E_{1e^-}, E_{2e^-}, E_{xc}, E_{-D}), Add(E_{FCTL/HF}, E_{-D}); =, =)",
+        "psi4/psi4/doc/sphinxman/source/glossary_psivariables.rst",
+    ),
+    (
+        "E_{\\text{MP4}} = E_{\\text{MP4(SDQ)}} + E_{\\text{MP4(T)}}",
+        "Chain(E_{MP4}, Add(E_{MP4(SDQ)}, E_{MP4(T)}); =)",
+        "psi4/psi4/doc/sphinxman/source/glossary_psivariables.rst",
+    ),
+    (
+        "E_{\\text{IE}} = E_{dimer} - \\sum_{monomer}^{n}{E_{monomer}^{\\text{unCP}}}",
+        "Chain(E_{IE}, Add(E_{dimer}, Neg(Limiting(sum; _{ m o n o m e r }^{ n }; E _ { m o n o m e r } ^ { \\text { u n C P } }))); =)",
+        "psi4/psi4/doc/sphinxman/source/glossary_psivariables.rst",
+    ),
+    (
+        "E_{\\text{DFT}} & = E_{NN} + E_{1e^-} + E_{2e^-} + E_{xc} + E_{\\text{-D}} + E_{\\text{DH}} \\\\\n& = E_{\\text{FCTL}} + E_{\\text{-D}} + E_{\\text{DH}} \\\\\n& = E_{\\text{SCF}} + E_{\\text{DH}}",
+        "Chain(E_{DFT}, Add(E_{NN}, E_{1e^-}, E_{2e^-}, E_{xc}, E_{-D}, E_{DH}), Add(E_{FCTL}, E_{-D}, E_{DH}), Add(E_{SCF}, E_{DH}); =, =, =)",
+        "psi4/psi4/doc/sphinxman/source/glossary_psivariables.rst",
+    ),
+    (
+        "A_{pq,rs} = \\frac{\\partial^2 \\widetilde{E}}{\\partial \\kappa_{pq} \\partial \\kappa_{rs}}",
+        "Chain(A_{pq,rs}, Derivative(Call(\\widetilde{E}); \\kappa_{pq}, 1, \\kappa_{rs}, 1; True); =)",
+        "psi4/psi4/doc/sphinxman/source/occ.rst",
+    ),
+    (
+        "\\widetilde{E}^{(2)}({\\bf \\kappa}) = \\widetilde{E}^{(0)} + {\\bf \\kappa^{\\dagger} w}  + \\frac{1}{2}~{\\bf \\kappa^{\\dagger} A \\kappa}",
+        "Chain(Call(\\widetilde { E } ^ { ( 2 ) }; \\mathbf{\\kappa}), Add(\\widetilde { E } ^ { ( 0 ) }, Mul(\\mathbf { \\kappa } ^ { \\dagger }, \\mathbf{w}), Mul(Div(1; 2), \\mathbf { \\kappa } ^ { \\dagger }, \\mathbf{A}, \\mathbf{\\kappa})); =)",
+        "psi4/psi4/doc/sphinxman/source/occ.rst",
+    ),
+    (
+        "{\\bf C({\\bf \\kappa})} = {\\bf C^{(0)}} \\ e^{{\\bf K}}",
+        "Chain(Call(\\mathbf{C}; \\mathbf{\\kappa}), Mul(\\mathbf { C } ^ { ( 0 ) }, Pow(e; \\mathbf{K})); =)",
+        "psi4/psi4/doc/sphinxman/source/occ.rst",
+    ),
+    (
+        "{\\bf \\kappa} = -{\\bf A^{-1}w}",
+        "Chain(\\mathbf{\\kappa}, Neg(Mul(Pow(\\mathbf{A}; Neg(1)), \\mathbf{w})); =)",
+        "psi4/psi4/doc/sphinxman/source/occ.rst",
+    ),
+    (
+        "w_{pq} = \\frac{\\partial \\widetilde{E}}{\\partial \\kappa_{pq}}",
+        "Chain(w_{pq}, Derivative(Call(\\widetilde{E}); \\kappa_{pq}, 1; True); =)",
+        "psi4/psi4/doc/sphinxman/source/occ.rst",
+    ),
+    (
+        "U^\\dagger h^{\\rm D} U =\nU^\\dagger\n\\begin{pmatrix}\nh_{LL} & h_{LS} \\\\\nh_{SL} & h_{SS}\n\\end{pmatrix}\nU\n=\n\\begin{pmatrix}\nh^{\\rm FW}_{++} & 0 \\\\\n0 & h^{\\rm FW}_{--}\n\\end{pmatrix}",
+        "Chain(Mul(U ^ { \\dagger }, h ^ { \\mathrm { D } }, U), Mul(U ^ { \\dagger }, MatrixOf(h_{LL}, h_{LS}, h_{SL}, h_{SS}), U), MatrixOf(h _ { + + } ^ { \\mathrm { F W } }, 0, 0, h _ { - - } ^ { \\mathrm { F W } }); =, =)",
+        "psi4/psi4/doc/sphinxman/source/relativistic.rst",
+    ),
+    (
+        "H_{\\rm X2C} = T_{\\rm X2C} + V_{\\rm X2C}",
+        "Chain(H_{X2C}, Add(T_{X2C}, V_{X2C}); =)",
+        "psi4/psi4/doc/sphinxman/source/relativistic.rst",
+    ),
+    (
+        "E_{SAPT2+} = E_{SAPT2} + E_{disp}^{(21)} + E_{disp}^{(22)}",
+        "Chain(E_{SAPT2+}, Add(E_{SAPT2}, E _ { d i s p } ^ { ( 2 1 ) }, E _ { d i s p } ^ { ( 2 2 ) }); =)",
+        "psi4/psi4/doc/sphinxman/source/sapt.rst",
+    ),
+    (
+        "E_{SAPT2+(3)} = E_{SAPT2+} + E_{elst,resp}^{(13)} + E_{disp}^{(30)}",
+        "Chain(E_{SAPT2+(3)}, Add(E_{SAPT2+}, E _ { e l s t , r e s p } ^ { ( 1 3 ) }, E _ { d i s p } ^ { ( 3 0 ) }); =)",
+        "psi4/psi4/doc/sphinxman/source/sapt.rst",
+    ),
+    (
+        "H=F_A+W_A+F_B+W_B+V",
+        "Chain(H, Add(F_A, W_A, F_B, W_B, V); =)",
+        "psi4/psi4/doc/sphinxman/source/sapt.rst",
+    ),
+    (
+        "R_w = \\left(\\frac{105  c_1^2 }{2 \\pi}\\right)^{0.2} (C_T A (x + x_0))^{1/3}",
+        "Chain(R_w, Mul(Pow(Div(Mul(105, Pow(c_1; 2)); Mul(2, \\pi)); 0.2), Pow(Mul(C_T, A, Add(x, x_0)); Div(1; 3))); =)",
+        "DTUWindEnergy/PyWake/py_wake/deficit_models/gcl.py",
+    ),
+    (
+        "\\varepsilon(\\lambda) = \\boldsymbol{n}^2",
+        "Chain(Call(\\varepsilon; \\lambda), Pow(\\boldsymbol{n}; 2); =)",
+        "PyEllips/pyElli/src/elli/dispersions/constant_refractive_index.py",
+    ),
+    (
+        "\\varepsilon(\\lambda) = \\textbf{eps}",
+        "Chain(Call(\\varepsilon; \\lambda), \\text{eps}; =)",
+        "PyEllips/pyElli/src/elli/dispersions/epsilon_inf.py",
+    ),
+    (
+        "\\rho = \\tan(\\Psi) \\cdot \\exp (-i \\Delta)",
+        "Chain(\\rho, Mul(Call(tan; \\Psi), Call(exp; Neg(Mul(i, \\Delta)))); =)",
+        "PyEllips/pyElli/src/elli/dispersions/pseudo_dielectric.py",
+    ),
+    (
+        "\\varepsilon(\\lambda) = \\sin^2 \\left( \\Theta \\right) \\cdot\n\\left( 1 + \\tan^2 (\\Theta) \\left( \\frac{1 - \\rho}{1 + \\rho} \\right) \\right)",
+        "Chain(Call(\\varepsilon; \\lambda), Mul(Pow(Call(sin; \\Theta); 2), Add(1, Mul(Pow(Call(tan; \\Theta); 2), Div(Add(1, Neg(\\rho)); Add(1, \\rho))))); =)",
+        "PyEllips/pyElli/src/elli/dispersions/pseudo_dielectric.py",
+    ),
+    (
+        "2 \\varepsilon_\\text{eff}^2 +\n[(3f - 2) \\varepsilon_a + (1 - 3f)\\varepsilon_b] \\varepsilon_\\text{eff}\n- \\varepsilon_a \\cdot \\varepsilon_b = 0",
+        "Chain(Add(Mul(2, Pow(\\varepsilon_{eff}; 2)), Mul(Add(Mul(Add(Mul(3, f), Neg(2)), \\varepsilon_a), Mul(Add(1, Neg(Mul(3, f))), \\varepsilon_b)), \\varepsilon_{eff}), Neg(Mul(\\varepsilon_a, \\varepsilon_b))), 0; =)",
+        "PyEllips/pyElli/src/elli/materials.py",
+    ),
+    (
+        "\\varepsilon_\\text{eff} = (1 - f) \\varepsilon_h + f \\varepsilon_g",
+        "Chain(\\varepsilon_{eff}, Add(Mul(Add(1, Neg(f)), \\varepsilon_h), Mul(f, \\varepsilon_g)); =)",
+        "PyEllips/pyElli/src/elli/materials.py",
+    ),
+    (
+        "\\varepsilon_\\text{eff} = ((1 - f) \\varepsilon_h^{1/3} + f \\varepsilon_g^{1/3})^3",
+        "Chain(\\varepsilon_{eff}, Pow(Add(Mul(Add(1, Neg(f)), Pow(\\varepsilon_h; Div(1; 3))), Mul(f, Pow(\\varepsilon_g; Div(1; 3)))); 3); =)",
+        "PyEllips/pyElli/src/elli/materials.py",
+    ),
+    (
+        "M_\\rho = \\begin{bmatrix}\n\\rho_\\text{pp} & \\rho_\\text{ps} \\\\ \\rho_\\text{sp} & 1\n\\end{bmatrix}\n= r_\\text{ss} \\begin{bmatrix}\nr_\\text{pp}/r_\\text{ss} & r_{ps}/r_\\text{ss} \\\\ r_\\text{sp}/r_\\text{ss} & 1\n\\end{bmatrix}",
+        "Chain(M_\\rho, MatrixOf(\\rho_{pp}, \\rho_{ps}, \\rho_{sp}, 1), Mul(r_{ss}, MatrixOf(Div(r_{pp}; r_{ss}), Div(r_{ps}; r_{ss}), Div(r_{sp}; r_{ss}), 1)); =, =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_{\\psi \\text{,t}} = \\begin{bmatrix}\n\\psi_\\text{t,pp} & \\psi_\\text{t,ps} \\\\ \\psi_\\text{t,sp} & 45°\n\\end{bmatrix}",
+        "Chain(M_{\\psi,t}, MatrixOf(\\psi_{t,pp}, \\psi_{t,ps}, \\psi_{t,sp}, Degrees(45)); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_{\\text{$\\rho$, exp}} = M_\\rho \\cdot \\vec{E}",
+        "Chain(M_{\\rho,exp~}, Mul(M_\\rho, \\vec{E}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "\\rho = \\tan \\psi \\exp(-i \\Delta)",
+        "Chain(\\rho, Mul(Call(tan; \\psi), Call(exp; Neg(Mul(i, \\Delta)))); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_{Rc} = \\begin{bmatrix} R_{LL} & R_{LR} \\\\ R_{RL} & R_{RR} \\end{bmatrix}",
+        "Chain(M_{Rc}, MatrixOf(R_{LL}, R_{LR}, R_{RL}, R_{RR}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_{Tc} = \\begin{bmatrix} T_{LL} & T_{LR} \\\\ T_{RL} & T_{RR} \\end{bmatrix}",
+        "Chain(M_{Tc}, MatrixOf(T_{LL}, T_{LR}, T_{RL}, T_{RR}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_\\text{tc} = \\begin{bmatrix}\nt_\\text{LL} & t_\\text{LR} \\\\ t_\\text{RL} & t_\\text{RR}\n\\end{bmatrix}",
+        "Chain(M_{tc}, MatrixOf(t_{LL}, t_{LR}, t_{RL}, t_{RR}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_\\Delta = \\begin{bmatrix}\n\\Delta_\\text{pp} & \\Delta_\\text{ps} \\\\ \\Delta_\\text{sp} & 0°\n\\end{bmatrix}",
+        "Chain(M_\\Delta, MatrixOf(\\Delta_{pp}, \\Delta_{ps}, \\Delta_{sp}, Degrees(0)); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_\\text{t} = \\begin{bmatrix}\nt_\\text{pp} & t_\\text{ps} \\\\ t_\\text{sp} & t_\\text{ss}\n\\end{bmatrix}",
+        "Chain(M_t, MatrixOf(t_{pp}, t_{ps}, t_{sp}, t_{ss}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_R = \\begin{bmatrix} R_{pp} & R_{ps} \\\\ R_{sp} & R_{ss} \\end{bmatrix}",
+        "Chain(M_R, MatrixOf(R_{pp}, R_{ps}, R_{sp}, R_{ss}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_T = \\begin{bmatrix} T_{pp} & T_{ps} \\\\ T_{sp} & T_{ss} \\end{bmatrix}",
+        "Chain(M_T, MatrixOf(T_{pp}, T_{ps}, T_{sp}, T_{ss}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "T = (T_{pp} / T_{ss}) / 2",
+        "Chain(T, Div(Div(T_{pp}; T_{ss}); 2); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_{\\Delta \\text{,t}} = \\begin{bmatrix}\n\\Delta_\\text{t,pp} & \\Delta_\\text{t,ps} \\\\ \\Delta_\\text{t,sp} & 0°\n\\end{bmatrix}",
+        "Chain(M_{\\Delta,t}, MatrixOf(\\Delta_{t,pp}, \\Delta_{t,ps}, \\Delta_{t,sp}, Degrees(0)); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_{\\rho \\text{,t}} = \\begin{bmatrix}\n\\rho_\\text{t,pp} & \\rho_\\text{t,ps} \\\\ \\rho_\\text{t,sp} & 1\n\\end{bmatrix}\n= t_\\text{ss} \\begin{bmatrix}\nt_\\text{pp}/t_\\text{ss} & t_\\text{ps}/t_\\text{ss} \\\\ t_\\text{sp}/t_\\text{ss} & 1\n\\end{bmatrix}",
+        "Chain(M_{\\rho,t}, MatrixOf(\\rho_{t,pp}, \\rho_{t,ps}, \\rho_{t,sp}, 1), Mul(t_{ss}, MatrixOf(Div(t_{pp}; t_{ss}), Div(t_{ps}; t_{ss}), Div(t_{sp}; t_{ss}), 1)); =, =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_\\text{rc} = \\begin{bmatrix}\nr_\\text{LL} & r_\\text{LR} \\\\ r_\\text{RL} & r_\\text{RR}\n\\end{bmatrix}",
+        "Chain(M_{rc}, MatrixOf(r_{LL}, r_{LR}, r_{RL}, r_{RR}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_\\psi = \\begin{bmatrix}\n\\psi_\\text{pp} & \\psi_\\text{ps} \\\\ \\psi_\\text{sp} & 45°\n\\end{bmatrix}",
+        "Chain(M_\\psi, MatrixOf(\\psi_{pp}, \\psi_{ps}, \\psi_{sp}, Degrees(45)); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "R = (R_{pp} + R_{ss}) / 2",
+        "Chain(R, Div(Add(R_{pp}, R_{ss}); 2); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "M_\\text{r} = \\begin{bmatrix}\nr_\\text{pp} & r_\\text{ps} \\\\ r_\\text{sp} & r_\\text{ss}\n\\end{bmatrix}",
+        "Chain(M_r, MatrixOf(r_{pp}, r_{ps}, r_{sp}, r_{ss}); =)",
+        "PyEllips/pyElli/src/elli/result.py",
+    ),
+    (
+        "f = \\boldsymbol{E} / \\hbar",
+        "Chain(f, Div(\\boldsymbol{E}; \\hbar); =)",
+        "PyEllips/pyElli/src/elli/utils.py",
+    ),
+    (
+        "\\log(\\mathcal{L}) = \\sum_i N f_i \\log(p_i).",
+        "Chain(Call(log; \\mathcal{L}), BigSum(i; Mul(N, f_i, Call(log; p_i))); =)",
+        "sandialabs/pyGSTi/pygsti/report/templates/standard_pdf_report.tex",
+    ),
+    (
+        "k \\equiv N_s - N_p.",
+        "Chain(k, Add(N_s, Neg(N_p)); \\equiv)",
+        "sandialabs/pyGSTi/pygsti/report/templates/standard_pdf_report.tex",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t} &= d_u \\frac{\\partial^2 u}{\\partial\nx^2} + a - (w+1) u + v u^2, \\\\\n\\frac{\\partial v}{\\partial t} &= d_v \\frac{\\partial^2 v}{\\partial\nx^2} + w u - v u^2, \\\\\n\\frac{\\partial w}{\\partial t} &= d_w \\frac{\\partial^2 w}{\\partial\nx^2} + \\frac{b-w}{\\varepsilon} - w u.",
+        "System(Chain(Derivative(Call(u); t, 1; True), Add(Mul(d_u, Derivative(Call(u); x, 2; True)), a, Neg(Mul(Add(Call(w), 1), Call(u))), Mul(Call(v), Pow(Call(u); 2))); =), Chain(Derivative(Call(v); t, 1; True), Add(Mul(d_v, Derivative(Call(v); x, 2; True)), Mul(Call(w), Call(u)), Neg(Mul(Call(v), Pow(Call(u); 2)))); =), Chain(Derivative(Call(w); t, 1; True), Add(Mul(d_w, Derivative(Call(w); x, 2; True)), Div(Add(b, Neg(Call(w))); \\varepsilon), Neg(Mul(Call(w), Call(u)))); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_openmp.rst",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t}(t,0) &= \\frac{\\partial u}{\\partial t}(t,1) = 0,\\\\\n\\frac{\\partial v}{\\partial t}(t,0) &= \\frac{\\partial v}{\\partial t}(t,1) = 0,\\\\\n\\frac{\\partial w}{\\partial t}(t,0) &= \\frac{\\partial w}{\\partial t}(t,1) = 0.",
+        "System(Chain(Derivative(Call(u; t, 0); t, 1; True), Derivative(Call(u; t, 1); t, 1; True), 0; =, =), Chain(Derivative(Call(v; t, 0); t, 1; True), Derivative(Call(v; t, 1); t, 1; True), 0; =, =), Chain(Derivative(Call(w; t, 0); t, 1; True), Derivative(Call(w; t, 1); t, 1; True), 0; =, =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_openmp.rst",
+    ),
+    (
+        "\\frac{\\partial c_i}{\\partial t} &=\nK_h \\frac{\\partial^2 c_i}{\\partial x^2} +\nV \\frac{\\partial     c_i}{\\partial x} +\n\\frac{\\partial}{\\partial y}\\left( K_v(y)\n\\frac{\\partial c_i}{\\partial y}\\right) +\nR_i(c_1,c_2,t),\\quad i=1,2",
+        "System(Chain(Derivative(Call(c_i); t, 1; True), Add(Mul(K_h, Derivative(Call(c_i); x, 2; True)), Mul(V, Derivative(Call(c_i); x, 1; True)), Derivative(Mul(Call(K_v; y), Derivative(Call(c_i); y, 1; True)); y, 1; True), Call(R_i; Call(c_1), Call(c_2), t)); =); Qualifier(i; 1, 2))",
+        "LLNL/sundials/doc/arkode/examples/source/c_parallel.rst",
+    ),
+    (
+        "g_1(u) = u - 10^{-4}, \\\\\ng_2(w) = w - 10^{-2}.",
+        "System(Chain(Call(g_1; u), Add(u, Neg(Pow(10; Neg(4)))); =), Chain(Call(g_2; w), Add(w, Neg(Pow(10; Neg(2)))); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "\\frac{du}{dt} &= -50 v, \\\\\n\\frac{dv}{dt} &= 50 u, \\\\\n\\frac{dw}{dt} &= -w + u + v.",
+        "System(Chain(Derivative(Call(u); t, 1), Neg(Mul(50, Call(v))); =), Chain(Derivative(Call(v); t, 1), Mul(50, Call(u)); =), Chain(Derivative(Call(w); t, 1), Add(Neg(Call(w)), Call(u), Call(v)); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "\\frac{du}{dt} &= a - (w+1)u + v u^2, \\\\\n\\frac{dv}{dt} &= w u - v u^2, \\\\\n\\frac{dw}{dt} &= \\frac{b-w}{\\varepsilon} - w u.",
+        "System(Chain(Derivative(Call(u); t, 1), Add(a, Neg(Mul(Add(Call(w), 1), Call(u))), Mul(Call(v), Pow(Call(u); 2))); =), Chain(Derivative(Call(v); t, 1), Add(Mul(Call(w), Call(u)), Neg(Mul(Call(v), Pow(Call(u); 2)))); =), Chain(Derivative(Call(w); t, 1), Add(Div(Add(b, Neg(Call(w))); \\varepsilon), Neg(Mul(Call(w), Call(u)))); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t} = k_x \\frac{\\partial^2 u}{\\partial x^2}\n+ k_y \\frac{\\partial^2 u}{\\partial y^2} + h,",
+        "Chain(Derivative(Call(u); t, 1; True), Add(Mul(k_x, Derivative(Call(u); x, 2; True)), Mul(k_y, Derivative(Call(u); y, 2; True)), h); =)",
+        "LLNL/sundials/doc/arkode/examples/source/cpp_parallel.rst",
+    ),
+    (
+        "\\frac{dy}{dt} = Ay",
+        "Chain(Derivative(Call(y); t, 1), Mul(A, Call(y)); =)",
+        "LLNL/sundials/doc/arkode/examples/source/cpp_serial.rst",
+    ),
+    (
+        "V = \\left[\\begin{array}{rrr} 1 & -1 & 1\\\\ -1 & 2 & 1\\\\ 0 & -1 & 2\n\\end{array}\\right], \\qquad\nV^{-1} = \\frac14 \\left[\\begin{array}{rrr} 5 & 1 & -3\\\\ 2 & 2 & -2\\\\\n1 & 1 & 1 \\end{array}\\right], \\qquad\nD = \\left[\\begin{array}{rrr} -1/2 & 0 & 0\\\\ 0 & -1/10 & 0\\\\ 0 & 0 &\n\\lambda \\end{array}\\right].",
+        "System(Chain(V, MatrixOf(1, Neg(1), 1, Neg(1), 2, 1, 0, Neg(1), 2); =), Chain(Pow(V; Neg(1)), Mul(Div(1; 4), MatrixOf(5, 1, Neg(3), 2, 2, Neg(2), 1, 1, 1)); =), Chain(D, MatrixOf(Neg(Div(1; 2)), 0, 0, 0, Neg(Div(1; 10)), 0, 0, 0, \\lambda); =))",
+        "LLNL/sundials/doc/arkode/examples/source/cpp_serial.rst",
+    ),
+    (
+        "f_E(t,u,v,w) = \\left(\\begin{array}{c} a - (w+1)u + v u^2 \\\\\nw u - v u^2 \\\\ - w u  \\end{array}\\right), \\quad\\text{and}\\quad\nf_I(t,u,v,w) = \\left(\\begin{array}{c} 0\\\\0\\\\\n\\frac{b-w}{\\varepsilon}\\end{array}\\right).",
+        "System(Chain(Call(f_E; t, u, v, w), MatrixOf(Add(a, Neg(Mul(Add(w, 1), u)), Mul(v, Pow(u; 2))), Add(Mul(w, u), Neg(Mul(v, Pow(u; 2)))), Neg(Mul(w, u))); =), Chain(Call(f_I; t, u, v, w), MatrixOf(0, 0, Div(Add(b, Neg(w)); \\varepsilon)); =))",
+        "LLNL/sundials/doc/arkode/examples/source/f90_serial.rst",
+    ),
+    (
+        "R(\\eta) = 1 + \\eta b [I - \\eta A]^{-1} e,",
+        "Chain(Call(R; \\eta), Add(1, Mul(\\eta, b, Pow(Add(I, Neg(Mul(\\eta, A))); Neg(1)), e)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Butcher.rst",
+    ),
+    (
+        "0 = f(\\eta) = R(\\eta) - e^{i\\theta}",
+        "Chain(0, Call(f; \\eta), Add(Call(R; \\eta), Neg(Pow(e; Mul(i, \\theta)))); =, =)",
+        "LLNL/sundials/doc/arkode/guide/source/Butcher.rst",
+    ),
+    (
+        "(P^{-1}{\\mathcal A})x = P^{-1}b & \\qquad\\text{[left preconditioning]}, \\\\\n({\\mathcal A}P^{-1})Px = b  & \\qquad\\text{[right preconditioning]}, \\\\\n(P_L^{-1} {\\mathcal A} P_R^{-1}) P_R x = P_L^{-1}b & \\qquad\\text{[left and right\npreconditioning]}.",
+        "System(Chain(Mul(Mul(Pow(P; Neg(1)), \\mathcal{A}), x), Mul(Pow(P; Neg(1)), b); =), Words(\\text{[left~preconditioning]}), Chain(Mul(Mul(\\mathcal{A}, Pow(P; Neg(1))), P, x), b; =), Words(\\text{[right~preconditioning]}), Chain(Mul(Mul(Pow(P_L; Neg(1)), \\mathcal{A}, Pow(P_R; Neg(1))), P_R, x), Mul(Pow(P_L; Neg(1)), b); =), Words(\\text{[left~and~right~preconditioning]}))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "h' \\;=\\; h_n\\; \\varepsilon_n^{-k_1/p}\\; \\varepsilon_{n-1}^{k_2/p}\\;\n\\varepsilon_{n-2}^{-k_3/p},",
+        "Chain(h', Mul(h_n, Pow(\\varepsilon_n; Neg(Div(k_1; p))), Pow(\\varepsilon_{n-1}; Div(k_2; p)), Pow(\\varepsilon_{n-2}; Neg(Div(k_3; p)))); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "z_i &= y_{n-1} + h_n \\sum_{j=1}^{i-1} A_{i,j} f(t_{n,j}, z_j),\n\\quad i=1,\\ldots,s, \\\\\ny_n &= y_{n-1} + h_n \\sum_{i=1}^{s} b_i f(t_{n,i}, z_i), \\\\\n\\tilde{y}_n &= y_{n-1} + h_n \\sum_{i=1}^{s} \\tilde{b}_i f(t_{n,i}, z_i),",
+        "System(Chain(z_i, Add(y_{n-1}, Mul(h_n, BigSum(j; 1; Add(i, Neg(1)); Mul(A_{ij}, Call(f; t_{n,j}, z_j))))); =), Values(i; 1, Dots(), s), Chain(y_n, Add(y_{n-1}, Mul(h_n, BigSum(i; 1; s; Mul(b_i, Call(f; t_{n,i}, z_i))))); =), Chain(\\tilde{y}_n, Add(y_{n-1}, Mul(h_n, BigSum(i; 1; s; Mul(\\tilde{b}_i, Call(f; t_{n,i}, z_i))))); =))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\sum_{i=2}^{s} \\left(c_i^S-c_{i-1}^S\\right)\n\\left(\\mathbf{e}_i+\\mathbf{e}_{i-1}\\right)^T A^S c^S\n+ \\left(1-c_{s}^S\\right) \\left( \\frac12+\\mathbf{e}_{s}^T A^S c^S \\right)\n= \\frac13,",
+        "Chain(Add(BigSum(i; 2; s; Mul(Add(c _ { i } ^ { S }, Neg(c _ { i - 1 } ^ { S })), Transpose(Add(\\mathbf{e}_i, \\mathbf{e}_{i-1})), A ^ { S }, c ^ { S })), Mul(Add(1, Neg(c _ { s } ^ { S })), Add(Div(1; 2), Mul(Transpose(\\mathbf{e}_s), A ^ { S }, c ^ { S })))), Div(1; 3); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "h' = \\frac{h}{|h|}\\min\\{c\\, |h_\\text{exp}|,\\, |h_\\text{acc}|\\}.",
+        "Chain(h', Mul(Div(h; Bars(h)), Call(min; Mul(c, Bars(h_{exp})), Bars(h_{acc}))); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\tilde{\\mathcal A}(\\tilde{t},\\tilde{z}) \\approx I - \\tilde{\\gamma} J(\\tilde{t},\\tilde{z}),\n\\quad\\text{and}\\quad\n\\tilde{\\gamma} = \\tilde{h} \\sum_{k\\geq 0} \\frac{\\gamma_{i,i}^{\\{k\\}}}{k+1}\\quad\\text{(MRIStep)}.",
+        "System(Chain(Call(\\tilde{\\mathcal{A}}; \\tilde{t}, \\tilde{z}), Add(I, Neg(Mul(\\tilde{\\gamma}, Call(J; \\tilde{t}, \\tilde{z})))); \\approx), Chain(\\tilde{\\gamma}, Mul(\\tilde{h}, Limiting(sum; _{ k \\geq 0 }; Div(\\gamma _ { i , i } ^ { \\{ k \\} }; Add(k, 1)))); =), Words(\\text{(MRIStep)}))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "x = M^{-1} b",
+        "Chain(x, Mul(Pow(M; Neg(1)), b); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|r\\| \\le \\epsilon_L \\epsilon,",
+        "Chain(Norm(r), Mul(\\epsilon_L, \\epsilon); \\le)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "M(t)\\, \\dot{y} = f(t,y), \\qquad y(t_0) = y_0.",
+        "System(Chain(Mul(Call(M; t), Call(\\dot{y})), Call(f; t, Call(y)); =), Chain(Call(y; t_0), y_0; =))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\tau(t) = \\frac{t-t_{n}}{h_{n}},",
+        "Chain(Call(\\tau; t), Div(Add(t, Neg(t_n)); h_n); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|v\\|_\\text{WRMS} = \\left( \\frac{1}{N} \\sum_{i=1}^N \\left(v_i\\,\nw_i\\right)^2\\right)^{1/2}.",
+        "Chain(Marked(Norm(v); _{ \\text { W R M S } }), Pow(Mul(Div(1; N), BigSum(i; 1; N; Pow(Mul(v_i, w_i); 2))); Div(1; 2)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "M(t)\\, \\dot{y} = f^E(t,y), \\qquad y(t_0) = y_0.",
+        "System(Chain(Mul(Call(M; t), Call(\\dot{y})), Call(f ^ { E }; t, Call(y)); =), Chain(Call(y; t_0), y_0; =))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\dot{y} = \\hat{f}(t,y), \\qquad y(t_0) = y_0.",
+        "System(Chain(Call(\\dot{y}), Call(\\hat{f}; t, Call(y)); =), Chain(Call(y; t_0), y_0; =))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "P = \\begin{bmatrix} P_1 & & & \\\\ & P_2 & & \\\\ & & \\ddots &\\\\ & & & P_Q \\end{bmatrix}",
+        "Chain(P, MatrixOf(P_1, Blank(), Blank(), Blank(), Blank(), P_2, Blank(), Blank(), Blank(), Blank(), Dots(), Blank(), Blank(), Blank(), Blank(), P_Q); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Usage/ARKStep_c_interface/Preconditioners.rst",
+    ),
+    (
+        "P_q \\approx I - \\gamma J_q",
+        "Chain(P_q, Add(I, Neg(Mul(\\gamma, J_q))); \\approx)",
+        "LLNL/sundials/doc/arkode/guide/source/Usage/ARKStep_c_interface/Preconditioners.rst",
+    ),
+    (
+        "\\eta = \\max\\{\\eta_{q-1},\\eta_q,\\eta_{q+1}\\} \\, ,",
+        "Chain(\\eta, Call(max; \\eta_{q-1}, \\eta_q, \\eta_{q+1}); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "g(t,y) = \\begin{bmatrix} g_1(t,\\bar{y}_1) & g_2(t,\\bar{y}_2) & \\cdots & g_M(t,\\bar{y}_M) \\end{bmatrix}^T",
+        "Chain(Call(g; t, y), Transpose(MatrixOf(Call(g_1; t, \\bar{y}_1), Call(g_2; t, \\bar{y}_2), Dots(), Call(g_M; t, \\bar{y}_M))); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Usage/index.rst",
+    ),
+    (
+        "\\|\\ v \\|_{\\mbox{WRMS}} = \\sqrt{\\frac1N \\sum_{i=1}^N (W_i \\cdot v_i)^2}.",
+        "Chain(Marked(Norm(v); _{ \\text { W R M S } }), Sqrt(Mul(Div(1; N), BigSum(i; 1; N; Pow(Mul(W_i, v_i); 2)))); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Usage/index.rst",
+    ),
+    (
+        "\\begin{split}\n    & \\frac{\\partial u}{\\partial t} = p_1 \\frac{\\partial^2 u}{\\partial x^2} \n    + p_2 \\frac{\\partial u}{\\partial x} \\\\\n    & 0 = x_0 \\le x \\le x_1 = 2 \\\\\n    & 0 = t_0 \\le t \\le t_f = 2.5 \\, ,\n  \\end{split}",
+        "System(Chain(Derivative(Call(u); t, 1; True), Add(Mul(p_1, Derivative(Call(u); x, 2; True)), Mul(p_2, Derivative(Call(u); x, 1; True))); =), Chain(0, x_0, x, x_1, 2; =, \\le, \\le, =), Chain(0, t_0, t, t_f, 2.5; =, \\le, \\le, =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_adj.tex",
+    ),
+    (
+        "\\begin{split}\n    &{\\dot\\zeta} = g = y_3 \\\\\n    &\\zeta(T) = 0 \\, .\n  \\end{split}",
+        "System(Chain(Call(\\dot{\\zeta}), g, y_3; =, =), Chain(Call(\\zeta; T), 0; =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_adj.tex",
+    ),
+    (
+        "\\begin{split}\n    &{\\dot\\xi}_1 = \\int_{x_0}^{x_1} dx \\mu \\frac{\\partial^2 u}{\\partial x^2} \\, , \\quad\n    \\xi_1(t_f) = 0 \\, , \\\\\n    &{\\dot\\xi}_2 = \\int_{x_0}^{x_1} dx \\mu \\frac{\\partial u}{\\partial x} \\, , \\quad\n    \\xi_2(t_f) = 0 \\, ,\n  \\end{split}",
+        "System(Chain(Call(\\dot{\\xi}_1), Integral(Mul(\\mu, Derivative(Call(u); x, 2; True)); x; x_0; x_1); =), Chain(Call(\\xi_1; t_f), 0; =), Chain(Call(\\dot{\\xi}_2), Integral(Mul(\\mu, Derivative(Call(u); x, 1; True)); x; x_0; x_1); =), Chain(Call(\\xi_2; t_f), 0; =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_adj.tex",
+    ),
+    (
+        "\\begin{split}\n    u(t,0) &= 0 \\, , \\quad u(t,2) = 0 \\\\\n    u(0,x) &= x(2-x)e^{2x} \\, .\n  \\end{split}",
+        "System(Chain(Call(u; t, 0), 0; =), Chain(Call(u; t, 2), 0; =), Chain(Call(u; 0, x), Mul(x, Add(2, Neg(x)), Pow(e; Mul(2, x))); =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_fwd.tex",
+    ),
+    (
+        "\\begin{split}\n    \\frac{d s^2_i}{dt} \n    &= q_1 \\frac{s^2_{i+1}-2s^2_{i}+s^2_{i-1}}{(\\Delta x)^{2}}\n    + q_2 \\frac{s^2_{i+1}-s^2_{i-1}}{2(\\Delta x)} \n    + \\frac{u_{i+1}-u_{i-1}}{2(\\Delta x)} \\\\\n    s^1_i (0) &= 0.0  \\, .\n  \\end{split}",
+        "System(Chain(Derivative(Call(s _ { i } ^ { 2 }); t, 1), Add(Mul(q_1, Div(Add(s _ { i + 1 } ^ { 2 }, Neg(Mul(2, Call(s _ { i } ^ { 2 }))), s _ { i - 1 } ^ { 2 }); Pow(\\Delta x; 2))), Mul(q_2, Div(Add(s _ { i + 1 } ^ { 2 }, Neg(s _ { i - 1 } ^ { 2 })); Mul(2, \\Delta x))), Div(Add(u_{i+1}, Neg(u_{i-1})); Mul(2, \\Delta x))); =), Chain(Call(s _ { i } ^ { 1 }; 0), 0.0; =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_fwd.tex",
+    ),
+    (
+        "\\frac{dc_i}{dt} = K_h \\frac{d^2c_i}{dx^2} + v \\frac{dc_i}{dx} \n  + K_v \\frac{d^2c_i}{dz^2}\n  + R_i(c_1, c_2, t) \\, , \\quad \\text{for } i=1,2 \\, ,",
+        "System(Chain(Derivative(Call(c_i); t, 1), Add(Mul(K_h, Derivative(Call(c_i); x, 2)), Mul(v, Derivative(Call(c_i); x, 1)), Mul(K_v, Derivative(Call(c_i); z, 2)), Call(R_i; Call(c_1), Call(c_2), t)); =); Qualifier(i; 1, 2))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_tests.tex",
+    ),
+    (
+        "\\sigma_i = |{\\bar p}_i| \\sqrt{\\max( \\mbox{rtol} , U)} \\, , \\quad\n\\sigma_y = \\frac{1}{\\max(1/\\sigma_i, \\|s_i\\|/|{\\bar p}_i|)} \\, ,",
+        "System(Chain(\\sigma_i, Mul(Bars(\\bar{p}_i), Sqrt(Call(max; \\text{rtol}, U))); =), Chain(\\sigma_y, Div(1; Call(max; Div(1; \\sigma_i), Div(Norm(s_i); Bars(\\bar{p}_i)))); =))",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\bar z(t) = \\int_{t_0}^t \\bar q(\\tau, y(\\tau), s_1(\\tau), \\ldots, s_{N_p}(\\tau),p) \\, \\mathrm d\\tau \\, .",
+        "Chain(Call(\\bar{z}; t), Integral(Call(\\bar{q}; \\tau, Call(y; \\tau), Call(s_1; \\tau), Dots(), Call(s_{N_p}; \\tau), p); \\tau; t_0; t); =)",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "{{\\dot s}_i}  = \\frac{\\partial f}{\\partial y} s_i +\n\\frac{\\partial f}{\\partial p_i} \\, , \\quad s_i(t_0)  = \\frac{\\partial\ny_{0}(p)}{\\partial p_i} \\, ,",
+        "System(Chain(Call(\\dot{s}_i), Add(Mul(Derivative(Call(f); y, 1; True), Call(s_i)), Derivative(Call(f); p_i, 1; True)); =), Chain(Call(s_i; t_0), Derivative(Call(y_0; p); p_i, 1; True); =))",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "{\\hat M} =\n\\begin{bmatrix}\nM                &        &        &        &   \\\\ - \\gamma J_1\n& M      &        &        &   \\\\ - \\gamma J_2     & 0      & M\n&        &   \\\\\n\\vdots         & \\vdots & \\ddots & \\ddots &   \\\\\n- \\gamma J_{N_s} & 0      & \\ldots & 0      & M\n\\end{bmatrix} \\, ,",
+        "Chain(\\hat{M}, MatrixOf(M, Blank(), Blank(), Blank(), Blank(), Neg(Mul(\\gamma, J_1)), M, Blank(), Blank(), Blank(), Neg(Mul(\\gamma, J_2)), 0, M, Blank(), Blank(), Dots(), Dots(), Dots(), Dots(), Blank(), Neg(Mul(\\gamma, J_{N_s})), 0, Dots(), 0, M); =)",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\bar q_i = q_y s_i + q_{p_i} \\, , \\quad i = 1,\\ldots,N_p \\, ,",
+        "System(Chain(\\bar{q}_i, Add(Mul(q_y, s_i), q_{p_i}); =), Values(i; 1, Dots(), N_p))",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "d_i = \n  \\begin{cases}\n    1 & i \\leq p  \\\\\n    0.5 & i > p  \\, .\n  \\end{cases}",
+        "Chain(d_i, Piecewise(1, Chain(i, p; \\le), 0.5, Chain(i, p; >)); =)",
+        "LLNL/sundials/doc/ida/ida_ex_serial.tex",
+    ),
+    (
+        "S \\| \\delta_m \\| < 0.33 \\, ,",
+        "Chain(Mul(S, Norm(\\delta_m)), 0.33; <)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\text{LTE} = C \\Delta_n + O(h^{q+2}) \\, ,",
+        "Chain(\\text{LTE}, Add(Mul(C, \\Delta_n), Call(O; Pow(h; Add(q, 2)))); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "F(t,y,\\dot{y}) = 0 \\, ,\n\\quad y(t_0) = y_0 \\, , \\quad \\dot{y}(t_0) = \\dot{y}_0 \\,",
+        "System(Chain(Call(F; t, Call(y), Call(\\dot{y})), 0; =), Chain(Call(y; t_0), y_0; =), Chain(Call(\\dot{y}; t_0), \\dot { y } _ { 0 }; =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split}\n& \\frac{\\partial F}{\\partial y} s_i + \\frac{\\partial F}{\\partial \\dot y} {\\dot s_i} + \\frac{\\partial F}{\\partial p_i} = 0\\\\\n& s_i(t_0) = \\frac{\\partial y_{0}(p)}{\\partial p_i} \\, ,~ \\dot s_i(t_0) =  \\frac{\\partial \\dot y_{0}(p)}{\\partial p_i} \\, ,\n\\end{split}",
+        "System(Chain(Add(Mul(Derivative(Call(F); y, 1; True), Call(s_i)), Mul(Derivative(Call(F); \\dot{y}, 1; True), Call(\\dot{s}_i)), Derivative(Call(F); p_i, 1; True)), 0; =), Chain(Call(s_i; t_0), Derivative(Call(y_0; p); p_i, 1; True); =), Chain(Call(\\dot{s}_i; t_0), Derivative(Call(\\dot{y}_0; p); p_i, 1; True); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\frac{\\mathrm d^2 g}{\\mathrm d p^2} = \\left(g_y \\otimes I_{N_p} \\right ) y_{pp} + y_p^T g_{yy} y_p \\, ,",
+        "Chain(Derivative(Call(g); p, 2), Add(Mul(Operated(\\otimes; g_y; I_{N_p}), y_{pp}), Mul(Transpose(y_p), g_{yy}, y_p)); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "P_m \\approx \\frac{\\partial G_m}{\\partial y_m}\n+ \\alpha \\frac{\\partial G_m}{\\partial \\dot{y}_m}",
+        "Chain(P_m, Add(Derivative(Call(G_m); y_m, 1; True), Mul(\\alpha, Derivative(Call(G_m); \\dot{y}_m, 1; True))); \\approx)",
+        "LLNL/sundials/doc/idas/guide/source/Usage/SIM.rst",
+    ),
+    (
+        "P_m x_m = b_m",
+        "Chain(Mul(P_m, x_m), b_m; =)",
+        "LLNL/sundials/doc/idas/guide/source/Usage/SIM.rst",
+    ),
+    (
+        "G(t,y,\\dot{y}) = [G_1(t,\\bar{y}_1,\\bar{\\dot{y}}_1), G_2(t,\\bar{y}_2,\\bar{\\dot{y}}_2),\n\\ldots, G_M(t,\\bar{y}_M,\\bar{\\dot{y}}_M)]^T ~,",
+        "Chain(Call(G; t, Call(y), Call(\\dot{y})), Transpose(Tuple(Call(G_1; t, \\bar{y}_1, \\bar{\\dot{y}}_1), Call(G_2; t, \\bar{y}_2, \\bar{\\dot{y}}_2), Dots(), Call(G_M; t, \\bar{y}_M, \\bar{\\dot{y}}_M); [])); =)",
+        "LLNL/sundials/doc/idas/guide/source/Usage/SIM.rst",
+    ),
+    (
+        "W_i \\approx W_{mean},\\quad \\text{for}\\quad i=0,\\ldots,n-1.",
+        "System(Chain(W_i, W_{mean}; \\approx), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/idas/guide/source/sunlinsol/IDAS_interface.rst",
+    ),
+    (
+        "\\delta g(t_f) = \\int \\int [\\lambda(0,x,y) \\delta u_0 + \\mu(0,x,y) \\delta v_0] ~dx~dy ~,",
+        "Chain(Call(\\delta g; t_f), Antiderivative(Antiderivative(Add(Mul(Call(\\lambda; 0, x, y), \\delta u _ { 0 }), Mul(Call(\\mu; 0, x, y), \\delta v _ { 0 })); x); y); =)",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "\\begin{split}\n    f = & k (\\ell - \\ell_0) + c {\\ell}' \\\\\n    \\ell^2 = & y_2^2 - y_2 [\\cos(y_3) + a \\cos(y_1)] + (1 + a^2)/4 + a \\cos(y_3-y_1)/2 \\\\\n    2 \\ell {\\ell}' = & 2 y_2 v_2 - v_2 [\\cos(y_3) + a \\cos(y_1)] + y_2 [\\sin(y_3)v_3 + a\\sin(y_1)v_1] \\\\\n    & - a \\sin(y_3-y_1) (v_3-v_1)/2 ~.\n  \\end{split}",
+        "System(Chain(f, Add(Mul(k, Add(\\ell, Neg(\\ell_0))), Mul(c, \\ell')); =), Chain(Pow(\\ell; 2), Add(Pow(y_2; 2), Neg(Mul(y_2, Add(Call(cos; y_3), Mul(a, Call(cos; y_1))))), Div(Add(1, Pow(a; 2)); 4), Div(Mul(a, Call(cos; Add(y_3, Neg(y_1)))); 2)); =), Chain(Mul(2, \\ell, \\ell'), Add(Mul(2, y_2, v_2), Neg(Mul(v_2, Add(Call(cos; y_3), Mul(a, Call(cos; y_1))))), Mul(y_2, Add(Mul(Call(sin; y_3), v_3), Mul(a, Call(sin; y_1), v_1))), Neg(Div(Mul(a, Call(sin; Add(y_3, Neg(y_1))), Add(v_3, Neg(v_1))); 2))); =))",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "\\begin{split}\n  \\dot y &= v - \\Phi_y^T(y) \\mu  \\\\\n  M(y) \\dot v &= Q(y,v) - \\Phi_y^T(y) \\lambda \\\\\n  \\Phi(y)     &= 0 \\\\\n  \\Phi_y(y) v &= 0 ~,\n\\end{split}",
+        "System(Chain(Call(\\dot{y}), Add(Call(v), Neg(Mul(Transpose(Call(\\Phi_y; Call(y))), \\mu))); =), Chain(Mul(Call(M; Call(y)), Call(\\dot{v})), Add(Call(Q; Call(y), Call(v)), Neg(Mul(Transpose(Call(\\Phi_y; Call(y))), \\lambda))); =), Chain(Call(\\Phi; Call(y)), 0; =), Chain(Mul(Call(\\Phi_y; Call(y)), Call(v)), 0; =))",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "\\begin{split}\n    &y_1 = \\pi/2 \\\\\n    &y_3 = \\arcsin(-a) \\\\\n    &y_2 = \\cos(y_3) \\\\\n    &v_1 = v_2 = v_3 = 0 \\\\\n    &\\lambda_1 = \\lambda_2 = \\mu_1 = \\mu_2 = 0 \\\\\n    &dy_1/dt = dy_2/dt = dy_3/dt = 0 \\\\\n    &dv_1/dt = \\left[Q_1\\right]_{t=0} / J_1 \\\\\n    &dv_2/dt = \\left[Q_2\\right]_{t=0} / m_2 \\\\\n    &dv_3/dt = \\left[Q_3\\right]_{t=0} / J_2 \\\\\n    &d\\lambda_1/dt = d\\lambda_2/dt = d\\mu_1/dt = d\\mu_2/dt = 0 ~.\n  \\end{split}",
+        "System(Chain(Call(y_1), Div(\\pi; 2); =), Chain(Call(y_3), Call(arcsin; Neg(a)); =), Chain(Call(y_2), Call(cos; Call(y_3)); =), Chain(Call(v_1), Call(v_2), Call(v_3), 0; =, =, =), Chain(Call(\\lambda_1), Call(\\lambda_2), Call(\\mu_1), Call(\\mu_2), 0; =, =, =, =), Chain(Derivative(Call(y_1); t, 1), Derivative(Call(y_2); t, 1), Derivative(Call(y_3); t, 1), 0; =, =, =), Chain(Derivative(Call(v_1); t, 1), Div(Evaluated(Q_1; t; 0); J_1); =), Chain(Derivative(Call(v_2); t, 1), Div(Evaluated(Q_2; t; 0); m_2); =), Chain(Derivative(Call(v_3); t, 1), Div(Evaluated(Q_3; t; 0); J_2); =), Chain(Derivative(Call(\\lambda_1); t, 1), Derivative(Call(\\lambda_2); t, 1), Derivative(Call(\\mu_1); t, 1), Derivative(Call(\\mu_2); t, 1), 0; =, =, =, =))",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "Q(y, v) = \\begin{bmatrix}\n    - (f/\\ell) a [\\sin(y_3-y_1)/2 + y_2 \\sin(y_1)]/2 \\\\\n    (f/\\ell) [\\cos(y_3)/2 - y_2 + a \\cos(y_1)/2 ] + F \\\\\n    - (f/\\ell) [ y_2 \\sin(y_3) - a \\sin(y_3-y_1)/2]/2 - F \\sin(y_3)\n  \\end{bmatrix} ~,",
+        "Chain(Call(Q; y, v), MatrixOf(Neg(Div(Mul(Div(f; \\ell), a, Add(Div(Call(sin; Add(y_3, Neg(y_1))); 2), Mul(y_2, Call(sin; y_1)))); 2)), Add(Mul(Div(f; \\ell), Add(Div(Call(cos; y_3); 2), Neg(y_2), Div(Mul(a, Call(cos; y_1)); 2))), F), Add(Neg(Div(Mul(Div(f; \\ell), Add(Mul(y_2, Call(sin; y_3)), Neg(Div(Mul(a, Call(sin; Add(y_3, Neg(y_1)))); 2)))); 2)), Neg(Mul(F, Call(sin; y_3))))); =)",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "\\rho = \\frac{\\|F(u_n) \\|_{D_F}}{\\text{ftol}} \\, ,",
+        "Chain(\\rho, Div(Marked(Norm(Call(F; u_n)); _{ D _ { F } }); \\text{ftol}); =)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "F(u) = 0 \\, , \\quad F:\\mathbb{R}^N \\rightarrow \\mathbb{R}^N \\, ,",
+        "System(Chain(Call(F; u), 0; =), Located(Call(F); Chain(Pow(\\mathbb{R}; N), Pow(\\mathbb{R}; N); \\rightarrow)))",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\eta_n = \\text{constant},",
+        "Chain(\\eta_n, \\text{constant}; =)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\omega = \\min \\left (\\omega_{min} \\, e^{\\max \\left ( 0 , \\rho - 1 \\right )} , \\omega_{max}\\right ) \\, ,",
+        "Chain(\\omega, Call(min; Mul(\\omega_{min}, Pow(e; Call(max; 0, Add(\\rho, Neg(1))))), \\omega_{max}); =)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|J \\delta_n + F\\|_{D_F} < (\\eta_n + U) \\|F\\|_{D_F} \\, ,",
+        "Chain(Marked(Norm(Add(Mul(J, \\delta_n), F)); _{ D _ { F } }), Mul(Add(\\eta_n, U), Marked(Norm(F); _{ D _ { F } })); <)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{aligned}\n\\eta_n &= \\max(\\eta_n, \\eta_{\\text{min}}) \\\\\n\\eta_n &= \\min(\\eta_n, \\eta_{\\text{max}})\n\\end{aligned}",
+        "System(Chain(\\eta_n, Call(max; \\eta_n, \\eta_{min}); =), Chain(\\eta_n, Call(min; \\eta_n, \\eta_{max}); =))",
+        "LLNL/sundials/doc/kinsol/guide/source/Usage/index.rst",
+    ),
+    (
+        "d_i \\cdot \\left( \\frac{\\partial^2 c_i}{\\partial x^2} + \n    \\frac{\\partial^2 c_i}{\\partial y^2} \\right) + f_i(x,y,c) = 0\n  \\quad (i=1,...,n_s) \\, ,",
+        "System(Chain(Add(Mul(d_i, Add(Derivative(Call(c_i); x, 2; True), Derivative(Call(c_i); y, 2; True))), Call(f_i; x, y, c)), 0; =), Values(i; 1, Dots(), n_s))",
+        "LLNL/sundials/doc/kinsol/kin_ex_c.tex",
+    ),
+    (
+        "z_i = \\frac{1}{x_i}, \\quad i=0,\\ldots,n-1.",
+        "System(Chain(z_i, Div(1; x_i); =), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "\\begin{array}{rllll}\nx_i &>& 0 \\;&\\text{if}\\; &c_i = 2, \\\\\nx_i &\\ge& 0 \\;&\\text{if}\\; &c_i = 1, \\\\\nx_i &<& 0 \\;&\\text{if}\\; &c_i = -2, \\\\\nx_i &\\le& 0 \\;&\\text{if}\\; &c_i = -1.\n\\end{array}",
+        "System(Implies(Chain(c_i, 2; =); Chain(x_i, 0; >)), Implies(Chain(c_i, 1; =); Chain(x_i, 0; \\ge)), Implies(Chain(c_i, Neg(2); =); Chain(x_i, 0; <)), Implies(Chain(c_i, Neg(1); =); Chain(x_i, 0; \\le)))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "d=\\sum_{i=0}^{n_{local}-1} x_i y_i,",
+        "Chain(d, BigSum(i; 0; Add(n_{local}, Neg(1)); Mul(x_i, y_i)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "s = \\sum_{i=0}^{n_{local}-1} (x_i w_i)^2,",
+        "Chain(s, BigSum(i; 0; Add(n_{local}, Neg(1)); Pow(Mul(x_i, w_i); 2)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "z_i = x_i+b, \\quad i=0,\\ldots,n-1.",
+        "System(Chain(z_i, Add(x_i, b); =), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "z_i = \\frac{1}{x_i}, \\: i=0,\\ldots,n_{local}-1",
+        "System(Chain(z_i, Div(1; x_i); =), Values(i; 0, Dots(), Add(n_{local}, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "H(\\alpha) = \\begin{cases} 1 & \\alpha > 0 \\\\ 0 & \\alpha \\leq 0 \\end{cases}",
+        "Chain(Call(H; \\alpha), Piecewise(1, Chain(\\alpha, 0; >), 0, Chain(\\alpha, 0; \\le)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "z_i = x_i y_i, \\quad i=0,\\ldots,n-1.",
+        "System(Chain(z_i, Mul(x_i, y_i); =), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "m = \\sum_{i=0}^{n-1} |x_i|.",
+        "Chain(m, BigSum(i; 0; Add(n, Neg(1)); Bars(x_i)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "m = \\sqrt{\\left( \\sum_{i=0}^{n-1} (x_i w_i)^2 \\right) / n}",
+        "Chain(m, Sqrt(Div(BigSum(i; 0; Add(n, Neg(1)); Pow(Mul(x_i, w_i); 2)); n)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "z_i = \\frac{x_i}{y_i}, \\quad i=0,\\ldots,n-1.",
+        "System(Chain(z_i, Div(x_i; y_i); =), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "\\tilde{A} \\tilde{x} = \\tilde{b}",
+        "Chain(Mul(\\tilde{A}, \\tilde{x}), \\tilde{b}; =)",
+        "LLNL/sundials/doc/shared/sunlinsol/SUNLinSol_Introduction.rst",
+    ),
+    (
+        "\\left\\| \\tilde{b} - \\tilde{A} \\tilde{x} \\right\\|_2  <  \\text{tol}.",
+        "Chain(Marked(Norm(Add(\\tilde{b}, Neg(Mul(\\tilde{A}, \\tilde{x})))); _{ 2 }), \\text{tol}; <)",
+        "LLNL/sundials/doc/shared/sunlinsol/SUNLinSol_Introduction.rst",
+    ),
+    (
+        "F_i = \\begin{bmatrix}\n1 &        &   &     &      &   &        &   \\\\\n& \\ddots &   &     &      &   &        &   \\\\\n&        & 1 &     &      &   &        &   \\\\\n&        &   & c_i & -s_i &   &        &   \\\\\n&        &   & s_i &  c_i &   &        &   \\\\\n&        &   &     &      & 1 &        &   \\\\\n&        &   &     &      &   & \\ddots &   \\\\\n&        &   &     &      &   &        & 1\\end{bmatrix},",
+        "Chain(F_i, MatrixOf(1, Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Dots(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), 1, Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), c_i, Neg(s_i), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), s_i, c_i, Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), 1, Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Dots(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), Blank(), 1); =)",
+        "LLNL/sundials/doc/shared/sunlinsol/SUNLinSol_SPFGMR.rst",
+    ),
+    (
+        "y_i = \\sum_{j=1}^n A_{i,j} x_j, \\quad i=1,\\ldots,m.",
+        "System(Chain(y_i, BigSum(j; 1; n; Mul(A_{ij}, x_j)); =), Values(i; 1, Dots(), m))",
+        "LLNL/sundials/doc/shared/sunmatrix/SUNMatrix_Operations.rst",
+    ),
+    (
+        "G(y) = y \\,",
+        "Chain(Call(G; y), y; =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
+    ),
+    (
+        "\\gamma^{(n)} =(\\gamma_0^{(n)}, \\ldots, \\gamma_{m_n-1}^{(n)})",
+        "Chain(\\gamma ^ { ( n ) }, Tuple(\\gamma _ { 0 } ^ { ( n ) }, Dots(), \\gamma _ { m _ { n } - 1 } ^ { ( n ) }; ()); =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
+    ),
+    (
+        "A \\equiv \\partial F / \\partial y \\, .",
+        "Chain(A, Derivative(Call(F); y, 1; True); \\equiv)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_Newton.rst",
+    ),
+    (
+        "u(0,\\mathbf{x}) &= A + p(\\mathbf{x}) \\\\\nv(0,\\mathbf{x}) &= B / A + p(\\mathbf{x}) \\\\\nw(0,\\mathbf{x}) &= 3.0 + p(\\mathbf{x})",
+        "System(Chain(Call(u; 0, \\mathbf{x}), Add(A, Call(p; \\mathbf{x})); =), Chain(Call(v; 0, \\mathbf{x}), Add(Div(B; A), Call(p; \\mathbf{x})); =), Chain(Call(w; 0, \\mathbf{x}), Add(3.0, Call(p; \\mathbf{x})); =))",
+        "LLNL/sundials/doc/sundials_developers/source/benchmarks/advection_reaction.rst",
+    ),
+    (
+        "u(t,\\mathbf{x}) = \\sin^2(\\pi x) \\sin^2(\\pi y) \\cos^2(\\pi t).",
+        "Chain(Call(u; t, \\mathbf{x}), Mul(Pow(Call(sin; Mul(\\pi, x)); 2), Pow(Call(sin; Mul(\\pi, y)); 2), Pow(Call(cos; Mul(\\pi, t)); 2)); =)",
+        "LLNL/sundials/doc/sundials_developers/source/benchmarks/diffusion.rst",
+    ),
+    (
+        "\\partial \\det(U) / \\partial \\alpha_{a,b} = \\det(U'_{a,b})",
+        "Chain(Derivative(Call(det; U); \\alpha_{a,b}, 1; True), Call(det; U_{a,b}'); =)",
+        "qucontrol/weylchamber/src/weylchamber/perfect_entanglers.py",
+    ),
+    (
+        "\\partial \\det(U) / \\partial \\beta_{a,b} = \\det(U'_{a,b})",
+        "Chain(Derivative(Call(det; U); \\beta_{a,b}, 1; True), Call(det; U_{a,b}'); =)",
+        "qucontrol/weylchamber/src/weylchamber/perfect_entanglers.py",
+    ),
+    (
+        "\\tau_{l,n}^{'}=\\tau_{c}+\\tau_{a}+k_{n}u_{H_{2}O}",
+        "Chain(\\tau_{l,n}', Add(\\tau_c, \\tau_a, Mul(k_n, u_{H_2O})); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "a_{0}=0.015075,\\, a_{1}=\\, -0.036185,\\, a_{2}=0.0019245,\\,\nb_{0}=a_{0},b_{1}=0.19547,\\, b_{2}=0.75271,\\, b_{3}=1",
+        "System(Chain(a_0, 0.015075; =), Chain(a_1, Neg(0.036185); =), Chain(a_2, 0.0019245; =), Chain(b_0, a_0; =), Chain(b_1, 0.19547; =), Chain(b_2, 0.75271; =), Chain(b_3, 1; =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "F_{abs}^{c,a,O3}=\\mu_{0}F\\, [\\, A_{O_{3}}\\left( x_{l+1} \\right)-A_{O_{3}}\\left(\nx_{l} \\right)-\\bar{R}(\\mu_{0})\\left( A_{O_{3}}\\left( x_{l+1}^{\\star }\n\\right)-A_{O_{3}}\\left( x_{l}^{\\star } \\right) \\right)]",
+        "Chain(F _ { a b s } ^ { c , a , O 3 }, Mul(\\mu_0, F, Add(Call(A_{O_3}; x_{l+1}), Neg(Call(A_{O_3}; x_l)), Neg(Mul(Call(\\bar{R}; \\mu_0), Add(Call(A_{O_3}; x _ { l + 1 } ^ { \\star }), Neg(Call(A_{O_3}; x _ { l } ^ { \\star }))))))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "f\\left( x,y,z \\right)=\n\\mathrm{exp}(-\\frac{x^{2}+y^{2}}{4R_{H}^{2}}-\\frac{z^{2}}{4R_{V}^{2}})",
+        "Chain(Call(f; x, y, z), Call(exp; Add(Neg(Div(Add(Pow(x; 2), Pow(y; 2)); Mul(4, Pow(R_H; 2)))), Neg(Div(Pow(z; 2); Mul(4, Pow(R_V; 2)))))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\delta u=u(z_2)-u(z_1)=\n\\left(\\frac {u_{\\star}}{\\kappa} \\right)\\Psi_{m}\\left({L,z_2,z_1} \\right)",
+        "Chain(\\delta u, Add(Call(u; z_2), Neg(Call(u; z_1))), Mul(Div(u_\\star; \\kappa), Call(\\Psi_m; L, z_2, z_1)); =, =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "a_{0}^{'}=7.76192\\times {10}^{-7},\\, a_{1}^{'}=1.33836\\times {10}^{-3},\\,\na_{2}^{'}=0.166649,\\, a_{3}^{'}=2.17686,\\, a_{4}^{'}=2.6902\\,",
+        "System(Chain(a_0', Cross(7.76192; Pow(10; Neg(7))); =), Chain(a_1', Cross(1.33836; Pow(10; Neg(3))); =), Chain(a_2', 0.166649; =), Chain(a_3', 2.17686; =), Chain(a_4', 2.6902; =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\varepsilon \\left( z,z' \\right)\n=\\frac{1}{\\sigma T^{4}}\\int_0^\\infty {\\left(1-I_{\\lambda}\\left(z,z'\n\\right) \\right)\\pi I_{\\lambda}^{0}} \\left( z,z' \\right)d\\lambda",
+        "Chain(Call(\\varepsilon; z, z'), Mul(Div(1; Mul(\\sigma, Pow(T; 4))), Integral(Mul(Add(1, Neg(Call(I_\\lambda; z, z'))), \\pi, Call(I _ { \\lambda } ^ { 0 }; z, z')); \\lambda; 0; Infinity())); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\tilde{V}\\, =\\frac{\\sum\\nolimits_i {V_{i\\, }f(x-x_{i},y-y_{i},z-z_{i})}\n}{\\sum\\nolimits_i {f(x-x_{i},y-y_{i},z-z_{i})} }",
+        "Chain(\\tilde{V}, Div(BigSum(i; Mul(V_i, Call(f; Add(x, Neg(x_i)), Add(y, Neg(y_i)), Add(z, Neg(z_i))))); BigSum(i; Call(f; Add(x, Neg(x_i)), Add(y, Neg(y_i)), Add(z, Neg(z_i))))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "L = \\dfrac{-u_{\\star}^{3}}{\n  \\kappa \\dfrac{g}{T_{0}} \\, Q_{0}\n  +0.61T_{0} E_{0}\n},",
+        "Chain(L, Div(Neg(Pow(u_\\star; 3)); Add(Mul(\\kappa, Div(g; T_0), Q_0), Mul(0.61, T_0, E_0))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\theta =T\\left( {\\frac{p_{s}}{p}} \\right)^{\\left( {\\frac{R^{\\star }}{C_{p}}} \\right)}",
+        "Chain(\\theta, Mul(T, Pow(Div(p_s; p); Div(R ^ { \\star }; C_p))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "A_{1,l(n)}=p\\left( k_{n} \\right)\\left( 1-R_{1,L+1(n)}\n\\right)+U_{l(n)}-D_{l(n)}",
+        "Chain(A_{1,l(n)}, Add(Mul(Call(p; k_n), Add(1, Neg(R_{1,L+1(n)}))), U_{l(n)}, Neg(D_{l(n)})); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "u^\\star \\equiv  \\dfrac{\\tau_{wall}}{\\rho u_k}.",
+        "Chain(u ^ { \\star }, Div(\\tau_{wall}; Mul(\\rho, u_k)); \\equiv)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "1 =  \\left(\\displaystyle\\frac{1}{\\sigma}+\n              \\displaystyle\\frac{1}{\\sigma_T}\\dfrac{\\nu_T}{\\nu}\\right)\n                  \\displaystyle\\dfrac{\\partial Y^+}{\\partial y^+}",
+        "Chain(1, Mul(Add(Div(1; \\sigma), Mul(Div(1; \\sigma_T), Div(\\nu_T; \\nu))), Derivative(Call(Y ^ { + }); y ^ { + }, 1; True)); =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\dfrac{\\partial  Y}{\\partial  t} + C \\dfrac{\\partial  Y}{\\partial  n} = 0,",
+        "Chain(Add(Derivative(Call(Y); t, 1; True), Mul(C, Derivative(Call(Y); n, 1; True))), 0; =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "u^+ = y^+,",
+        "Chain(u ^ { + }, y ^ { + }; =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "y^+_1 =\\left(\\displaystyle\\frac{1000}{\\sigma}\\right)^\\frac{1}{3} \\qquad\\qquad\n  y^+_2 = \\sqrt{\\displaystyle\\frac{1000\\kappa}{\\sigma_T}}",
+        "System(Chain(y _ { 1 } ^ { + }, Pow(Div(1000; \\sigma); Div(1; 3)); =), Chain(y _ { 2 } ^ { + }, Sqrt(Div(Mul(1000, \\kappa); \\sigma_T)); =))",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\mathcal{K}=\\left\\{\n\\begin{array}{ll}\n\\displaystyle\\frac{1}{\\sigma}\n             &\\text{if } y^+ < y^+_1\\\\\n\\displaystyle\\frac{1}{\\sigma}\n+\\displaystyle\\frac{a_1 (y^+)^3}{\\sigma_T}\n             &\\text{if } y^+_1 \\leqslant y^+ < y^+_2\\\\\n\\displaystyle\\frac{\\kappa \\,y^+}{\\sigma_T}\n             &\\text{if } y^+_2\\leqslant y^+\\\\\n\\end{array}\n\\right.",
+        "Chain(\\mathcal{K}, Piecewise(Div(1; \\sigma), Chain(y ^ { + }, y _ { 1 } ^ { + }; <), Add(Div(1; \\sigma), Div(Mul(a_1, Pow(y ^ { + }; 3)); \\sigma_T)), Chain(y _ { 1 } ^ { + }, y ^ { + }, y _ { 2 } ^ { + }; \\le, <), Div(Mul(\\kappa, y ^ { + }); \\sigma_T), Chain(y _ { 2 } ^ { + }, y ^ { + }; \\le)); =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\delta P_{f} = -P^{\\star, n}_i - \\dfrac{1+K}{2} \\dfrac{ \\dot{m}_{f} }{\\left| S \\right|_{f}}\n\\left( \\widetilde{\\underline{u}} \\cdot \\underline{n}\n- \\dfrac{\\Delta t}{\\rho} \\dfrac{\\partial \\delta P }{\\partial n} \\right)_{f}.",
+        "Chain(\\delta P _ { f }, Add(Neg(P _ { i } ^ { \\star , n }), Neg(Mul(Div(Add(1, K); 2), Div(Call(\\dot{m}_f); Marked(Bars(S); _{ f })), Marked(Add(Mul(\\widetilde{\\underline{u}}, \\underline{n}; 1), Neg(Mul(Div(\\Delta t; \\rho), Derivative(Call(\\delta P); n, 1; True)))); _{ f })))); =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\dfrac{\\partial \\left((1-\\alpha)\\rho_l\\right)}{\\partial t}+\\text{div}\\,\\left((1-\\alpha)\\rho_l\\underline{u}\\right) = -\\Gamma_V ,",
+        "Chain(Add(Derivative(Mul(Add(1, Neg(Call(\\alpha))), Call(\\rho_l)); t, 1; True), Call(div; Mul(Add(1, Neg(Call(\\alpha))), Call(\\rho_l), \\underline{u}))), Neg(\\varGamma_V); =)",
+        "code-saturne/code_saturne/docs/theory/cavitation.tex",
+    ),
+    (
+        "P = (\\gamma_{m\\acute elange} -1) \\rho (e - \\frac{1}{2} u^2)",
+        "Chain(P, Mul(Add(\\gamma_{m\\acute elange}, Neg(1)), \\rho, Add(e, Neg(Mul(Div(1; 2), Pow(u; 2))))); =)",
+        "code-saturne/code_saturne/docs/theory/cfbase.tex",
+    ),
+    (
+        "\\underline{\\nabla}{P} = \\rho \\underline{g}",
+        "Chain(\\nabla P, Mul(\\rho, \\underline{g}); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "\\begin{array}{l}\nP_p = P_i \\left(1 + \\displaystyle\\frac{\\gamma(\\gamma+1)}{4}M_i^2\n+\\gamma M_i \\displaystyle\\sqrt{1+\\displaystyle\\frac{(\\gamma+1)^2}{16}M_i^2}\\right)\n\\\\\n\\\\\n\\rho_p=\\rho_i \\left(\\displaystyle\\frac{P_p-P_i}\n{P_p-P_i-\\rho_i (\\underline{u}_i \\cdot \\underline{n})^2}\\right)\\\\\n\\end{array}",
+        "System(Chain(P_p, Mul(P_i, Add(1, Mul(Div(Mul(\\gamma, Add(\\gamma, 1)); 4), Pow(M_i; 2)), Mul(\\gamma, M_i, Sqrt(Add(1, Mul(Div(Pow(Add(\\gamma, 1); 2); 16), Pow(M_i; 2))))))); =), Chain(\\rho_p, Mul(\\rho_i, Div(Add(P_p, Neg(P_i)); Add(P_p, Neg(P_i), Neg(Mul(\\rho_i, Pow(Mul(\\underline{u}_i, \\underline{n}; 1); 2)))))); =))",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "M_{ext} = \\displaystyle\\frac{u_{ext}}{c_{ext}}\n= \\displaystyle\\frac{\\underline{u}_{ext} \\cdot \\underline{n}}{c_{ext}}",
+        "Chain(M_{ext}, Div(u_{ext}; c_{ext}), Div(Mul(\\underline{u}_{ext}, \\underline{n}; 1); c_{ext}); =, =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "\\phi = -\\left(\\alpha+C\\,\\frac{\\mu_t}{\\sigma_t}\\right)\n                  \\frac{\\partial f}{\\partial z}\n     = -\\rho\\,C \\left(\\displaystyle\\frac{\\alpha}{\\rho\\,C}+\n                                \\frac{\\mu_t}{\\rho\\sigma_t}\\right)\n                  \\frac{\\partial f}{\\partial z}",
+        "Chain(\\phi, Neg(Mul(Add(\\alpha, Mul(C, Div(\\mu_t; \\sigma_t))), Derivative(Call(f); z, 1; True))), Neg(Mul(\\rho, C, Add(Div(\\alpha; Mul(\\rho, C)), Div(\\mu_t; Mul(\\rho, \\sigma_t))), Derivative(Call(f); z, 1; True))); =, =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "f^+ = \\displaystyle\\frac{\\sigma_t}{\\kappa}\\,\n        ln\\left(\\displaystyle\\frac{z+z_0}{z_{o_T}}\\right)",
+        "Chain(f ^ { + }, Mul(Div(\\sigma_t; \\kappa), Call(ln; Div(Add(z, z_0); z_{o_T}))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "1 =  \\left(\\displaystyle\\frac{1}{\\sigma}+\n              \\displaystyle\\frac{1}{\\sigma_t}\\frac{\\nu_t}{\\nu}\\right)\n                  \\displaystyle\\frac{\\partial f^+}{\\partial y^+}",
+        "Chain(1, Mul(Add(Div(1; \\sigma), Mul(Div(1; \\sigma_t), Div(\\nu_t; \\nu))), Derivative(Call(f ^ { + }); y ^ { + }, 1; True)); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "a_2=15\\sigma^{\\frac{2}{3}}\\qquad\\qquad\na_3=15\\sigma^{\\frac{2}{3}}-\\displaystyle\\frac{\\sigma_t}{2\\kappa}\n\\left(1+\nln\\left(\\displaystyle\\frac{1000\\kappa}{\\sigma_t}\\right)\\right)",
+        "System(Chain(a_2, Mul(15, Pow(\\sigma; Div(2; 3))); =), Chain(a_3, Add(Mul(15, Pow(\\sigma; Div(2; 3))), Neg(Mul(Div(\\sigma_t; Mul(2, \\kappa)), Add(1, Call(ln; Div(Mul(1000, \\kappa); \\sigma_t)))))); =))",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "y^+_0= \\displaystyle\\frac{\\sigma_t}{\\kappa\\sigma}",
+        "Chain(y _ { 0 } ^ { + }, Div(\\sigma_t; Mul(\\kappa, \\sigma)); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "{\\text{\\texttt{SMBINI}}}^{\\,1}\\ =\\ {\\text{\\texttt{SMBINI}}}^{\\,0} - {\\text{\\texttt{ROVSDT}}}\\,*(\\,{\\text{\\texttt{PVAR}}}-\\,{\\text{\\texttt{PVARA}}})",
+        "Chain(\\text { \\text { S M B I N I } } ^ { \\, 1 }, Add(\\text { \\text { S M B I N I } } ^ { \\, 0 }, Neg(Operated(*; \\text{\\text{ROVSDT}}; Add(\\text{\\text{PVAR}}, Neg(\\text{\\text{PVARA}}))))); =)",
+        "code-saturne/code_saturne/docs/theory/codits.tex",
+    ),
+    (
+        "\\displaystyle \\rho\\,\\frac {\\partial f}{\\partial t} -\nf\\,\\text{div}\\,\\,(\\rho\\,\\underline{u}) + \\,\\text{div}\\,\\,((\\rho\\,\\underline{u})\\,f) = 0",
+        "Chain(Add(Mul(\\rho, Derivative(Call(f); t, 1; True)), Neg(Mul(Call(f), Call(div; Mul(\\rho, \\underline{u})))), Call(div; Mul(Mul(\\rho, \\underline{u}), Call(f)))), 0; =)",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\text{div}\\,(\\underline{j}) = 0",
+        "Chain(Call(div; \\underline{j}), 0; =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "P_J=\\underline{j}\\cdot\\underline{E}",
+        "Chain(P_J, Mul(\\underline{j}, \\underline{E}; 1); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\text{div}\\,\\,\\underline{B} = 0",
+        "Chain(Call(div; \\underline{B}), 0; =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\rho \\underline{u}_Y = \\rho \\underline{u} - \\underline{\\textrm{div}}\\left(\\rho\\dfrac{\\Omega}{1+\\Omega}\\underline{\\underline{{D}}}_p^T\\right)",
+        "Chain(Mul(\\rho, \\underline{u}_Y), Add(Mul(\\rho, \\underline{u}), Neg(Call(div; Mul(\\rho, Div(\\Omega; Add(1, \\Omega)), Transpose(\\underline{\\underline{D}}_p))))); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "P^\\star = P - \\rho_0 \\underline{g} \\cdot \\underline{x} + \\dfrac{2}{3} \\rho k,",
+        "Chain(P ^ { \\star }, Add(P, Neg(Mul(\\rho_0, \\underline{g}, \\underline{x}; 2)), Mul(Div(2; 3), \\rho, k)); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\rho C_p \\dfrac{\\mathrm{d} T}{\\mathrm{d} t}=  \\text{div}\\, \\left( \\lambda \\underline{\\nabla} T \\right).",
+        "Chain(Mul(\\rho, C_p, Derivative(Call(T); t, 1)), Call(div; Mul(\\lambda, \\nabla T)); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\left.\\dfrac{\\partial s}{\\partial P}\\right|_T = -  \\left.\\dfrac{\\partial (1/\\rho)}{\\partial T}\\right|_P = \\frac{1}{\\rho^2} \\left.\\dfrac{\\partial \\rho}{\\partial T}\\right|_P=-\\frac{\\beta}{\\rho},",
+        "Chain(Marked(Derivative(Call(s); P, 1; True); _{ T }), Neg(Marked(Derivative(Div(1; Call(\\rho)); T, 1; True); _{ P })), Mul(Div(1; Pow(Call(\\rho); 2)), Marked(Derivative(Call(\\rho); T, 1; True); _{ P })), Neg(Div(\\beta; Call(\\rho))); =, =, =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\underbrace{\n\\left[\\begin{array}{ccc}\n\\displaystyle\nC_{i,x\\,x}\n& C_{i,x\\,y}\n& C_{i,x\\,z}\\\\\n\\displaystyle\nC_{i,y\\,x}\n& C_{i,y\\,y}\n& C_{i,y\\,z}\\\\\n\\displaystyle\nC_{i,z\\,x}\n& C_{i,z\\,y}\n& C_{i,z\\,z}\n\\end{array}\\right]\n}_{\\underline{\\underline{C}}_i}\n\\underbrace{\n\\left[\\begin{array}{c}\nG_{c,i,x} \\\\ G_{c,i,y} \\\\ G_{c,i,z}\n\\end{array}\\right]\n}_{\\underline{G}_{c,i}}\n=\n\\underbrace{\n\\left[\\begin{array}{c}\n\\displaystyle\nT_{i,x}\\\\\n\\displaystyle\nT_{i,y}\\\\\n\\displaystyle\nT_{i,z}\n\\end{array}\\right]\n}_{\\underline{T}_{i}}",
+        "Chain(Mul(MatrixOf(C_{i,xx}, C_{i,xy}, C_{i,xz}, C_{i,yx}, C_{i,yy}, C_{i,yz}, C_{i,zx}, C_{i,zy}, C_{i,zz}), MatrixOf(G_{c,i,x}, G_{c,i,y}, G_{c,i,z})), MatrixOf(T_{i,x}, T_{i,y}, T_{i,z}); =)",
+        "code-saturne/code_saturne/docs/theory/gradmc.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{ll}\nP_{ij}\n&= \\alpha_{ij}P_i+(1-\\alpha_{ij})P_j\\\\\nP_{b,ik}\n&=A_{ik} +B_{ik}\\,P_i\n\\end{array}\\right.",
+        "System(Chain(P_{ij}, Add(Mul(\\alpha_{ij}, P_i), Mul(Add(1, Neg(\\alpha_{ij})), P_j)); =), Chain(P_{b,ik}, Add(A_{ik}, Mul(B_{ik}, P_i)); =))",
+        "code-saturne/code_saturne/docs/theory/gradmc.tex",
+    ),
+    (
+        "(\\underline{\\nabla} P)_{I'} = (\\underline{\\nabla} P)_{F_{\\,b_{\\,ik}}} +  \\mathcal{O}(h)",
+        "Chain(Marked(\\nabla P; _{ I ' }), Add(Marked(\\nabla P; _{ F _ { \\, b _ { i k } } }), Call(\\mathcal{O}; h)); =)",
+        "code-saturne/code_saturne/docs/theory/gradrc.tex",
+    ),
+    (
+        "\\left. \\displaystyle\\frac{\\delta P}{\\delta n}\\right|_{F_{\\,b_{\\,ik}}} = 0 + \\mathcal{O}(h)",
+        "Chain(Marked(Div(\\delta P; \\delta n); _{ F _ { \\, b _ { i k } } }), Add(0, Call(\\mathcal{O}; h)); =)",
+        "code-saturne/code_saturne/docs/theory/gradrc.tex",
+    ),
+    (
+        "\\frac{\\partial \\theta}{\\partial t} \\simeq C(h) \\frac{\\partial h}{\\partial t},",
+        "Chain(Derivative(Call(\\theta); t, 1; True), Mul(Call(C; Call(h)), Derivative(Call(h); t, 1; True)); \\simeq)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "\\begin{split}\n  c  & =  \\min(c + c_{precip}, c_{sat})\\\\\n  c_{precip}  & = \\max(0, c + c_{precip} - c_{sat})\n  \\end{split}",
+        "System(Chain(c, Call(min; Add(c, c_{precip}), c_{sat}); =), Chain(c_{precip}, Call(max; 0, Add(c, c_{precip}, Neg(c_{sat}))); =))",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "E_n(x) = Q_H,",
+        "Chain(Call(E_n; x), Q_H; =)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "R = 1 + \\frac{\\rho K_d}{\\theta}",
+        "Chain(R, Add(1, Div(Mul(\\rho, K_d); \\theta)); =)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "C(h) = \\frac{\\partial \\theta}{\\partial h},",
+        "Chain(Call(C; h), Derivative(Call(\\theta); h, 1; True); =)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "\\begin{array}{ll}\n{\\text{\\texttt{XA(IFAC,1)}}}& = {\\text{\\texttt{ICONVP}}}\\,*\\,{\\text{\\texttt{FLUI}}} - {\\text{\\texttt{IDIFFP}}}\\,*\\,{\\text{\\texttt{VISCF(IFAC)}}}\\\\\n{\\text{\\texttt{XA(IFAC,2)}}}& = {\\text{\\texttt{ICONVP}}}\\,*\\,{\\text{\\texttt{FLUJ}}} - {\\text{\\texttt{IDIFFP}}}\\,*\\,{\\text{\\texttt{VISCF(IFAC)}}}\\\\\n\\end{array}",
+        "System(Chain(\\text{\\text{XA(IFAC,1)}}, Add(Operated(*; \\text{\\text{ICONVP}}; \\text{\\text{FLUI}}), Neg(Operated(*; \\text{\\text{IDIFFP}}; \\text{\\text{VISCF(IFAC)}}))); =), Chain(\\text{\\text{XA(IFAC,2)}}, Add(Operated(*; \\text{\\text{ICONVP}}; \\text{\\text{FLUJ}}), Neg(Operated(*; \\text{\\text{IDIFFP}}; \\text{\\text{VISCF(IFAC)}}))); =))",
+        "code-saturne/code_saturne/docs/theory/matrix.tex",
+    ),
+    (
+        "\\displaystyle \\frac{\\partial a}{\\partial t} + \\text{div}\\, (\\,(\\rho \\underline{u})\\, a) -\n\\displaystyle \\frac{\\partial }{\\partial x}\\left(\\beta\\,\\frac{\\partial a}{\\partial x}\\right) = 0",
+        "Chain(Add(Derivative(Call(a); t, 1; True), Call(div; Mul(Mul(\\rho, \\underline{u}), Call(a))), Neg(Derivative(Mul(Call(\\beta), Derivative(Call(a); x, 1; True)); x, 1; True))), 0; =)",
+        "code-saturne/code_saturne/docs/theory/matrix.tex",
+    ),
+    (
+        "Q_{vol} = min\\left(\\frac{V_{1}}{V_{2}}, \\frac{V_{2}}{V_{1}}\\right)",
+        "Chain(Q_{vol}, Call(min; Div(V_1; V_2), Div(V_2; V_1)); =)",
+        "code-saturne/code_saturne/docs/theory/mesh_quality.tex",
+    ),
+    (
+        "\\left\\{\n\\begin{array}{ll}\n\\theta = 1   & \\text{For a first-order implicit Euler scheme,}\\\\\n\\theta = 1/2 & \\text{For a second-order Crank-Nicolson scheme.}\\\\\n\\end{array}\n\\right.",
+        "System(Chain(\\theta, 1; =), Words(\\text{For~a~first-order~implicit~Euler~scheme,}), Chain(\\theta, Div(1; 2); =), Words(\\text{For~a~second-order~Crank-Nicolson~scheme.}))",
+        "code-saturne/code_saturne/docs/theory/navstv.tex",
+    ),
+    (
+        "{\\text{\\texttt{SMBR}}}={\\text{\\texttt{TRAVA}}}+{\\text{\\texttt{TRAV}}}",
+        "Chain(\\text{\\text{SMBR}}, Add(\\text{\\text{TRAVA}}, \\text{\\text{TRAV}}); =)",
+        "code-saturne/code_saturne/docs/theory/predvv.tex",
+    ),
+    (
+        "{\\text{\\texttt{RTP}}} = {\\text{\\texttt{RTPA}}} + {\\text{\\texttt{RTP}}}",
+        "Chain(\\text{\\text{RTP}}, Add(\\text{\\text{RTPA}}, \\text{\\text{RTP}}); =)",
+        "code-saturne/code_saturne/docs/theory/resopv.tex",
+    ),
+    (
+        "Y_I = Y_i.",
+        "Chain(Y_I, Y_i; =)",
+        "code-saturne/code_saturne/docs/theory/spadis.tex",
+    ),
+    (
+        "Y_F = Y_{f}.",
+        "Chain(Y_F, Y_f; =)",
+        "code-saturne/code_saturne/docs/theory/spadis.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{l}\n\\displaystyle\n\\rho^{(n)}\\frac{k_{ts}-k^{(n)}}{\\Delta t} =\nD(k^{(n)}) + S_k(k_{ts},\\varepsilon_{ts})\n+k^{(n)}\\text{div}\\,(\\rho\\underline{u})+\\Gamma(k_i-k^{(n)})+\\alpha_k k^{(n)} +\\beta_k\\\\\n\\displaystyle\n\\rho^{(n)}\\frac{\\varepsilon_{ts}-\\varepsilon^{(n)}}{\\Delta t}  =\nD(\\varepsilon^{(n)}) + S_\\varepsilon(k_{ts},\\varepsilon_{ts})\n+\\varepsilon^{(n)}\\text{div}\\,(\\rho\\underline{u})\n+\\Gamma(\\varepsilon_i-\\varepsilon^{(n)})\n+\\alpha_\\varepsilon \\varepsilon^{(n)} +\\beta_\\varepsilon\n\\end{array}\\right.",
+        "System(Chain(Mul(\\rho ^ { ( n ) }, Div(Add(k_{ts}, Neg(k ^ { ( n ) })); \\Delta t)), Add(Call(D; k ^ { ( n ) }), Call(S_k; k_{ts}, \\varepsilon_{ts}), Mul(k ^ { ( n ) }, Call(div; Mul(\\rho, \\underline{u}))), Call(Gamma; Add(k_i, Neg(k ^ { ( n ) }))), Mul(\\alpha_k, k ^ { ( n ) }), \\beta_k); =), Chain(Mul(\\rho ^ { ( n ) }, Div(Add(\\varepsilon_{ts}, Neg(\\varepsilon ^ { ( n ) })); \\Delta t)), Add(Call(D; \\varepsilon ^ { ( n ) }), Call(S_\\varepsilon; k_{ts}, \\varepsilon_{ts}), Mul(\\varepsilon ^ { ( n ) }, Call(div; Mul(\\rho, \\underline{u}))), Call(Gamma; Add(\\varepsilon_i, Neg(\\varepsilon ^ { ( n ) }))), Mul(\\alpha_\\varepsilon, \\varepsilon ^ { ( n ) }), \\beta_\\varepsilon); =))",
+        "code-saturne/code_saturne/docs/theory/turbke.tex",
+    ),
+    (
+        "\\begin{array}{ r c l}\nT_{ij}-\\frac{1}{3}tr \\underline{\\underline{T}} \\delta_{ij} &=& -2 C \\widetilde{\\Delta}^2 |\\widetilde{\n\\overline{D_{ij}}}| \\widetilde{\\overline{D_{ij}}}, \\\\\n\\tau_{ij}-\\frac{1}{3} \\underline{\\underline{\\tau }} \\delta_{ij} &=& -2 C^* \\overline{\\Delta}^2 |\n\\overline{D_{ij}}| \\overline{D_{ij}} ,\n\\end{array}",
+        "System(Chain(Add(T_{ij}, Neg(Mul(Div(1; 3), Call(tr; \\underline{\\underline{T}}), \\delta_{ij}))), Neg(Mul(2, C, Pow(\\widetilde{\\Delta}; 2), Bars(\\widetilde{\\overline{D}}_{ij}), \\widetilde{\\overline{D}}_{ij})); =), Chain(Add(\\tau_{ij}, Neg(Mul(Div(1; 3), \\underline{\\underline{\\tau}}, \\delta_{ij}))), Neg(Mul(2, C ^ { * }, Pow(\\overline{\\Delta}; 2), Bars(\\overline{D}_{ij}), \\overline{D}_{ij})); =))",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\nu_t= C_\\mu \\varphi k ~ \\min(T,T_{lim})",
+        "Chain(\\nu_t, Mul(C_\\mu, \\varphi, k, Call(min; T, T_{lim})); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\displaystyle \\underline{\\underline{\\Phi}} = \\underline{\\underline{\\phi}}_{1}+ \\underline{\\underline{\\phi}}_{2}+ \\underline{\\underline{\\phi}}_{3}+ \\underline{\\underline{\\phi}}_{w},",
+        "Chain(\\underline{\\underline{\\Phi}}, Add(\\underline{\\underline{\\phi}}_1, \\underline{\\underline{\\phi}}_2, \\underline{\\underline{\\phi}}_3, \\underline{\\underline{\\phi}}_w); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\displaystyle\n\\phi_{ij,2} = -C_2 (\\mathcal{P}_{ij} - \\frac{2}{3} \\mathcal{P} \\delta_{ij})",
+        "Chain(\\phi_{ij,2}, Neg(Mul(C_2, Add(\\mathcal{P}_{ij}, Neg(Mul(Div(2; 3), \\mathcal{P}, \\delta_{ij}))))); =)",
+        "code-saturne/code_saturne/docs/theory/turrij.tex",
+    ),
+    (
+        "\\mu_{\\,ij}=\\alpha_{\\,ij}\\mu_{\\,i}+(1-\\alpha_{\\,ij})\\mu_{\\,j}",
+        "Chain(\\mu_{ij}, Add(Mul(\\alpha_{ij}, \\mu_i), Mul(Add(1, Neg(\\alpha_{ij})), \\mu_j)); =)",
+        "code-saturne/code_saturne/docs/theory/viscfa.tex",
+    ),
+    (
+        "\\displaystyle\n\\xi_\\sigma (r) = \\frac{1}{2\\pi \\sigma^2}\n\\left(2 e^{-\\frac{r^2}{2\\sigma^2}}-1\\right) e^{-\\frac{r^2}{2\\sigma^2}}",
+        "Chain(Call(\\xi_\\sigma; r), Mul(Div(1; Mul(2, \\pi, Pow(\\sigma; 2))), Add(Mul(2, Pow(e; Neg(Div(Pow(r; 2); Mul(2, Pow(\\sigma; 2)))))), Neg(1)), Pow(e; Neg(Div(Pow(r; 2); Mul(2, Pow(\\sigma; 2)))))); =)",
+        "code-saturne/code_saturne/docs/theory/vortex.tex",
+    ),
+    (
+        "R_{ij}=\\frac{2}{3}k\\delta_{ij}",
+        "Chain(R_{ij}, Mul(Div(2; 3), k, \\delta_{ij}); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\rho\\frac{\\partial\\varphi}{\\partial t}=F(\\varphi)",
+        "Chain(Mul(\\rho, Derivative(Call(\\varphi); t, 1; True)), Call(F; Call(\\varphi)); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\omega = k^{0.5} \\frac{1}{\\textrm{\\texttt{almax}}}",
+        "Chain(\\omega, Mul(Pow(k; 0.5), Div(1; \\text{\\text{almax}})); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "F(u) = 0 \\quad \\text{or} \\quad G(u) = u",
+        "System(Chain(Call(F; u), 0; =), Words(\\text{~or~}), Chain(Call(G; u), u; =))",
+        "LLNL/sundials/README.md",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t}(t,0) = \\frac{\\partial u}{\\partial t}(t,1) = 0,",
+        "Chain(Derivative(Call(u; t, 0); t, 1; True), Derivative(Call(u; t, 1); t, 1; True), 0; =, =)",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "\\frac{dy}{dt} = (t+1) e^{-y},",
+        "Chain(Derivative(Call(y); t, 1), Mul(Add(t, 1), Pow(e; Neg(Call(y)))); =)",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "f_i(t,y) = \\left[\\begin{array}{c}\n0 \\\\ 0 \\\\ \\frac{b-w}{\\varepsilon}\n\\end{array}\\right]\n\\qquad\nf_e(t,y) = \\left[\\begin{array}{c}\na - (w+1)u + v u^2 \\\\ w u - v u^2 \\\\ - w u\n\\end{array}\\right].",
+        "System(Chain(Call(f_i; t, y), MatrixOf(0, 0, Div(Add(b, Neg(w)); \\varepsilon)); =), Chain(Call(f_e; t, y), MatrixOf(Add(a, Neg(Mul(Add(w, 1), u)), Mul(v, Pow(u; 2))), Add(Mul(w, u), Neg(Mul(v, Pow(u; 2)))), Neg(Mul(w, u))); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "h(x,y) = \\sin(\\pi x) \\sin(2\\pi y).",
+        "Chain(Call(h; x, y), Mul(Call(sin; Mul(\\pi, x)), Call(sin; Mul(2, \\pi, y))); =)",
+        "LLNL/sundials/doc/arkode/examples/source/cpp_parallel.rst",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t}(t,0,y) = \\frac{\\partial u}{\\partial t}(t,1,y) =\n\\frac{\\partial u}{\\partial t}(t,x,0) = \\frac{\\partial u}{\\partial t}(t,x,1) = 0,",
+        "Chain(Derivative(Call(u; t, 0, y); t, 1; True), Derivative(Call(u; t, 1, y); t, 1; True), Derivative(Call(u; t, x, 0); t, 1; True), Derivative(Call(u; t, x, 1); t, 1; True), 0; =, =, =, =)",
+        "LLNL/sundials/doc/arkode/examples/source/cpp_parallel.rst",
+    ),
+    (
+        "u(t,x,y) = \\frac{1 - e^{-(k_x+4k_y)\\pi^2 t}}{(k_x+4k_y)\\pi^2} \\sin(\\pi x) sin(2\\pi y).",
+        "Chain(Call(u; t, x, y), Mul(Div(Add(1, Neg(Pow(e; Neg(Mul(Add(k_x, Mul(4, k_y)), Pow(\\pi; 2), t))))); Mul(Add(k_x, Mul(4, k_y)), Pow(\\pi; 2))), Call(sin; Mul(\\pi, x)), Call(sin; Mul(2, \\pi, y))); =)",
+        "LLNL/sundials/doc/arkode/examples/source/cpp_parallel.rst",
+    ),
+    (
+        "\\frac{\\partial y_i}{\\partial t} &= -\\alpha i y_i, \\quad i=1,\\ldots N.",
+        "System(Chain(Derivative(Call(y_i); t, 1; True), Neg(Mul(\\alpha, i, Call(y_i))); =), Values(i; 1, Dots(), N))",
+        "LLNL/sundials/doc/arkode/examples/source/f77_parallel.rst",
+    ),
+    (
+        "\\frac{d y_1}{dt} &= -0.04 y_1 + 10^4 y_2 y_3, \\\\\n\\frac{d y_2}{dt} &= 0.04 y_1 - 10^4 y_2 y_3 - 3\\cdot10^7 y_2^2, \\\\\n\\frac{d y_3}{dt} &= 3\\cdot10^7 y_2^2.",
+        "System(Chain(Derivative(Call(y_1); t, 1), Add(Neg(Mul(0.04, Call(y_1))), Mul(Pow(10; 4), Call(y_2), Call(y_3))); =), Chain(Derivative(Call(y_2); t, 1), Add(Mul(0.04, Call(y_1)), Neg(Mul(Pow(10; 4), Call(y_2), Call(y_3))), Neg(Mul(3, Pow(10; 7), Pow(Call(y_2); 2)))); =), Chain(Derivative(Call(y_3); t, 1), Mul(3, Pow(10; 7), Pow(Call(y_2); 2)); =))",
+        "LLNL/sundials/doc/arkode/examples/source/f77_serial.rst",
+    ),
+    (
+        "q_i = \\max\\{ q_\\text{max} - i + 1,\\; 1 \\}, \\quad i=1,\\ldots,s.",
+        "System(Chain(q_i, Call(max; Add(q_{max}, Neg(i), 1), 1); =), Values(i; 1, Dots(), s))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "p_4(\\tau) &= (-6\\tau^2 - 16\\tau^3 - 9\\tau^4)\\,y_{n-1} +\n(1 + 6\\tau^2 + 16\\tau^3 + 9\\tau^4)\\,y_{n} +\n\\frac{h_n}{4}(-5\\tau^2 - 14\\tau^3 - 9\\tau^4)\\,\\hat{f}_{n-1} \\\\\n&+ h_n(\\tau + 2\\tau^2 + \\tau^3)\\,\\hat{f}_{n} +\n\\frac{27 h_n}{4}(-\\tau^4 - 2\\tau^3 - \\tau^2)\\,\\hat{f}_a,",
+        "Chain(Call(p_4; \\tau), Add(Mul(Add(Neg(Mul(6, Pow(\\tau; 2))), Neg(Mul(16, Pow(\\tau; 3))), Neg(Mul(9, Pow(\\tau; 4)))), y_{n-1}), Mul(Add(1, Mul(6, Pow(\\tau; 2)), Mul(16, Pow(\\tau; 3)), Mul(9, Pow(\\tau; 4))), y_n), Mul(Div(h_n; 4), Add(Neg(Mul(5, Pow(\\tau; 2))), Neg(Mul(14, Pow(\\tau; 3))), Neg(Mul(9, Pow(\\tau; 4)))), \\hat{f}_{n-1}), Mul(h_n, Add(\\tau, Mul(2, Pow(\\tau; 2)), Pow(\\tau; 3)), \\hat{f}_n), Mul(Div(Mul(27, h_n); 4), Add(Neg(Pow(\\tau; 4)), Neg(Mul(2, Pow(\\tau; 3))), Neg(Pow(\\tau; 2))), \\hat{f}_a)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "h' = \\frac{h}{|h|}\\min\\left\\{|h'_1|, |h'_2|\\right\\}.",
+        "Chain(h', Mul(Div(h; Bars(h)), Call(min; Bars(h_1'), Bars(h_2'))); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "p_0(t) = y_{n-1}.",
+        "Chain(Call(p_0; t), y_{n-1}; =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\omega_{i,j}^{\\{0\\}} = \\begin{cases}\n0, & \\text{if}\\; i=1,\\\\\nA^S_{i,j} - A^S_{i-1,j}, & \\text{if}\\; 2\\le i\\le s,\\\\\nb^S_j - A^S_{s,j}, & \\text{if}\\; i=s+1.\n\\end{cases}",
+        "Chain(\\omega _ { i , j } ^ { \\{ 0 \\} }, Piecewise(0, Chain(i, 1; =), Add(A _ { i , j } ^ { S }, Neg(A _ { i - 1 , j } ^ { S })), Chain(2, i, s; \\le, \\le), Add(b _ { j } ^ { S }, Neg(A _ { s , j } ^ { S })), Chain(i, Add(s, 1); =)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "z_i^{(0)} = y_{n-1} + \\left(\\tau - \\frac{\\tau^2}{2\\tilde{h}}\\right)\nf(t_{n-1},y_{n-1}) + \\frac{\\tau^2}{2\\tilde{h}} f(t_{n-1}+\\tilde{h},z_j).",
+        "Chain(z _ { i } ^ { ( 0 ) }, Add(y_{n-1}, Mul(Add(\\tau, Neg(Div(Pow(\\tau; 2); Mul(2, \\tilde{h})))), Call(f; t_{n-1}, y_{n-1})), Mul(Div(Pow(\\tau; 2); Mul(2, \\tilde{h})), Call(f; Add(t_{n-1}, \\tilde{h}), z_j))); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "p(t) &= \\sum_{j=0}^{\\nu} y_{n-j} p_j(t),\\quad\\text{where}\\\\\np_j(t) &= \\prod_{\\substack{l=0\\\\ l\\ne j}}^{\\nu} \\left(\\frac{t-t_l}{t_j-t_l}\\right), \\quad j=0,\\ldots,\\nu.",
+        "System(Chain(Call(p; t), BigSum(j; 0; \\nu; Mul(y_{n-j}, Call(p_j; t))); =), Chain(Call(p_j; t), Limiting(prod; _{ \\substack { l = 0 \\\\ l \\ne j } }^{ \\nu }; Div(Add(t, Neg(t_l)); Add(t_j, Neg(t_l)))); =), Values(j; 0, Dots(), \\nu))",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "p_0(\\tau) = \\frac{y_{n-1} + y_{n}}{2}.",
+        "Chain(Call(p_0; \\tau), Div(Add(y_{n-1}, y_n); 2); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "p_1(\\tau) = -\\tau\\, y_{n-1} + (1+\\tau)\\, y_{n}.",
+        "Chain(Call(p_1; \\tau), Add(Neg(Mul(\\tau, y_{n-1})), Mul(Add(1, \\tau), y_n)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "{\\mathcal A}(t,z)\\, v = M(t)\\,v - \\gamma\\, J(t,z)\\, v.",
+        "Chain(Mul(Call(\\mathcal{A}; t, z), v), Add(Mul(Call(M; t), v), Neg(Mul(\\gamma, Call(J; t, z), v))); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "J_{i,j}(t,z) \\approx \\frac{f^I_i(t,z+\\sigma_j e_j) - f^I_i(t,z)}{\\sigma_j},",
+        "Chain(Call(J_{i,j}; t, z), Div(Add(Call(f _ { i } ^ { I }; t, Add(z, Mul(\\sigma_j, e_j))), Neg(Call(f _ { i } ^ { I }; t, z))); \\sigma_j); \\approx)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "P_q x_q = b_q, \\quad q=1,\\ldots,Q,",
+        "System(Chain(Mul(P_q, x_q), b_q; =), Values(q; 1, Dots(), Q))",
+        "LLNL/sundials/doc/arkode/guide/source/Usage/ARKStep_c_interface/Preconditioners.rst",
+    ),
+    (
+        "Px = b",
+        "Chain(Mul(P, x), b; =)",
+        "LLNL/sundials/doc/arkode/guide/source/Usage/ARKStep_c_interface/Preconditioners.rst",
+    ),
+    (
+        "\\tilde{\\mathcal A} \\tilde{x} = b \\quad\\Leftrightarrow\\quad (M-\\tilde{\\gamma} J)\\tilde{x} = b.",
+        "Iff(Chain(Mul(\\tilde{\\mathcal{A}}, \\tilde{x}), b; =); Chain(Mul(Add(M, Neg(Mul(\\tilde{\\gamma}, J))), \\tilde{x}), b; =))",
+        "LLNL/sundials/doc/arkode/guide/source/sunlinsol/ARKODE_interface.rst",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t}=\\frac{\\partial ^{2}u}{\\partial x^{2}}\n   + 0.5\\frac{\\partial u}{\\partial x}",
+        "Chain(Derivative(Call(u); t, 1; True), Add(Derivative(Call(u); x, 2; True), Mul(0.5, Derivative(Call(u); x, 1; True))); =)",
+        "LLNL/sundials/doc/cvode/cv_ex_parallel.tex",
+    ),
+    (
+        "R \\|\\delta_m\\| < 0.1 \\epsilon \\, .",
+        "Chain(Mul(R, Norm(\\delta_m)), Mul(0.1, \\epsilon); <)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "W_i = 1 / [\\text{rtol} \\cdot |y_i| + \\text{atol}_i ] \\, .",
+        "Chain(W_i, Div(1; Add(Mul(\\text{rtol}, Bars(y_i)), \\text{atol}_i)); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\sigma_j = \\max\\left\\{\\sqrt{U} \\; |y_j| , \\sigma_0 / W_j \\right\\} \\, ,",
+        "Chain(\\sigma_j, Call(max; Mul(Sqrt(U), Bars(y_j)), Div(\\sigma_0; W_j)); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "P_m \\approx I - \\gamma J_m",
+        "Chain(P_m, Add(I, Neg(Mul(\\gamma, J_m))); \\approx)",
+        "LLNL/sundials/doc/cvode/guide/source/Usage/index.rst",
+    ),
+    (
+        "x = \\frac{2}{1 + \\gamma / \\bar{\\gamma}} \\bar{x}.",
+        "Chain(x, Mul(Div(2; Add(1, Div(\\gamma; \\bar{\\gamma}))), \\bar{x}); =)",
+        "LLNL/sundials/doc/cvode/guide/source/sunlinsol/CVODE_interface.rst",
+    ),
+    (
+        "\\bar{M}\\bar{x} = b \\quad\\Leftrightarrow\\quad (I-\\bar{\\gamma}J)\\bar{x} = b.",
+        "Iff(Chain(Mul(\\bar{M}, \\bar{x}), b; =); Chain(Mul(Add(I, Neg(Mul(\\bar{\\gamma}, J))), \\bar{x}), b; =))",
+        "LLNL/sundials/doc/cvode/guide/source/sunlinsol/CVODE_interface.rst",
+    ),
+    (
+        "\\begin{split}\n    &{\\dot y}_1 = -p_1 y_1 + p_2 y_2 y_3   \\\\\n    &{\\dot y}_2 =  p_1 y_1 - p_2 y_2 y_3 - p_3 y_2^2 \\\\\n    &{\\dot y}_3 =  p_3 y_2^2 \\\\\n    &y(t_0) = y_0 \\, ,\n  \\end{split}",
+        "System(Chain(Call(\\dot{y}_1), Add(Neg(Mul(p_1, Call(y_1))), Mul(p_2, Call(y_2), Call(y_3))); =), Chain(Call(\\dot{y}_2), Add(Mul(p_1, Call(y_1)), Neg(Mul(p_2, Call(y_2), Call(y_3))), Neg(Mul(p_3, Pow(Call(y_2); 2)))); =), Chain(Call(\\dot{y}_3), Mul(p_3, Pow(Call(y_2); 2)); =), Chain(Call(y; t_0), y_0; =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_adj.tex",
+    ),
+    (
+        "\\begin{split}\n    {\\dot y}_1 &= -p_1 y_1 + p_2 y_2 y_3   \\\\\n    {\\dot y}_2 &=  p_1 y_1 - p_2 y_2 y_3 - p_3 y_2^2 \\\\\n    {\\dot y}_3 &=  p_3 y_2^2 \\, ,\n  \\end{split}",
+        "System(Chain(Call(\\dot{y}_1), Add(Neg(Mul(p_1, Call(y_1))), Mul(p_2, Call(y_2), Call(y_3))); =), Chain(Call(\\dot{y}_2), Add(Mul(p_1, Call(y_1)), Neg(Mul(p_2, Call(y_2), Call(y_3))), Neg(Mul(p_3, Pow(Call(y_2); 2)))); =), Chain(Call(\\dot{y}_3), Mul(p_3, Pow(Call(y_2); 2)); =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_fwd.tex",
+    ),
+    (
+        "\\begin{split}\n    R_1(c_1,c_2,t) &= -q_1 c_1 c_3 - q_2 c_1 c_2 + 2 q_3(t) c_3 + q_4(t) c_2 , \\\\\n    R_2(c_1,c_2,t) &=  q_1 c_1 c_3 - q_2 c_1 c_2 - q_4(t) c_2 \\, ,\n  \\end{split}",
+        "System(Chain(Call(R_1; c_1, c_2, t), Add(Neg(Mul(q_1, c_1, c_3)), Neg(Mul(q_2, c_1, c_2)), Mul(2, Call(q_3; t), c_3), Mul(Call(q_4; t), c_2)); =), Chain(Call(R_2; c_1, c_2, t), Add(Mul(q_1, c_1, c_3), Neg(Mul(q_2, c_1, c_2)), Neg(Mul(Call(q_4; t), c_2))); =))",
+        "LLNL/sundials/doc/cvodes/cvs_ex_tests.tex",
+    ),
+    (
+        "\\dot z = q(t,y,p) \\, , \\quad z(t_0) = 0 \\, .",
+        "System(Chain(Call(\\dot{z}), Call(q; t, y, p); =), Chain(Call(z; t_0), 0; =))",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split}\n&{\\dot{y}}  = f(t,\\,y,\\,p) \\\\\n&y(t_0)  = y_0(p) \\, ,\n\\end{split}",
+        "System(Chain(Call(\\dot{y}), Call(f; t, Call(y), p); =), Chain(Call(y; t_0), Call(y_0; p); =))",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split}\n&{\\dot\\lambda} = -\\left( \\frac{\\partial f}{\\partial y} \\right)^* \\lambda -\n\\left( \\frac{\\partial g}{\\partial y} \\right)^* \\\\\n&\\lambda(T) = 0 \\, ,\n\\end{split}",
+        "System(Chain(Call(\\dot{\\lambda}), Add(Neg(Mul(Marked(Derivative(Call(f); y, 1; True); ^*), Call(\\lambda))), Neg(Marked(Derivative(Call(g); y, 1; True); ^*))); =), Chain(Call(\\lambda; T), 0; =))",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split}\n& \\left( F_{\\dot y} \\otimes I_{N_p} \\right) \\cdot \\dot y_{pp}  +\n\\left( F_y        \\otimes I_{N_p} \\right) \\cdot y_{pp}       +\n\\left( I_N \\otimes {\\dot y}_p^T \\right) \\cdot \\left( F_{\\dot y \\dot y} \\dot y_p + F_{y \\dot y} y_p \\right) +\n\\left( I_N \\otimes y_p^T        \\right) \\cdot \\left( F_{y \\dot y}      \\dot y_p + F_{y y}      y_p \\right) = 0 \\\\\n& y_{pp}(t_0) = \\frac{\\partial^2 y_0}{\\partial p^2} \\, , \\quad\n\\dot y_{pp}(t_0) = \\frac{\\partial^2 \\dot y_0}{\\partial p^2} \\, ,\n\\end{split}",
+        "System(Chain(Add(Mul(Operated(\\otimes; F_{\\dot y}; I_{N_p}), Call(\\dot{y}_{pp})), Mul(Operated(\\otimes; F_y; I_{N_p}), Call(y_{pp})), Mul(Operated(\\otimes; I_N; Transpose(Call(\\dot{y}_p))), Add(Mul(F_{\\dot y\\dot y}, Call(\\dot{y}_p)), Mul(F_{y\\dot y}, Call(y_p)))), Mul(Operated(\\otimes; I_N; Transpose(Call(y_p))), Add(Mul(F_{y\\dot y}, Call(\\dot{y}_p)), Mul(F_{yy}, Call(y_p))))), 0; =), Chain(Call(y_{pp}; t_0), Derivative(Call(y_0); p, 2; True); =), Chain(Call(\\dot{y}_{pp}; t_0), Derivative(Call(\\dot{y}_0); p, 2; True); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\sigma_i = |{\\bar p}_i| \\sqrt{\\max( \\mbox{rtol} , U)} \\, , \\quad\n\\sigma_y = \\frac{1}{\\max(1/\\sigma_i, \\|s_i\\|_{\\mbox{WRMS}}/|{\\bar p}_i|)} \\,",
+        "System(Chain(\\sigma_i, Mul(Bars(\\bar{p}_i), Sqrt(Call(max; \\text{rtol}, U))); =), Chain(\\sigma_y, Div(1; Call(max; Div(1; \\sigma_i), Div(Marked(Norm(s_i); _{ \\text { W R M S } }); Bars(\\bar{p}_i)))); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\sigma = \\min(\\sigma_i, \\sigma_y) \\, ,",
+        "Chain(\\sigma, Call(min; \\sigma_i, \\sigma_y); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\eta = h'/h = 0.9/[2 \\, \\text{ELTE}(q)]^{1/(q+1)} \\, .",
+        "Chain(\\eta, Div(h'; h), Div(0.9; Pow(Mul(2, Call(\\text{ELTE}; q)); Div(1; Add(q, 1)))); =, =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\tau = 100 * U * (|t_n| + |h|)~~~ (U = \\mbox{unit roundoff}) ~.",
+        "System(Chain(\\tau, Mul(100, U, Add(Bars(t_n), Bars(h))); =), Chain(U, \\text{unit~roundoff}; =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "R = \\left( \\frac{\\delta_m}{\\delta_1} \\right)^{\\frac{1}{m-1}} \\, ,",
+        "Chain(R, Pow(Div(\\delta_m; \\delta_1); Div(1; Add(m, Neg(1)))); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "(\\lambda^*F_{\\dot{y}})' - \\lambda^*F_y = -g_y ,",
+        "Chain(Add(Marked(Mul(\\lambda ^ { * }, F_{\\dot y}); '), Neg(Mul(\\lambda ^ { * }, F_y))), Neg(g_y); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\eta = h'/h = 1/[2 \\, \\text{ELTE}(q)]^{1/(q+1)} \\, .",
+        "Chain(\\eta, Div(h'; h), Div(1; Pow(Mul(2, Call(\\text{ELTE}; q)); Div(1; Add(q, 1)))); =, =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "{\\hat J} =\n\\begin{bmatrix}\nJ       &        &        &        &   \\\\\nJ_1     & J      &        &        &   \\\\\nJ_2     & 0      & J      &        &   \\\\\n\\vdots  & \\vdots & \\ddots & \\ddots &   \\\\\nJ_{N_s} & 0      & \\ldots & 0      & J\n\\end{bmatrix} \\, ,",
+        "Chain(\\hat{J}, MatrixOf(J, Blank(), Blank(), Blank(), Blank(), J_1, J, Blank(), Blank(), Blank(), J_2, 0, J, Blank(), Blank(), Dots(), Dots(), Dots(), Dots(), Blank(), J_{N_s}, 0, Dots(), 0, J); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "t_{mid} = t_{hi} - (t_{hi} - t_{lo})\ng_i(t_{hi}) / [g_i(t_{hi}) - \\alpha g_i(t_{lo})] ~,",
+        "Chain(t_{mid}, Add(t_{hi}, Neg(Div(Mul(Add(t_{hi}, Neg(t_{lo})), Call(g_i; t_{hi})); Add(Call(g_i; t_{hi}), Neg(Mul(\\alpha, Call(g_i; t_{lo}))))))); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "P= \\begin{bmatrix} P_1 & & &\\\\ & P_2 & &\\\\ & & \\ddots & \\\\ & & & P_M\\end{bmatrix}",
+        "Chain(P, MatrixOf(P_1, Blank(), Blank(), Blank(), Blank(), P_2, Blank(), Blank(), Blank(), Blank(), Dots(), Blank(), Blank(), Blank(), Blank(), P_M); =)",
+        "LLNL/sundials/doc/idas/guide/source/Usage/SIM.rst",
+    ),
+    (
+        "Jv = \\frac{1}\\sigma\\left[F(t,\\tilde{y},\\tilde{\\dot{y}}) - F(t,y,\\dot{y})\\right],",
+        "Chain(Mul(J, v), Mul(Div(1; \\sigma), Add(Call(F; t, \\tilde{y}, \\tilde{\\dot{y}}), Neg(Call(F; t, Call(y), Call(\\dot{y}))))); =)",
+        "LLNL/sundials/doc/idas/guide/source/Usage/SIM.rst",
+    ),
+    (
+        "G(y_{cor}) = F\\left(t_n,\\, y_{pred}+y_{cor},\\,\n\\dot{y}_{pred} + \\alpha y_{cor}\\right) = 0.",
+        "Chain(Call(G; y_{cor}), Call(F; t_n, Add(Call(y_{pred}), y_{cor}), Add(Call(\\dot{y}_{pred}), Mul(\\alpha, y_{cor}))), 0; =, =)",
+        "LLNL/sundials/doc/idas/guide/source/sunnonlinsol/IDAS_interface.rst",
+    ),
+    (
+        "G = \\int_0^{t_f} y_1 dt ~,",
+        "Chain(G, Integral(y_1; t; 0; t_f); =)",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "f(y, z) = \\begin{bmatrix}\n    -2r_1           &+r_2 &-r_3 &-r_4  &                &        \\\\\n    -\\frac{1}{2}r_1 &     &     &-r_4  &-\\frac{1}{2}r_5 &+F_{in} \\\\\n    r_1             &-r_2 &+r_3 &      &                &        \\\\\n                    &-r_2 &+r_3 &-2r_4 &                &        \\\\\n                    &r_2  &-r_3 &      &+r_5            &\n  \\end{bmatrix}",
+        "Chain(Call(f; y, z), MatrixOf(Neg(Mul(2, r_1)), r_2, Neg(r_3), Neg(r_4), Blank(), Blank(), Neg(Mul(Div(1; 2), r_1)), Blank(), Blank(), Neg(r_4), Neg(Mul(Div(1; 2), r_5)), F_{in}, r_1, Neg(r_2), r_3, Blank(), Blank(), Blank(), Blank(), Neg(r_2), r_3, Neg(Mul(2, r_4)), Blank(), Blank(), Blank(), r_2, Neg(r_3), Blank(), r_5, Blank()); =)",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "\\lambda (t_f,x,y) = 1 ~, ~~~~ \\mu (t_f,x,y) =  0 ~.",
+        "System(Chain(Call(\\lambda; t_f, x, y), 1; =), Chain(Call(\\mu; t_f, x, y), 0; =))",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "g(y, z) = K_s y_1 y_4 - z ~.",
+        "Chain(Call(g; y, z), Add(Mul(K_s, y_1, y_4), Neg(z)); =)",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "\\|z\\|_{D_u} = \\|D_u z\\|_2, \\;\\; \\|z\\|_{D_F} = \\|D_F z\\|_2, \\;\\;\n\\|z\\|_{D_u,\\infty} = \\|D_u z\\|_\\infty, \\;\\; {\\rm and} \\;\\;\n\\|z\\|_{D_F,\\infty} = \\|D_F z\\|_\\infty",
+        "System(Chain(Marked(Norm(z); _{ D _ { u } }), Marked(Norm(Mul(D_u, z)); _{ 2 }); =), Chain(Marked(Norm(z); _{ D _ { F } }), Marked(Norm(Mul(D_F, z)); _{ 2 }); =), Chain(Marked(Norm(z); _{ D _ { u } , \\infty }), Marked(Norm(Mul(D_u, z)); _{ \\infty }); =), Chain(Marked(Norm(z); _{ D _ { F } , \\infty }), Marked(Norm(Mul(D_F, z)); _{ \\infty }); =))",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|u_{n+1} - u_{n} \\|_{D_F,\\infty} < \\text{gtol} \\, ,",
+        "Chain(Marked(Norm(Add(u_{n+1}, Neg(u_n))); _{ D _ { F } , \\infty }), \\text{gtol}; <)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\eta_n = \\frac{\\left|\\; \\|F(u_n)\\|_{D_F}\n- \\|F(u_{n-1}) + J(u_{n-1}) \\delta_n \\|_{D_F}\n\\; \\right|}\n{\\|F(u_{n-1})\\|_{D_F}} \\, ,",
+        "Chain(\\eta_n, Div(Bars(Add(Marked(Norm(Call(F; u_n)); _{ D _ { F } }), Neg(Marked(Norm(Add(Call(F; u_{n-1}), Mul(Call(J; u_{n-1}), \\delta_n))); _{ D _ { F } })))); Marked(Norm(Call(F; u_{n-1})); _{ D _ { F } })); =)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|F(u_{n+1})\\|_{D_F,\\infty} < \\text{ftol} \\, ,",
+        "Chain(Marked(Norm(Call(F; u_{n+1})); _{ D _ { F } , \\infty }), \\text{ftol}; <)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split}\n  &l_1 = x_1 - x_{1\\min} \\ge 0\\\\\n  &L_1 = x_1 - x_{1\\max} \\le 0\\\\\n  &l_2 = x_2 - x_{2\\min} \\ge 0\\\\\n  &L_2 = x_2 - x_{2\\max} \\le 0 \\, .\n\\end{split}",
+        "System(Chain(l_1, Add(x_1, Neg(x_{1\\min})), 0; =, \\ge), Chain(L_1, Add(x_1, Neg(x_{1\\max})), 0; =, \\le), Chain(l_2, Add(x_2, Neg(x_{2\\min})), 0; =, \\ge), Chain(L_2, Add(x_2, Neg(x_{2\\max})), 0; =, \\le))",
+        "LLNL/sundials/doc/kinsol/kin_ex_c.tex",
+    ),
+    (
+        "G(u) = \\nabla \\cdot (D \\nabla u) + c(u) + u - b.",
+        "Chain(Call(G; u), Add(Call(div; Mul(D, \\nabla u)), Call(c; u), u, Neg(b)); =)",
+        "LLNL/sundials/doc/kinsol/kin_ex_cxx.tex",
+    ),
+    (
+        "u_{\\text{exact}} = u(x,y) = \\sin^2(\\pi x) \\sin^2(\\pi y),",
+        "Chain(u_{exact}, Call(u; x, y), Mul(Pow(Call(sin; Mul(\\pi, x)); 2), Pow(Call(sin; Mul(\\pi, y)); 2)); =, =)",
+        "LLNL/sundials/doc/kinsol/kin_ex_cxx.tex",
+    ),
+    (
+        "F(u) = 0 \\, , \\quad \\text{where } f_i(u) = u_i^2 - i^2 \\, , 1 \\le i \\le N \\, .",
+        "System(Chain(Call(F; u), 0; =), Chain(Call(f_i; u), Add(Pow(u_i; 2), Neg(Pow(i; 2))); =), Chain(1, i, N; \\le, \\le))",
+        "LLNL/sundials/doc/kinsol/kin_ex_fortran.tex",
+    ),
+    (
+        "d = \\sum_{i=0}^{n-1} x_i y_i.",
+        "Chain(d, BigSum(i; 0; Add(n, Neg(1)); Mul(x_i, y_i)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "A_{i,j} = cA_{i,j} + \\delta_{i,j}, \\quad i,j=1,\\ldots,n.",
+        "System(Chain(A_{ij}, Add(Mul(c, A_{ij}), \\delta_{ij}); =), Values(i; 1, Dots(), n), Values(j; 1, Dots(), n))",
+        "LLNL/sundials/doc/shared/sunmatrix/SUNMatrix_Operations.rst",
+    ),
+    (
+        "A_{i,j} = 0, \\quad i=1,\\ldots,m, \\; j=1,\\ldots,n.",
+        "System(Chain(A_{ij}, 0; =), Values(i; 1, Dots(), m), Values(j; 1, Dots(), n))",
+        "LLNL/sundials/doc/shared/sunmatrix/SUNMatrix_Operations.rst",
+    ),
+    (
+        "\\Delta F_{n} = (\\Delta f_{n-m_n}, \\ldots, \\Delta f_{n-1}),",
+        "Chain(\\Delta F _ { n }, Tuple(\\Delta f _ { n - m _ { n } }, Dots(), \\Delta f _ { n - 1 }; ()); =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
+    ),
+    (
+        "y^{(n+1)} = G(y^{(n)})-\\sum_{i=0}^{m_n-1} \\gamma_i^{(n)} \\Delta g_{n-m_n+i} - (1 - \\beta) (f(y^{(n)}) - \\sum_{i=0}^{m_n-1} \\gamma_i^{(n)} \\Delta f_{n-m_n+i})",
+        "Chain(y ^ { ( n + 1 ) }, Add(Call(G; y ^ { ( n ) }), Neg(BigSum(i; 0; Add(m_n, Neg(1)); Mul(\\gamma _ { i } ^ { ( n ) }, \\Delta g _ { n - m _ { n } + i }))), Neg(Mul(Add(1, Neg(\\beta)), Add(Call(f; y ^ { ( n ) }), Neg(BigSum(i; 0; Add(m_n, Neg(1)); Mul(\\gamma _ { i } ^ { ( n ) }, \\Delta f _ { n - m _ { n } + i }))))))); =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
+    ),
+    (
+        "F(y) = 0",
+        "Chain(Call(F; y), 0; =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_Newton.rst",
+    ),
+    (
+        "\\bar{w} = \\sin(\\pi(x-\\bar{w}t))",
+        "Chain(\\bar{w}, Call(sin; Mul(\\pi, Add(x, Neg(Mul(\\bar{w}, t))))); =)",
+        "rheolef/rheolef/doc/usrman/burgers_dg.tex",
+    ),
+    (
+        "y_0 &=& \\chi_n + \\varepsilon_n \\Delta s_n \\dot{\\chi}_n",
+        "Chain(y_0, Add(Call(\\chi_n), Mul(\\varepsilon_n, \\Delta s _ { n }, Call(\\dot{\\chi}_n))); =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\widetilde{\\mathcal{F}}_n(s,\\chi(s)) = 0",
+        "Chain(Call(\\widetilde{\\mathcal{F}}_n; s, Call(\\chi; s)), 0; =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\mathcal{F}_n(s,\\chi) \n\t=\n\t\\left(\\begin{array}{r}\n\t\t\\mathcal{N}_n(s,\\chi) \\\\\n\t          F(\\chi) \n\t\\end{array}\\right)\n    \\ \\mbox{ and } \\  \n    \\widetilde{\\mathcal{F}}_n(s,\\chi) \n\t=\n\t\\left(\\begin{array}{r}\n\t\t\\widetilde{\\mathcal{N}}_n(s,\\chi) \\\\\n\t          F(\\chi) \n        \\end{array}\\right)",
+        "System(Chain(Call(\\mathcal{F}_n; s, \\chi), MatrixOf(Call(\\mathcal{N}_n; s, \\chi), Call(F; \\chi)); =), Chain(Call(\\widetilde{\\mathcal{F}}_n; s, \\chi), MatrixOf(Call(\\widetilde{\\mathcal{N}}_n; s, \\chi), Call(F; \\chi)); =))",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\mathcal{N}_n(s,\\,\\chi\\!=\\!(\\lambda,u))\n         &=&\n\t  (\\chi'(s_n),\\, \\chi-\\chi(s_n))\n\t- (s-s_n)\n         \\\\\n\t&=& \n\t  \\lambda'(s_n)\\,(\\lambda-\\lambda(s_n))\n\t+ (u'(s_n),\\, u-u(s_n))_V\t\n\t- (s-s_n)",
+        "Chain(Call(\\mathcal{N}_n; s, Chain(Call(\\chi), Pair(Call(\\lambda); Call(u)); =)), Add(Pair(Call(\\chi'; s_n); Add(Call(\\chi), Neg(Call(\\chi; s_n)))), Neg(Add(s, Neg(s_n)))), Add(Mul(Call(\\lambda'; s_n), Add(Call(\\lambda), Neg(Call(\\lambda; s_n)))), Marked(Pair(Call(u'; s_n); Add(Call(u), Neg(Call(u; s_n)))); _{ V }), Neg(Add(s, Neg(s_n)))); =, =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "&&\n  \\left( \\begin{array}{cc}\n    A & B_1^T \\\\\n    B_2 & -C\n  \\end{array} \\right)\n  \\left( \\begin{array}{c}\n    \\boldsymbol{\\chi}_h \\\\\n    \\lambda_h\n  \\end{array} \\right) \n  \\ =\\ \n  \\left( \\begin{array}{c}\n    \\ell_h \\\\\n    k_h\n  \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(A, Transpose(B_1), B_2, Neg(C)), MatrixOf(\\boldsymbol{\\chi}_h, \\lambda_h)), MatrixOf(\\ell_h, k_h); =)",
+        "rheolef/rheolef/doc/usrman/convect_hdg.tex",
+    ),
+    (
+        "{\\rm div}(\\boldsymbol{u}\\phi - \\nu \\nabla \\phi) + \\sigma \\phi &=& f\n                \\ \\mbox{ in } \\Omega\n                \\\\\n        \\phi &=& \\phi_\\Gamma(t)\n                \\ \\mbox{ on } \\partial\\Omega",
+        "System(Chain(Add(Call(div; Add(Mul(\\boldsymbol{u}, \\phi), Neg(Mul(\\nu, \\nabla \\phi)))), Mul(\\sigma, \\phi)), f; =), Words(\\text{in~\\Omega}), Chain(\\phi, Call(\\phi_\\Gamma; t); =), Words(\\text{on~\\partial\\Omega}))",
+        "rheolef/rheolef/doc/usrman/convect_hdg.tex",
+    ),
+    (
+        "a_h(\\boldsymbol{\\sigma}_h,\\boldsymbol{\\tau}_h) &=& l_h(\\boldsymbol{\\tau}_h), \\ \\forall \\boldsymbol{\\tau}_h\\in X_h",
+        "System(Chain(Call(a_h; \\boldsymbol{\\sigma}_h, \\boldsymbol{\\tau}_h), Call(l_h; \\boldsymbol{\\tau}_h); =), Forall(Chain(\\boldsymbol{\\tau}_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/diffusion_transport_tensor_dg.tex",
+    ),
+    (
+        "u(x) = {\\displaystyle \\prod_{i=0}^{d-1} \\cos(\\pi x_i)}",
+        "Chain(Call(u; x), BigProduct(i; 0; Add(d, Neg(1)); Call(cos; Mul(\\pi, x_i))); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet-nh.tex",
+    ),
+    (
+        "a(u,v) = l(v),\n      \\ \\forall v \\in H^1_0(\\Omega)",
+        "System(Chain(Call(a; u, v), Call(l; v); =), Forall(Chain(v, Call(H _ { 0 } ^ { 1 }; \\Omega); \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet.tex",
+    ),
+    (
+        "a_h(u_h,v_h) &=& l_h(v_h), \\ \\forall v_h\\in X_h",
+        "System(Chain(Call(a_h; u_h, v_h), Call(l_h; v_h); =), Forall(Chain(v_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet_dg.tex",
+    ),
+    (
+        "m_s(\\lambda,\\mu)\n  &=&\n  \\sum_{S\\in\\mathscr{S}_h}\n  \\int_{S}\n    \\lambda \\, \\mu\n    \\,\\mathrm{d}s\n  \\\\\n  k_h(\\mu)\n  &=&\n  \\sum_{S\\in\\mathscr{S}_h}\n  \\int_{S}\n    u \\, \\mu\n    \\,\\mathrm{d}s",
+        "System(Chain(Call(m_s; \\lambda, \\mu), Limiting(sum; _{ S \\in \\mathscr { S } _ { h } }; Over(\\int; _ { S }; Mul(\\lambda, \\mu); s)); =), Chain(Call(k_h; \\mu), Limiting(sum; _{ S \\in \\mathscr { S } _ { h } }; Over(\\int; _ { S }; Mul(u, \\mu); s)); =))",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "\\|\\mu\\|_{0,2,\\mathscr{S}_h}^2\n  =\n  \\sum_{S\\in\\mathscr{S}_h}\n  \\int_{S}\n    h_S\n    \\mu^2\n    \\,\\mathrm{d}s",
+        "Chain(Pow(Marked(Norm(\\mu); _{ 0 , 2 , \\mathscr { S } _ { h } }); 2), Limiting(sum; _{ S \\in \\mathscr { S } _ { h } }; Over(\\int; _ { S }; Mul(h_S, Pow(\\mu; 2)); s)); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "\\int_K\n    {\\rm div}(\\boldsymbol{\\sigma})\n    \\,v\n    \\,{\\rm d}x\n  &=&\n  -\n  \\int_K\n    f \n    \\,v\n    \\,{\\rm d}x",
+        "Chain(Over(\\int; _ { K }; Mul(Call(div; \\boldsymbol{\\sigma}), v); x), Neg(Over(\\int; _ { K }; Mul(f, v); x)); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "a_h(\n    (\\boldsymbol{\\sigma},u),\n    (\\boldsymbol{\\tau},v))\n  +\n  b_h((\\boldsymbol{\\tau},v),\\lambda)\n  &=&\n  \\ell_h(\\boldsymbol{\\tau},v)\n  \\\\\n  b_h((\\boldsymbol{\\sigma},u),\\mu)\n  -\n  c_h(\\lambda,\\mu)\n  &=&\n  k_h(\\mu)",
+        "System(Chain(Add(Call(a_h; Pair(\\boldsymbol{\\sigma}; u), Pair(\\boldsymbol{\\tau}; v)), Call(b_h; Pair(\\boldsymbol{\\tau}; v), \\lambda)), Call(\\ell_h; \\boldsymbol{\\tau}, v); =), Chain(Add(Call(b_h; Pair(\\boldsymbol{\\sigma}; u), \\mu), Neg(Call(c_h; \\lambda, \\mu))), Call(k_h; \\mu); =))",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "u(x) = \\prod_{i=0}^{d\\!-\\!1} \\sin(\\pi x_i)",
+        "Chain(Call(u; x), BigProduct(i; 0; Add(d, Neg(1)); Call(sin; Mul(\\pi, x_i))); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hho.tex",
+    ),
+    (
+        "\\left( \\begin{array}{cc}\n    a_* & b_*^T \\\\\n    b_* & -c_*\n  \\end{array} \\right)\n  \\left( \\begin{array}{c}\n    u_h^* \\\\ \\zeta_h\n  \\end{array} \\right)\n  &=&\n  \\left( \\begin{array}{cc}\n    \\check{a} & e_* \\\\\n    b   & 0\n  \\end{array} \\right)\n  \\left( \\begin{array}{c}\n    u_h \\\\ \\lambda_h\n  \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(a_*, Transpose(b_*), b_*, Neg(c_*)), MatrixOf(u _ { h } ^ { * }, \\zeta_h)), Mul(MatrixOf(\\check{a}, e_*, b, 0), MatrixOf(u_h, \\lambda_h)); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hho.tex",
+    ),
+    (
+        "a({\\bf u}_h,{\\bf v}_h) = l({\\bf v}_h), \\ \\forall {\\bf v}_h\\in {\\bf V}_h",
+        "System(Chain(Call(a; \\mathbf{u}_h, \\mathbf{v}_h), Call(l; \\mathbf{v}_h); =), Forall(Chain(\\mathbf{v}_h, \\mathbf{V}_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/elasticity.tex",
+    ),
+    (
+        "m(\\sigma_h, \\tau) = b(\\tau, {\\bf u}_h), \\forall \\tau \\in T_h",
+        "System(Chain(Call(m; \\sigma_h, \\tau), Call(b; \\tau, \\mathbf{u}_h); =), Forall(Chain(\\tau, T_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/elasticity.tex",
+    ),
+    (
+        "a({\\bf u},{\\bf v}) = l({\\bf v}), \\ \\forall {\\bf v}\\in {\\bf V},",
+        "System(Chain(Call(a; \\mathbf{u}, \\mathbf{v}), Call(l; \\mathbf{v}); =), Forall(Chain(\\mathbf{v}, \\mathbf{V}; \\in)))",
+        "rheolef/rheolef/doc/usrman/elasticity.tex",
+    ),
+    (
+        "a({\\bf u},{\\bf v}) &=& l_h({\\bf v}), \\ \\forall {\\bf v}\\in {\\bf V}(0)",
+        "System(Chain(Call(a; \\mathbf{u}, \\mathbf{v}), Call(l_h; \\mathbf{v}); =), Forall(Chain(\\mathbf{v}, Call(\\mathbf{V}; 0); \\in)))",
+        "rheolef/rheolef/doc/usrman/elasticity_dg.tex",
+    ),
+    (
+        "g(v_h)\n  &=&\n  \\int_\\Omega\n    G_h(u_h)\n    v_h\n    \\,{\\rm d}x",
+        "Chain(Call(g; v_h), Over(\\int; _ { \\Omega }; Mul(Call(G_h; u_h), v_h); x); =)",
+        "rheolef/rheolef/doc/usrman/hyperbolic_nonlinear_dg.tex",
+    ),
+    (
+        "\\left( \\begin{array}{cc} \n\t{\\tt a} & {\\tt trans(b)} \\\\ \n        {\\tt b} & -{\\tt c} \n     \\end{array} \\right)\n     \\left( \\begin{array}{c} \n        {\\tt uh} \\\\ \n        {\\tt ph} \n     \\end{array} \\right)\n\t=\n     \\left( \\begin{array}{c} \n\t{\\tt lh} \\\\\n        {\\tt 0}\n     \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(\\text{a}, Call(\\text{trans}; \\text{b}), \\text{b}, Neg(\\text{c})), MatrixOf(\\text{uh}, \\text{ph})), MatrixOf(\\text{lh}, 0); =)",
+        "rheolef/rheolef/doc/usrman/incompressible-elasticity.tex",
+    ),
+    (
+        "p = - \\lambda {\\rm div}\\, {\\bf u}",
+        "Chain(p, Neg(Mul(\\lambda, Call(div; \\mathbf{u}))); =)",
+        "rheolef/rheolef/doc/usrman/incompressible-elasticity.tex",
+    ),
+    (
+        "\\varphi_i (\\boldsymbol{x}_{S_j})\n\t= \\delta_{i,j}\n\t, \\ \\ \\ 0\\leq i,j \\leq d-1\n\t\\\\\n\t\\sum_{i=0}^{d-1} \\varphi_i (\\boldsymbol{x}) = 1\n        ,\\ \\ \\forall \\boldsymbol{x} \\in K",
+        "System(Chain(Call(\\varphi_i; \\boldsymbol{x}_{S_j}), \\delta_{i,j}; =), Chain(0, i, Add(d, Neg(1)); \\le, \\le), Chain(0, j, Add(d, Neg(1)); \\le, \\le), Chain(BigSum(i; 0; Add(d, Neg(1)); Call(\\varphi_i; \\boldsymbol{x})), 1; =), Forall(Chain(\\boldsymbol{x}, K; \\in)))",
+        "rheolef/rheolef/doc/usrman/limiter.tex",
+    ),
+    (
+        "\\Delta_{K,i}(u_h)\n  &=&\n  {\\rm minmod}_{\\rm T VB}\n  \\left(\n    \\tilde{u}_K (\\boldsymbol{x}_{K_{J_{i,k}}})\n    ,\\ \n    \\theta \\delta_{K,i}(u_h)\n  \\right)",
+        "Chain(Call(\\Delta_{K,i}; u_h), Call(\\text{minmod}_{TVB}; Call(\\tilde{u}_K; \\boldsymbol{x}_{K_J_i,k}), Mul(\\theta, Call(\\delta_{K,i}; u_h))); =)",
+        "rheolef/rheolef/doc/usrman/limiter.tex",
+    ),
+    (
+        "{\\rm minmod} (a,b)\n  &=&\n  \\left\\{ \\begin{array}{ll}\n    \t{\\rm sgn}(a)\\, {\\rm min}(|a|,|b|)\n\t& \\mbox{ when }\n    \t  {\\rm sgn}(a) = {\\rm sgn}(b)\n\t\\\\\n\t0\n\t& \\mbox{ otherwise }\n  \\end{array} \\right.",
+        "Chain(Call(\\text{minmod}; a, b), Piecewise(Mul(Call(sgn; a), Call(min; Bars(a), Bars(b))), Chain(Call(sgn; a), Call(sgn; b); =), 0, None); =)",
+        "rheolef/rheolef/doc/usrman/limiter.tex",
+    ),
+    (
+        "\\xi (\\boldsymbol{x})\n\t&=&\n\t\\xi (\\boldsymbol{x}_K)\n\t+\n\t\\sum_{i=0}^{d-1} \\delta_{K,i}(\\xi) \\, \\varphi_i (\\boldsymbol{x})\n        ,\\ \\ \\forall \\boldsymbol{x} \\in K",
+        "System(Chain(Call(\\xi; \\boldsymbol{x}), Add(Call(\\xi; \\boldsymbol{x}_K), BigSum(i; 0; Add(d, Neg(1)); Mul(Call(\\delta_{K,i}; Call(\\xi)), Call(\\varphi_i; \\boldsymbol{x})))); =), Forall(Chain(\\boldsymbol{x}, K; \\in)))",
+        "rheolef/rheolef/doc/usrman/limiter.tex",
+    ),
+    (
+        "u\n \t=\n      \\argmin_{v\\in W^{1,p}_0(\\Omega)}\n\tJ(v)",
+        "Chain(u, Limiting(argmin; _{ v \\in W _ { 0 } ^ { 1 , p } ( \\Omega ) }; Call(J; v)); =)",
+        "rheolef/rheolef/doc/usrman/mosolov.tex",
+    ),
+    (
+        "F ({\\bf u}_h,p_h) = 0",
+        "Chain(Call(F; \\mathbf{u}_h, p_h), 0; =)",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "{\\rm sgn}(x) \n  =\n  \\left\\{ \\begin{array}{cc}\n\t\\{1\\}  & \\mbox{ when } x > 0 \\\\\n\t\\left[ -1,1 \\right] & \\mbox{ when } x = 0 \\\\\n\t\\{-1\\} & \\mbox{ when } x < 0\n  \\end{array} \\right.",
+        "Chain(Call(sgn; x), Piecewise(Tuple(1; {}), Chain(x, 0; >), Tuple(Neg(1), 1; []), Chain(x, 0; =), Tuple(Neg(1); {}), Chain(x, 0; <)); =)",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "\\mathcal{A}\n\t=\n     \\left( \\begin{array}{cc} \n        {\\tt a} & {\\tt trans(b)} \\\\ \n        {\\tt b}  & 0 \n     \\end{array} \\right)\n\t, \\ \\ \\ \n     \\mathcal{U}\n     \t=\n     \\left( \\begin{array}{c} \n        {\\tt uh} \\\\ \n        {\\tt lambda} \n     \\end{array} \\right)\n\t, \\ \\ \\ \n     \\mathcal{B}\n     \t=\n     \\left( \\begin{array}{c} \n        {\\tt lh} \\\\\n        0\n     \\end{array} \\right)",
+        "System(Chain(\\mathcal{A}, MatrixOf(\\text{a}, Call(\\text{trans}; \\text{b}), \\text{b}, 0); =), Chain(\\mathcal{U}, MatrixOf(\\text{uh}, \\text{\\lambda}); =), Chain(\\mathcal{B}, MatrixOf(\\text{lh}, 0); =))",
+        "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
+    ),
+    (
+        "a(u,v) = \\ell(v), \\ \\forall v \\in V",
+        "System(Chain(Call(a; u, v), Call(\\ell; v); =), Forall(Chain(v, V; \\in)))",
+        "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
+    ),
+    (
+        "a(u_h,v) + b(v,\\lambda_h)\n\t\t&=& \\ell(v), \\ \\ \\forall v\\in X_h \\\\\n\tb(u_h,\\mu) \\phantom{+ b(v,\\lambda)}\n\t        &=& 0,    \\ \\ \\ \\ \\  \\forall \\mu\\in\\mathbb{R}",
+        "System(Chain(Add(Call(a; u_h, v), Call(b; v, \\lambda_h)), Call(\\ell; v); =), Forall(Chain(v, X_h; \\in)), Chain(Call(b; u_h, \\mu), 0; =), Forall(Chain(\\mu, \\mathbb{R}; \\in)))",
+        "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
+    ),
+    (
+        "\\mathcal{A} \\ \\mathcal{U} = \\mathcal{B}",
+        "Chain(Mul(\\mathcal{A}, \\mathcal{U}), \\mathcal{B}; =)",
+        "rheolef/rheolef/doc/usrman/neumann-laplace.tex",
+    ),
+    (
+        "\\tau^{(n+\\theta)} &=& \n\t\t        c_1 \\tau^{(n)} \n\t\t        +\n                        c_2 \\gamma\n\t\t        +\n                        2 c_3\n\t                D\\left(\\boldsymbol{u}^{(n+\\theta)}\\right)",
+        "Chain(\\tau ^ { ( n + \\theta ) }, Add(Mul(c_1, \\tau ^ { ( n ) }), Mul(c_2, \\gamma), Mul(2, c_3, Call(D; \\boldsymbol { u } ^ { ( n + \\theta ) }))); =)",
+        "rheolef/rheolef/doc/usrman/oldroyd.tex",
+    ),
+    (
+        "\\boldsymbol{\\sigma}_{\\rm tot} \n  &=&\n  -p\\,\\boldsymbol{I}\n  + 2(1-\\alpha)D(\\boldsymbol{u})\n  + \\boldsymbol{\\tau}",
+        "Chain(\\boldsymbol{\\sigma}_{tot}, Add(Neg(Mul(p, \\boldsymbol{I})), Mul(2, Add(1, Neg(\\alpha)), Call(D; \\boldsymbol{u})), \\boldsymbol{\\tau}); =)",
+        "rheolef/rheolef/doc/usrman/oldroyd.tex",
+    ),
+    (
+        "F'\\left(u^{(n)}\\right) \\ \\delta u^{(n)}\n      =\n      -F\\left(u^{(n)}\\right)",
+        "Chain(Mul(Call(F'; u ^ { ( n ) }), \\delta u ^ { ( n ) }), Neg(Call(F; u ^ { ( n ) })); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "u^{(n+1)} := u^{(n)} + \\lambda_n \\, \\delta u^{(n)}",
+        "Chain(u ^ { ( n + 1 ) }, Add(u ^ { ( n ) }, Mul(\\lambda_n, \\delta u ^ { ( n ) })); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "T'(u) = F'(u)^*F(u)",
+        "Chain(Call(T'; u), Mul(Marked(Call(F'; u); ^*), Call(F; u)); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "F'(u)\\,\\delta u = -r",
+        "Chain(Mul(Call(F'; u), \\delta u), Neg(r); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "a\\left(u^{(n)}_h ;u^{*}_h,v_h\\right) = l(v_h),\n      \\ \\forall v_h \\in V_h",
+        "System(Chain(Call(a; Given(u _ { h } ^ { ( n ) }; u _ { h } ^ { * }, v_h; ;)), Call(l; v_h); =), Forall(Chain(v_h, V_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\tilde{g}_1(\\lambda)\n  \t=\n   \t\\{ g(1) - g(0) - g'(0)\\} \\lambda^2\n   \t+ g'(0) \\lambda\n   \t+ g(0)",
+        "Chain(Call(\\tilde{g}_1; \\lambda), Add(Mul(Tuple(Add(Call(g; 1), Neg(Call(g; 0)), Neg(Call(g'; 0))); {}), Pow(\\lambda; 2)), Mul(Call(g'; 0), \\lambda), Call(g; 0)); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\tilde{g}_{k}(\\lambda)\n  \t=\n   \t  a \\lambda^3\n   \t+ b \\lambda^2\n   \t+ g'(0) \\lambda\n   \t+ g(0)",
+        "Chain(Call(\\tilde{g}_k; \\lambda), Add(Mul(a, Pow(\\lambda; 3)), Mul(b, Pow(\\lambda; 2)), Mul(Call(g'; 0), \\lambda), Call(g; 0)); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "a_1(u;\\delta u,\\delta v) = l_1(v),\n\t\\ \\ \\forall \\delta v \\in W^{1,p}_0(\\Omega)",
+        "System(Chain(Call(a_1; Given(u; \\delta u, \\delta v; ;)), Call(l_1; v); =), Forall(Chain(\\delta v, Call(W _ { 0 } ^ { 1 , p }; \\Omega); \\in)))",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "a(u;u,v) = l(v),\n      \\ \\forall v \\in W^{1,p}_0(\\Omega)",
+        "System(Chain(Call(a; Given(u; u, v; ;)), Call(l; v); =), Forall(Chain(v, Call(W _ { 0 } ^ { 1 , p }; \\Omega); \\in)))",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "r_n \\approx r_0\\,|p-2|^n",
+        "Chain(r_n, Mul(r_0, Pow(Bars(Add(p, Neg(2))); n)); \\approx)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\nu(\\boldsymbol{\\xi})\n     =\n     \\eta\\left(|\\boldsymbol{\\xi}|^{2}\\right) \\, I\n     +\n     2\\eta'\\left(|\\boldsymbol{\\xi}|^{2}\\right)\n     \\ \\boldsymbol{\\xi}\\otimes \\boldsymbol{\\xi}",
+        "Chain(Call(\\nu; \\boldsymbol{\\xi}), Add(Mul(Call(\\eta; Pow(Bars(\\boldsymbol{\\xi}); 2)), I), Operated(\\otimes; Mul(2, Call(\\eta'; Pow(Bars(\\boldsymbol{\\xi}); 2)), \\boldsymbol{\\xi}); \\boldsymbol{\\xi})); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "r_h^{(n)} \\in V_h\n     \\ \\ \\mbox{ and } \\ \\  \n     m\\left( r_h^{(n)}, v_h \\right)\n     =\n     a\\left(u_h^{(n)}; \\, u_h^{(n)}, v_h \\right)\n     -\n     l(v_h)\n     , \\ \\ \\forall v_h \\in V_h",
+        "System(Chain(r _ { h } ^ { ( n ) }, V_h; \\in), Chain(Call(m; r _ { h } ^ { ( n ) }, v_h), Add(Call(a; Given(u _ { h } ^ { ( n ) }; u _ { h } ^ { ( n ) }, v_h; ;)), Neg(Call(l; v_h))); =), Forall(Chain(v_h, V_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "L(\\boldsymbol{v}_h,q_h)\n  &=&\n  \\int_\\Omega\n    \\left(\n      |\n        \\boldsymbol{u}\n        -\n        \\boldsymbol{v}_h\n      |^2\n      +\n      q_h\n      \\mathrm{div}\n      (\n        \\boldsymbol{u}\n        -\n        \\boldsymbol{v}_h\n      )\n    \\right)\n    \\,\\mathrm{d}x",
+        "Chain(Call(L; \\boldsymbol{v}_h, q_h), Over(\\int; _ { \\Omega }; Add(Pow(Bars(Add(\\boldsymbol{u}, Neg(\\boldsymbol{v}_h))); 2), Mul(q_h, Call(div; Add(\\boldsymbol{u}, Neg(\\boldsymbol{v}_h))))); x); =)",
+        "rheolef/rheolef/doc/usrman/raviart_thomas.tex",
+    ),
+    (
+        "\\boldsymbol{u}(x)\n  =\n  \\left( \\begin{array}{c}\n    \\cos(x_0+2x_1) \\\\\n    \\sin(x_0-2x_1)\n  \\end{array} \\right)",
+        "Chain(Call(\\boldsymbol{u}; x), MatrixOf(Call(cos; Add(x_0, Mul(2, x_1))), Call(sin; Add(x_0, Neg(Mul(2, x_1))))); =)",
+        "rheolef/rheolef/doc/usrman/raviart_thomas.tex",
+    ),
+    (
+        "\\left(\n\t\\begin{array}{ccc}\n\t   A_1 & 0   & B_1^T \\\\\n\t     0 & A_b & B_b^T \\\\\n\t   B_1 & B_b &  0 \n\t\\end{array}\n    \\right)\n    \\left(\n\t\\begin{array}{c}\n\t U_1 \\\\ U_b \\\\ P\n\t\\end{array}\n    \\right)\n    =\n    \\left(\n\t\\begin{array}{c}\n\t L_1 \\\\ L_b \\\\ L_p\n\t\\end{array}\n    \\right)",
+        "Chain(Mul(MatrixOf(A_1, 0, Transpose(B_1), 0, A_b, Transpose(B_b), B_1, B_b, 0), MatrixOf(U_1, U_b, P)), MatrixOf(L_1, L_b, L_p); =)",
+        "rheolef/rheolef/doc/usrman/stabilized-stokes.tex",
+    ),
+    (
+        "a(u_{1,h},v_{b,h}) = 0\n\t,\\ \\ \\forall u_{1,h}\\in {\\bf X}^{(1)}_h\n\t,\\ \\ \\forall v_{b,h}\\in {\\bf B}_h\n\t.",
+        "System(Chain(Call(a; u_{1,h}, v_{b,h}), 0; =), Forall(Chain(u_{1,h}, \\mathbf { X } _ { h } ^ { ( 1 ) }; \\in)), Forall(Chain(v_{b,h}, \\mathbf{B}_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/stabilized-stokes.tex",
+    ),
+    (
+        "\\left( \\begin{array}{cc} \n\tA_1 & B_1^T \\\\\n        B_1 & -C \n     \\end{array} \\right)\n     \\left( \\begin{array}{l} \n        U_1 \\\\ P\n     \\end{array} \\right)\n\t=\n     \\left( \\begin{array}{l} \n        L_1 \\\\ \\tilde{L}_p\n     \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(A_1, Transpose(B_1), B_1, Neg(C)), MatrixOf(U_1, P)), MatrixOf(L_1, \\tilde{L}_p); =)",
+        "rheolef/rheolef/doc/usrman/stabilized-stokes.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h), \\ \\forall v_h \\in B_h",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, B_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/surface.tex",
+    ),
+    (
+        "\\int_{\\Gamma_h} u_h \\, {\\rm d}x = 0",
+        "Chain(Over(\\int; _ { \\varGamma _ { h } }; u_h; x), 0; =)",
+        "rheolef/rheolef/doc/usrman/surface.tex",
+    ),
+    (
+        "\\left( \\begin{array}{c}\n     x_0 \\\\ x_1 \\\\ x_2\n   \\end{array} \\right)\n   =\n   R\n   \\left( \\begin{array}{c}\n     \\cos(\\phi) \\\\ \\sin(\\phi) \\\\ 0\n   \\end{array} \\right)\n   +\n   \\rho\n   \\left( \\begin{array}{r}\n     \\cos(\\phi) \\cos(\\theta) \\\\ \\sin(\\phi) \\cos(\\theta)  \\\\ \\sin(\\theta)\n   \\end{array} \\right)",
+        "Chain(MatrixOf(x_0, x_1, x_2), Add(Mul(R, MatrixOf(Call(cos; \\phi), Call(sin; \\phi), 0)), Mul(\\rho, MatrixOf(Mul(Call(cos; \\phi), Call(cos; \\theta)), Mul(Call(sin; \\phi), Call(cos; \\theta)), Call(sin; \\theta)))); =)",
+        "rheolef/rheolef/doc/usrman/surface.tex",
+    ),
+    (
+        "a(u,v) = l(v),\n      \\ \\forall v \\in V",
+        "System(Chain(Call(a; u, v), Call(l; v); =), Forall(Chain(v, V; \\in)))",
+        "rheolef/rheolef/doc/usrman/transmission.tex",
+    ),
+    (
+        "a_h(\\phi_h,\\varphi_h) &=& l(\\varphi_h), \\ \\forall \\varphi_h\\in X_h",
+        "System(Chain(Call(a_h; \\phi_h, \\varphi_h), Call(l; \\varphi_h); =), Forall(Chain(\\varphi_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/transport_dg.tex",
+    ),
+    (
+        "&&\n  \\left( \\begin{array}{cc}\n    A   & B_1^T \\\\\n    B_2 & -C\n  \\end{array} \\right)\n  \\left( \\begin{array}{c}\n    \\phi_h \\\\\n    \\lambda_h\n  \\end{array} \\right) \n  \\ =\\ \n  \\left( \\begin{array}{c}\n    \\ell_h \\\\\n    k_h\n  \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(A, Transpose(B_1), B_2, Neg(C)), MatrixOf(\\phi_h, \\lambda_h)), MatrixOf(\\ell_h, k_h); =)",
+        "rheolef/rheolef/doc/usrman/transport_hdg.tex",
+    ),
+    (
+        "a_h(\\phi_h,\\varphi_h)\n  +\n  b_{1,h}(\\varphi_h,\\lambda_h)\n  &=&\n  \\ell_h(\\varphi_h)\n  \\\\\n  b_{2,h}(\\phi_h,\\mu_h)\n  -\\ \\ \n  c_{h}(\\lambda_h,\\mu_h)\n  &=&\n  k_h(\\mu_h)",
+        "System(Chain(Add(Call(a_h; \\phi_h, \\varphi_h), Call(b_{1,h}; \\varphi_h, \\lambda_h)), Call(\\ell_h; \\varphi_h); =), Chain(Add(Call(b_{2,h}; \\phi_h, \\mu_h), Neg(Call(c_h; \\lambda_h, \\mu_h))), Call(k_h; \\mu_h); =))",
+        "rheolef/rheolef/doc/usrman/transport_hdg.tex",
+    ),
+    (
+        "\\left(\\begin{array}{cc}\n\tA & B^* \\\\\n        B & -C\n    \\end{array}\\right)\n    \\left(\\begin{array}{c}\n\tu \\\\ \\beta\n    \\end{array}\\right)\n\t=\n    \\left(\\begin{array}{c}\n\tMf \\\\ 0\n    \\end{array}\\right)",
+        "Chain(Mul(MatrixOf(A, B ^ { * }, B, Neg(C)), MatrixOf(u, \\beta)), MatrixOf(Mul(M, f), 0); =)",
+        "rheolef/rheolef/doc/usrman/yield_slip.tex",
+    ),
+    (
+        "J_K\n  (\\widehat{\\boldsymbol{x}})\n  &=&\n  \\mathrm{det}\n  \\left(\n    \\nabla\\boldsymbol{F} (\\widehat{\\boldsymbol{x}})\n  \\right)\n  ,\\ \\ \\forall \\widehat{\\boldsymbol{x}} \\in \\widehat{K}",
+        "System(Chain(Call(J_K; \\widehat{\\boldsymbol{x}}), Call(det; Call(\\nabla \\boldsymbol { F }; \\widehat{\\boldsymbol{x}})); =), Forall(Chain(\\widehat{\\boldsymbol{x}}, \\widehat{K}; \\in)))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "LA^T &=& I\n  \t\\ \\Longleftrightarrow\\ \n\tA \\ =\\ L^{-T}",
+        "Iff(Chain(Mul(L, Transpose(A)), I; =); Chain(A, Transpose(Pow(L; Neg(1))); =))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\bar{B}'_{\\bar{\\beta},q,i}\n  &=&\n  \\sum_{\\bar{\\alpha}=1}^{\\bar{n}}\n    \\bar{A}_{\\bar{\\alpha},\\bar{\\beta}}\n    \\bar{C}'_{\\bar{\\beta},q,i}",
+        "Chain(\\bar{B}_{\\bar\\beta,q,i}', BigSum(\\bar{\\alpha}; 1; \\bar{n}; Mul(\\bar{A}_{\\bar\\alpha,\\bar\\beta}, \\bar{C}_{\\bar\\beta,q,i}')); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\varphi_\\beta (\\widehat{\\boldsymbol{x}}_q)\n  &=&\n  \\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\psi_\\gamma(\\widehat{\\boldsymbol{x}}_q)\n  ,\\ \\ 1\\leq \\beta\\leq n\n  ,\\ \\ 1\\leq q    \\leq n_q",
+        "System(Chain(Call(\\varphi_\\beta; \\widehat{\\boldsymbol{x}}_q), BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\psi_{\\gamma}; \\widehat{\\boldsymbol{x}}_q))); =), Chain(1, \\beta, n; \\le, \\le), Chain(1, q, n_q; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\varphi_\\beta (\\widehat{\\boldsymbol{x}})\n  &=&\n  \\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\psi_\\gamma(\\widehat{\\boldsymbol{x}})\n  ,\\ \\ \\forall\\widehat{\\boldsymbol{x}} \\in \\widehat{K}\n  ,\\ \\ 1\\leq \\beta\\leq n",
+        "System(Chain(Call(\\varphi_\\beta; \\widehat{\\boldsymbol{x}}), BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\psi_{\\gamma}; \\widehat{\\boldsymbol{x}}))); =), Forall(Chain(\\widehat{\\boldsymbol{x}}, \\widehat{K}; \\in)), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\tilde{A} &=& USV^T",
+        "Chain(\\tilde{A}, Mul(U, S, Transpose(V)); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\ell_\\alpha(\\psi_\\gamma)\n  &=&\n  \\delta_{\\alpha,\\beta}\n  ,\\ \\ 1\\leq \\alpha,\\beta\\leq n",
+        "System(Chain(BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\ell_\\alpha; \\psi_{\\gamma}))), \\delta_{\\alpha,\\beta}; =), Chain(1, \\alpha, n; \\le, \\le), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\nabla\\boldsymbol{F} (\\widehat{\\boldsymbol{x}}_q)\n  =\n  \\sum_{\\beta=1}^{\\bar{n}}\n    \\boldsymbol{x}_{K,\\bar{\\beta}}\n    \\otimes\n    \\nabla \\varphi_{\\bar{\\beta}}\n    (\\widehat{\\boldsymbol{x}}_q)",
+        "Chain(Call(\\nabla \\boldsymbol { F }; \\widehat{\\boldsymbol{x}}_q), BigSum(\\beta; 1; \\bar{n}; Operated(\\otimes; \\boldsymbol{x}_{K,\\bar\\beta}; Call(\\nabla \\varphi _ { \\bar { \\beta } }; \\widehat{\\boldsymbol{x}}_q))); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "L &=& (\\ell_\\alpha (\\psi_\\gamma))_{\\alpha,\\gamma}\n     \\ =\\  (\\psi_\\gamma(\\widehat{\\boldsymbol{x}}_\\alpha))_{\\alpha,\\gamma}\n   \\\\\n   A &=& L^{-T}\n   \\\\\n   \\bar{L} &=& (\\bar{\\ell}_{\\bar{\\alpha}} (\\bar{\\psi}_{\\bar{\\gamma}}))_{\\bar{\\alpha},\\bar{\\gamma}}\n     \\ =\\  (\\bar{\\psi}_{\\bar{\\gamma}}(\\widehat{\\boldsymbol{x}}_{\\bar{\\alpha}}))_{\\bar{\\alpha},\\bar{\\gamma}}\n   \\\\\n   \\bar{A} &=& \\bar{L}^{-T}",
+        "System(Chain(L, Marked(Call(\\ell_\\alpha; Call(\\psi_\\gamma)); _{ \\alpha , \\gamma }), Marked(Call(\\psi_\\gamma; \\widehat{\\boldsymbol{x}}_\\alpha); _{ \\alpha , \\gamma }); =, =), Chain(A, Transpose(Pow(L; Neg(1))); =), Chain(\\bar{L}, Marked(Call(\\bar{\\ell}_{\\bar\\alpha}; Call(\\bar{\\psi}_{\\bar\\gamma})); _{ \\bar { \\alpha } , \\bar { \\gamma } }), Marked(Call(\\bar{\\psi}_{\\bar\\gamma}; \\widehat{\\boldsymbol{x}}_{\\bar\\alpha}); _{ \\bar { \\alpha } , \\bar { \\gamma } }); =, =), Chain(\\bar{A}, Transpose(Pow(\\bar{L}; Neg(1))); =))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\tilde{\\psi}_\\alpha\n  &=&\n  \\sum_{\\beta=1}^m\n    \\tilde{a}_{\\alpha,\\beta}\n    b_\\beta^{(k+1)}\n    ,\\ \\ 1\\leq \\alpha\\leq n",
+        "System(Chain(\\tilde{\\psi}_\\alpha, BigSum(\\beta; 1; m; Mul(\\tilde{a}_{\\alpha,\\beta}, b _ { \\beta } ^ { ( k + 1 ) })); =), Chain(1, \\alpha, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "LA^{-T}\n  &=&\n  I_{\\tilde{n},n}\n  \\ \\Longleftrightarrow\n  A\n  \\ =\\ \n  (L^+)^T",
+        "Iff(Chain(Mul(L, Transpose(Pow(A; Neg(1)))), I_{\\tilde n,n}; =); Chain(A, Transpose(L ^ { + }); =))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\widehat{u}_{K} (\\widehat{\\boldsymbol{x}})\n  \\ =\\ \n  \\sum_{\\beta=1}^{n}\n    u_{K,\\beta}\\,\n    \\varphi_\\beta (\\widehat{\\boldsymbol{x}})\n  \\ \\mbox{ and }\\ \n  \\widehat{v}_{K} (\\widehat{\\boldsymbol{x}})\n  \\ =\\ \n  \\sum_{\\gamma=1}^{n}\n    v_{K,\\gamma}\\,\n    \\varphi_\\gamma (\\widehat{\\boldsymbol{x}})",
+        "System(Chain(Call(\\widehat{u}_K; \\widehat{\\boldsymbol{x}}), BigSum(\\beta; 1; n; Mul(u_{K,\\beta}, Call(\\varphi_{\\beta}; \\widehat{\\boldsymbol{x}}))); =), Chain(Call(\\widehat{v}_K; \\widehat{\\boldsymbol{x}}), BigSum(\\gamma; 1; n; Mul(v_{K,\\gamma}, Call(\\varphi_{\\gamma}; \\widehat{\\boldsymbol{x}}))); =))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\varphi_\\beta (\\widehat{\\boldsymbol{x}}_q)\n  &=&\n  \\sum_{\\alpha=1}^n\n    a_{\\beta,\\gamma} \n    \\psi_\\gamma (\\widehat{\\boldsymbol{x}}_q)\n ,\\ \\ 1\\leq \\beta\\leq n\n ,\\ \\ 1\\leq q\\leq n_q",
+        "System(Chain(Call(\\varphi_\\beta; \\widehat{\\boldsymbol{x}}_q), BigSum(\\alpha; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\psi_\\gamma; \\widehat{\\boldsymbol{x}}_q))); =), Chain(1, \\beta, n; \\le, \\le), Chain(1, q, n_q; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\bar{A} &=& I_{n,m}V^T",
+        "Chain(\\bar{A}, Mul(I_{n,m}, Transpose(V)); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\lambda_0(\\widehat{\\boldsymbol{x}}) &=& 1-\\sum_{\\mu=1}^d x_\\mu\n  \\ \\mbox{ and }\\ \n  \\lambda_\\mu(\\widehat{\\boldsymbol{x}}) \\ =\\  x_\\mu\n  ,\\ \\ 1\\leq \\mu\\leq d",
+        "System(Chain(Call(\\lambda_0; \\widehat{\\boldsymbol{x}}), Add(1, Neg(BigSum(\\mu; 1; d; x_{\\mu}))); =), Chain(Call(\\lambda_{\\mu}; \\widehat{\\boldsymbol{x}}), x_{\\mu}; =), Chain(1, \\mu, d; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "u(F(\\widehat{\\boldsymbol{x}})) = \\widehat{u}(\\widehat{\\boldsymbol{x}})",
+        "Chain(Call(u; Call(F; \\widehat{\\boldsymbol{x}})), Call(\\widehat{u}; \\widehat{\\boldsymbol{x}}); =)",
+        "rheolef/rheolef/fem/lib/piola_fem_lagrange.h",
+    ),
+    (
+        "\\int_{-1}^1 f(x) (1-x)^\\alpha (1+x)^\\beta {\\rm d}x \n  \\approx \n  \\sum_{r=0}^{R-1} f\\left(\\zeta_{r,R}^{(\\alpha,\\beta)}\\right)\n                   \\ \\omega_{r,R}^{(\\alpha,\\beta)}",
+        "Chain(Integral(Mul(Call(f; x), Pow(Add(1, Neg(x)); \\alpha), Pow(Add(1, x); \\beta)); x; Neg(1); 1), BigSum(r; 0; Add(R, Neg(1)); Mul(Call(f; \\zeta _ { r , R } ^ { ( \\alpha , \\beta ) }), \\omega _ { r , R } ^ { ( \\alpha , \\beta ) })); \\approx)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "\\int_{-1}^1 P^{(\\alpha,\\beta)}_n(x) \\, P^{(\\alpha,\\beta)}_m(x) \\, dx = h_n \\delta_{n,m}",
+        "Chain(Integral(Mul(Call(P _ { n } ^ { ( \\alpha , \\beta ) }; x), Call(P _ { m } ^ { ( \\alpha , \\beta ) }; x)); x; Neg(1); 1), Mul(h_n, \\delta_{n,m}); =)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "\\hat{u}_N(\\xi_1,\\xi_2)\n    =\n    \\sum_{(p,q)\\in {\\cal I}_N}\n    \\hat{u}_{p,q} \n    \\varphi_{p,q}(\\xi_1,\\xi_2),\n    \\ \\ \\forall (\\xi_1,\\xi_2) \\in \\hat{K}",
+        "System(Chain(Call(\\hat{u}_N; \\xi_1, \\xi_2), Limiting(sum; _{ ( p , q ) \\in \\mathcal { I } _ { N } }; Mul(\\hat{u}_{pq}, Call(\\varphi_{pq}; \\xi_1, \\xi_2))); =), Forall(Chain(Pair(\\xi_1; \\xi_2), \\hat{K}; \\in)))",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "x \\,\n\t\\left(\n\t\\begin{array}{l}\n\t   J^{(\\alpha,\\beta)}_0(x) \\\\\n\t   J^{(\\alpha,\\beta)}_1(x) \\\\\n\t   \\ldots   \\\\\n\t   J^{(\\alpha,\\beta)}_{R-2}(x) \\\\\n\t   J^{(\\alpha,\\beta)}_{R-1}(x)\n\t\\end{array}\n\t\\right)\n\t=\n\t\\left(\n\t\\begin{array}{ccccc}\n\ta^*_0\t& b^*_1\t\t& \\ldots\t& 0\t\t& 0 \\\\\n\tb^*_1   & a^*_1\t\t& \\ldots\t& 0\t\t& 0 \\\\\n\t\\ldots \t& \\ldots\t& \\ldots\t& \\ldots\t& \\ldots \\\\\n\t0\t& 0\t\t& \\ldots\t& a^*_{R-2}\t& b^*_{R-1} \\\\\n\t0\t& 0\t\t& \\ldots\t& b^*_{R-1} \t& a^*_{R-1}\n\t\\end{array}\n\t\\right)\n\t\\left(\n\t\\begin{array}{l}\n\t   J^{(\\alpha,\\beta)}_0(x) \\\\\n\t   J^{(\\alpha,\\beta)}_1(x) \\\\\n\t   \\ldots   \\\\\n\t   J^{(\\alpha,\\beta)}_{R-2}(x) \\\\\n\t   J^{(\\alpha,\\beta)}_{R-1}(x)\n\t\\end{array}\n\t\\right)\n\t+ \n\ta^*_R \\,\n\t\\left(\n\t\\begin{array}{l}\n\t   0 \\\\\n\t   0 \\\\\n\t   \\ldots   \\\\\n\t   0 \\\\\n\t   J^{(\\alpha,\\beta)}_{R}(x)\n\t\\end{array}\n\t\\right).",
+        "Chain(Mul(x, MatrixOf(Call(J _ { 0 } ^ { ( \\alpha , \\beta ) }; x), Call(J _ { 1 } ^ { ( \\alpha , \\beta ) }; x), Dots(), Call(J _ { R - 2 } ^ { ( \\alpha , \\beta ) }; x), Call(J _ { R - 1 } ^ { ( \\alpha , \\beta ) }; x))), Add(Mul(MatrixOf(a _ { 0 } ^ { * }, b _ { 1 } ^ { * }, Dots(), 0, 0, b _ { 1 } ^ { * }, a _ { 1 } ^ { * }, Dots(), 0, 0, Dots(), Dots(), Dots(), Dots(), Dots(), 0, 0, Dots(), a _ { R - 2 } ^ { * }, b _ { R - 1 } ^ { * }, 0, 0, Dots(), b _ { R - 1 } ^ { * }, a _ { R - 1 } ^ { * }), MatrixOf(Call(J _ { 0 } ^ { ( \\alpha , \\beta ) }; x), Call(J _ { 1 } ^ { ( \\alpha , \\beta ) }; x), Dots(), Call(J _ { R - 2 } ^ { ( \\alpha , \\beta ) }; x), Call(J _ { R - 1 } ^ { ( \\alpha , \\beta ) }; x))), Mul(a _ { R } ^ { * }, MatrixOf(0, 0, Dots(), 0, Call(J _ { R } ^ { ( \\alpha , \\beta ) }; x)))); =)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "A_{ii}(K)  w_i (K) = h_i(K)",
+        "Chain(Mul(Call(A_{ii}; K), Call(w_i; K)), Call(h_i; K); =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "(\\lambda M + K) u = f",
+        "Chain(Mul(Add(Mul(\\lambda, M), K), u), f; =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "\\alpha &=& 2\\,\\sin^{-1} \\frac{\\displaystyle s_r v_r p_d / 2}{\\displaystyle f_r v_r (p_d / 2)}  \\\\\n&=& 2\\,\\sin^{-1} (s_r / f_r)",
+        "Chain(\\alpha, Mul(2, Call(arcsin; Div(Div(Mul(s_r, v_r, p_d); 2); Mul(f_r, v_r, Div(p_d; 2))))), Mul(2, Call(arcsin; Div(s_r; f_r))); =, =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "f = f_r (v_r p_d / 2)",
+        "Chain(f, Mul(f_r, Div(Mul(v_r, p_d); 2)); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "f = (v_d / 2) f_r",
+        "Chain(f, Mul(Div(v_d; 2), f_r); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "s_d =v_d s_r",
+        "Chain(s_d, Mul(v_d, s_r); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "R_{k,l} = \\textstyle \\frac{1}{4} (r_{2k,2l} + r_{2k+1,2l} + r_{2k,2l+1} + r_{2k+1,2l+1})",
+        "Chain(R_{k,l}, Mul(Div(1; 4), Add(r_{2k,2l}, r_{2k+1,2l}, r_{2k,2l+1}, r_{2k+1,2l+1})); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "s_d = s_r v_r p_d",
+        "Chain(s_d, Mul(s_r, v_r, p_d); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "f = (v_d / 2) c_r",
+        "Chain(f, Mul(Div(v_d; 2), c_r); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "d_l = 2\\,(f + c) \\tan (\\alpha / 2)",
+        "Chain(d_l, Mul(2, Add(f, c), Call(tan; Div(\\alpha; 2))); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "v_d = p_dv_r",
+        "Chain(v_d, Mul(p_d, v_r); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "\\alpha = 2 \\sin^{-1}\n((s_d / 2) / f)",
+        "Chain(\\alpha, Mul(2, Call(arcsin; Div(Div(s_d; 2); f))); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "r = \\frac{ \\displaystyle \\sum_{i=1}^{n}{ \\sum_{j=1}^{m}{|p_{i,j} - r_{i,j}|}}}{ \\displaystyle \\sum_{i=1}^{n}{ \\sum_{j=1}^{m}{|p_{i,j}|}}}",
+        "Chain(r, Div(BigSum(i; 1; n; BigSum(j; 1; m; Bars(Add(p_{ij}, Neg(r_{ij}))))); BigSum(i; 1; n; BigSum(j; 1; m; Bars(p_{ij})))); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "P_{k,l} = \\textstyle \\frac{1}{4} (p_{2k,2l} + p_{2k+1,2l} + p_{2k,2l+l} + p_{2k+1,2l+1})",
+        "Chain(P_{k,l}, Mul(Div(1; 4), Add(p_{2k,2l}, p_{2k+1,2l}, p_{2k,2l+l}, p_{2k+1,2l+1})); =)",
+        "ctsim/ctsim/doc/ctsim-concepts.tex",
+    ),
+    (
+        "Y_{ndc} = Y_{vmin} + (Y_{vmax} - Y_{vmin}) (Y_{wc} - Y_{wmin}) / (Y_{wmax} - Y_{wmin})",
+        "Chain(Y_{ndc}, Add(Y_{vmin}, Div(Mul(Add(Y_{vmax}, Neg(Y_{vmin})), Add(Y_{wc}, Neg(Y_{wmin}))); Add(Y_{wmax}, Neg(Y_{wmin})))); =)",
+        "ctsim/ctsim/doc/ctsim-sgp.tex",
+    ),
+    (
+        "X_{ndc} = X_{vmin} + (X_{vmax} - X_{vmin})  (X_{wc} - X_{wmin}) / (X_{wmax} - X_{wmin})",
+        "Chain(X_{ndc}, Add(X_{vmin}, Div(Mul(Add(X_{vmax}, Neg(X_{vmin})), Add(X_{wc}, Neg(X_{wmin}))); Add(X_{wmax}, Neg(X_{wmin})))); =)",
+        "ctsim/ctsim/doc/ctsim-sgp.tex",
+    ),
+    (
+        "X_{pdc} = X_{ndc} X_{pmax}",
+        "Chain(X_{pdc}, Mul(X_{ndc}, X_{pmax}); =)",
+        "ctsim/ctsim/doc/ctsim-sgp.tex",
+    ),
+    (
+        "Y_{pdc} = X_{ndc} Y_{pmax}",
+        "Chain(Y_{pdc}, Mul(X_{ndc}, Y_{pmax}); =)",
+        "ctsim/ctsim/doc/ctsim-sgp.tex",
+    ),
+    (
+        "{ Q_{conduction} = Q_{convection} + (Q_{rayt_{absorption}} - Q_{rayt_{emission}}})",
+        "Chain(Q_{conduction}, Add(Q_{convection}, Add(Q_{rayt_absorption}, Neg(Q_{rayt_emission}))); =)",
+        "code-saturne/code_saturne/docs/doxygen/examples/cs_user_radiative_transfer.h",
+    ),
+    (
+        "A=-\\frac{\\rho}{\\tau_f}",
+        "Chain(A, Neg(Div(\\rho; \\tau_f)); =)",
+        "code-saturne/code_saturne/docs/doxygen/examples/cs_user_source_terms.h",
+    ),
+    (
+        "\\left( \\frac{\\partial N_{d}}{\\partial t} \\right)_{Nuc}=\\frac{1.}{\\Delta\nt}max\\left( \\left( N_{CCN} \\right)_{max}-N_{d},\\, 0. \\right)",
+        "Chain(Marked(Derivative(Call(N_d); t, 1; True); _{ N u c }), Mul(Div(1; \\Delta t), Call(max; Add(Marked(N_{CCN}; _{ m a x }), Neg(Call(N_d))), 0)); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\frac{dT_{s}}{dt}\\mathrm{=}\\frac{\\mathrm{2}\\pi^{\\mathrm{1/2}}}{\\rho\n_{s}c_{s}\\left( \\nu_{s}\\tau_{\\mathrm{1}}\n\\right)^{\\mathrm{1/2}}}H_{at}\\mathrm{-}\\frac{\\mathrm{2}\\pi }{\\tau\n_{\\mathrm{1}}}\\left( T_{s}\\mathrm{-}T_{p} \\right),",
+        "Chain(Derivative(Call(T_s); t, 1), Add(Mul(Div(Mul(2, Pow(\\pi; Div(1; 2))); Mul(\\rho_s, c_s, Pow(Mul(\\nu_s, \\tau_1); Div(1; 2)))), H_{at}), Neg(Mul(Div(Mul(2, \\pi); \\tau_1), Add(Call(T_s), Neg(T_p))))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "F_{abs}^{O_{3}}=\\mu_{0}F\\, [\\, A_{O_{3}}\\left( x_{l+1} \\right)-A_{O_{3}}\\left( x_{l}\n\\right)-\\bar{R}(\\mu_{0})\\left( A_{O_{3}}\\left( x_{l+1}^{\\star }\n\\right)-A_{O_{3}}\\left( x_{l}^{\\star } \\right) \\right)]",
+        "Chain(F _ { a b s } ^ { O _ { 3 } }, Mul(\\mu_0, F, Add(Call(A_{O_3}; x_{l+1}), Neg(Call(A_{O_3}; x_l)), Neg(Mul(Call(\\bar{R}; \\mu_0), Add(Call(A_{O_3}; x _ { l + 1 } ^ { \\star }), Neg(Call(A_{O_3}; x _ { l } ^ { \\star }))))))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\overline {q_{w}}=\n\\int_{-\\infty}^{ +\\infty}\\int_{q_{s}}^{+\\infty}\n(q_{w}-q_{s})\\tilde{G}\\left( \\theta_{l},q_{w} \\right)\\, dq_{w\\, \\,\n}d\\theta_{l}",
+        "Chain(\\overline{q}_w, Integral(Integral(Mul(Add(q_w, Neg(q_s)), Call(\\tilde{G}; \\theta_l, q_w)); q_w; q_s; Infinity()); \\theta_l; Neg(Infinity()); Infinity()); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "g=(g'-f)/(1-f)",
+        "Chain(g, Div(Add(g', Neg(f)); Add(1, Neg(f))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\omega_{l,n}^{'}=(\\omega_{c}\\tau_{c}+\\omega_{a}\\tau_{a})/\\tau\n_{l,n}^{'}",
+        "Chain(\\omega_{l,n}', Div(Add(Mul(\\omega_c, \\tau_c), Mul(\\omega_a, \\tau_a)); \\tau_{l,n}'); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "G=-g_{i} \\frac{\\mu_{t} }{\\sigma_{t} }\\frac{1}{\\rho }\\frac{\\partial \\rho\n}{\\partial z}",
+        "Chain(G, Neg(Mul(g_i, Div(\\mu_t; \\sigma_t), Div(1; Call(\\rho)), Derivative(Call(\\rho); z, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\left( 1 + \\kappa y_k^+ \\right) \\dfrac{\\partial u^+}{\\partial y^+_k} = 1.",
+        "Chain(Mul(Add(1, Mul(\\kappa, y _ { k } ^ { + })), Derivative(Call(u ^ { + }); y _ { k } ^ { + }, 1; True)), 1; =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "u^\\star \\equiv \\sqrt{ \\dfrac{\\tau_{wall}}{\\rho}},",
+        "Chain(u ^ { \\star }, Sqrt(Div(\\tau_{wall}; \\rho)); \\equiv)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{lllll}\n\\displaystyle\\frac{\\partial\\rho}{\\partial t}\n&+&\\displaystyle\\rho\\frac{\\partial\\,u}{\\partial\\,n} + u\\,\\frac{\\partial\\,\\rho}{\\partial\\,n}&=& 0 \\\\\n\\displaystyle\\frac{\\partial u}{\\partial t}\n&+&\\displaystyle u\\,\\frac{\\partial\\,u}{\\partial\\,n}+\\frac{1}{\\rho}\\,\\frac{\\partial\nP}{\\partial n} &=& 0 \\\\\n\\displaystyle\\frac{\\partial P}{\\partial t}\n&+&\\displaystyle\\gamma\\,P\\,\\frac{\\partial\\,u}{\\partial\\,n}+u\\,\\frac{\\partial\\,P}{\\partial\\,n}&=& 0\n\\end{array}\\right.",
+        "System(Chain(Add(Derivative(Call(\\rho); t, 1; True), Mul(Call(\\rho), Derivative(Call(u); n, 1; True)), Mul(Call(u), Derivative(Call(\\rho); n, 1; True))), 0; =), Chain(Add(Derivative(Call(u); t, 1; True), Mul(Call(u), Derivative(Call(u); n, 1; True)), Mul(Div(1; Call(\\rho)), Derivative(Call(P); n, 1; True))), 0; =), Chain(Add(Derivative(Call(P); t, 1; True), Mul(\\gamma, Call(P), Derivative(Call(u); n, 1; True)), Mul(Call(u), Derivative(Call(P); n, 1; True))), 0; =))",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{lll}\n\\underline{\\nabla}{P} = \\rho \\underline{g}\\\\\n\\\\\nP = P(\\rho,s_i)\n\\end{array}\\right.",
+        "System(Chain(\\nabla P, Mul(\\rho, \\underline{g}); =), Chain(Call(P), Call(P; \\rho, s_i); =))",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "\\displaystyle e_{b,int} =\n\\frac{ -\\frac{h_b\\,h'_{imp,ext}}{C_v}+h_{int}\\,(h_b+h'_{imp,ext}) }\n     { h_{int}\\,(h_b+h'_{imp,ext}) } \\,e_{I'}\n+\\frac{h_b\\,h'_{imp,ext}}{h_{int}\\,(h_b+h'_{imp,ext})}\\,\n  \\left(T_{imp,ext}+\\frac{\\frac{1}{2}u^2_{i}+\\varepsilon_{sup,i}}{C_v}\\right)",
+        "Chain(e_{b,int}, Add(Mul(Div(Add(Neg(Div(Mul(h_b, h_{imp,ext}'); C_v)), Mul(h_{int}, Add(h_b, h_{imp,ext}'))); Mul(h_{int}, Add(h_b, h_{imp,ext}'))), e_{I'}), Mul(Div(Mul(h_b, h_{imp,ext}'); Mul(h_{int}, Add(h_b, h_{imp,ext}'))), Add(T_{imp,ext}, Div(Add(Mul(Div(1; 2), Pow(u_i; 2)), \\varepsilon_{sup,i}); C_v)))); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "P_{\\text{calc}} =\n\\mu_{t,I}\\left(\\displaystyle\\frac{u_{\\tau,G}-u_{\\tau,F}}{2d}\\right)^2 =\n\\mu_{t,I}\\left(\\displaystyle\\frac{u_{\\tau,I}+u_{\\tau,J}-2u_{\\tau,F}}{4d}\\right)^2",
+        "Chain(P_{calc}, Mul(\\mu_{t,I}, Pow(Div(Add(u_{\\tau,G}, Neg(u_{\\tau,F})); Mul(2, d)); 2)), Mul(\\mu_{t,I}, Pow(Div(Add(u_{\\tau,I}, u_{\\tau,J}, Neg(Mul(2, u_{\\tau,F}))); Mul(4, d)); 2)); =, =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "\\phi = -\\rho\\,C_p(a+a_t)\\frac{\\partial T}{\\partial z}",
+        "Chain(\\phi, Neg(Mul(\\rho, C_p, Add(a, a_t), Derivative(Call(T); z, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "f^* = -\\displaystyle\\frac{\\phi_b}{\\rho\\,C\\,u_k}",
+        "Chain(f ^ { * }, Neg(Div(\\phi_b; Mul(\\rho, C, u_k))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{ll}\n\\varepsilon_M&=\\varepsilon_I-\\displaystyle\\frac{d}{2}\\partial_z\\varepsilon_I+\\displaystyle\\frac{d^2}{8}\\partial^2_z\\varepsilon_I+O(d^3)\\\\\n\\varepsilon_M&=\\varepsilon_F+\\displaystyle\\frac{d}{2}\\partial_z\\varepsilon_F+\\displaystyle\\frac{d^2}{8}\\partial^2_z\\varepsilon_F+O(d^3)\n\\end{array}\\right.",
+        "System(Chain(\\varepsilon_M, Add(\\varepsilon_I, Neg(Mul(Div(d; 2), Call(derivative_z; \\varepsilon_I))), Mul(Div(Pow(d; 2); 8), Call(derivative_{zz}; \\varepsilon_I)), Call(O; Pow(d; 3))); =), Chain(\\varepsilon_M, Add(\\varepsilon_F, Mul(Div(d; 2), Call(derivative_z; \\varepsilon_F)), Mul(Div(Pow(d; 2); 8), Call(derivative_{zz}; \\varepsilon_F)), Call(O; Pow(d; 3))); =))",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "\\varepsilon_F=\\varepsilon_I+d\\displaystyle\\frac{ u_k^3}{\\kappa\\, (d/2+ z_0)^2}",
+        "Chain(\\varepsilon_F, Add(\\varepsilon_I, Mul(d, Div(Pow(u_k; 3); Mul(\\kappa, Pow(Add(Div(d; 2), z_0); 2))))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "a_1 =\\displaystyle\\frac{\\sigma_t}{1000}",
+        "Chain(a_1, Div(\\sigma_t; 1000); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "G_{\\text{theo},\\varepsilon} = \\displaystyle\\frac{\\partial \\left(u_k^3/(\\kappa\\, y)\\right)}{\\partial y}",
+        "Chain(G_{theo,\\varepsilon}, Derivative(Div(Pow(u_k; 3); Mul(\\kappa, y)); y, 1; True); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\phi = -\\rho\\,C_p(a+a_t)\\frac{\\partial T}{\\partial y}",
+        "Chain(\\phi, Neg(Mul(\\rho, C_p, Add(a, a_t), Derivative(Call(T); y, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\nu=\\displaystyle\\frac{\\mu}{\\rho}\n\\qquad \\nu_t=\\displaystyle\\frac{\\mu_t}{\\rho}\n\\qquad y^+=\\displaystyle\\frac{y\\,u_k}{\\nu}\n\\qquad f^+=\\displaystyle\\frac{f-f_{b,ext}}{f^*}",
+        "System(Chain(\\nu, Div(\\mu; \\rho); =), Chain(\\nu_t, Div(\\mu_t; \\rho); =), Chain(y ^ { + }, Div(Mul(y, u_k); \\nu); =), Chain(f ^ { + }, Div(Add(f, Neg(f_{b,ext})); f ^ { * }); =))",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{lll}\n\\hat{\\textrm{R}}_{F,11}=\\hat{\\textrm{R}}_{I',11} \\qquad\\qquad&\n\\hat{\\textrm{R}}_{F,21}=0 \\qquad\\qquad&\n\\hat{\\textrm{R}}_{F,31}=B\\hat{\\textrm{R}}_{I',31} \\\\\n\\hat{\\textrm{R}}_{F,12}=0 \\qquad\\qquad&\n\\hat{\\textrm{R}}_{F,22}=\\hat{\\textrm{R}}_{I',22} \\qquad\\qquad&\n\\hat{\\textrm{R}}_{F,32}=0 \\\\\n\\hat{\\textrm{R}}_{F,13}=B\\hat{\\textrm{R}}_{I',13} \\qquad\\qquad&\n\\hat{\\textrm{R}}_{F,23}=0 \\qquad\\qquad&\n\\hat{\\textrm{R}}_{F,33}=\\hat{\\textrm{R}}_{I',33}\n\\end{array}\\right.",
+        "System(Chain(\\hat{\\text{R}}_{F,11}, \\hat{\\text{R}}_{I',11}; =), Chain(\\hat{\\text{R}}_{F,21}, 0; =), Chain(\\hat{\\text{R}}_{F,31}, Mul(B, \\hat{\\text{R}}_{I',31}); =), Chain(\\hat{\\text{R}}_{F,12}, 0; =), Chain(\\hat{\\text{R}}_{F,22}, \\hat{\\text{R}}_{I',22}; =), Chain(\\hat{\\text{R}}_{F,32}, 0; =), Chain(\\hat{\\text{R}}_{F,13}, Mul(B, \\hat{\\text{R}}_{I',13}); =), Chain(\\hat{\\text{R}}_{F,23}, 0; =), Chain(\\hat{\\text{R}}_{F,33}, \\hat{\\text{R}}_{I',33}; =))",
+        "code-saturne/code_saturne/docs/theory/clsyvt.tex",
+    ),
+    (
+        "a^{n+1,\\,1}={\\text{\\texttt{PVAR}}}^{\\,1}={\\text{\\texttt{PVAR}}}^{\\,0}+{\\text{\\texttt{DPVAR}}}^{\\,1}=a^{n+1,\\,0}+\\delta a^{n+1,\\,1}",
+        "Chain(a ^ { n + 1 , \\, 1 }, \\text { \\text { P V A R } } ^ { \\, 1 }, Add(\\text { \\text { P V A R } } ^ { \\, 0 }, \\text { \\text { D P V A R } } ^ { \\, 1 }), Add(a ^ { n + 1 , \\, 0 }, \\delta a ^ { n + 1 , \\, 1 }); =, =, =)",
+        "code-saturne/code_saturne/docs/theory/codits.tex",
+    ),
+    (
+        "{\\text{\\texttt{SMBINI}}}^{\\,0} ={\\text{\\texttt{SMBRP}}}^{\\,0}",
+        "Chain(\\text { \\text { S M B I N I } } ^ { \\, 0 }, \\text { \\text { S M B R P } } ^ { \\, 0 }; =)",
+        "code-saturne/code_saturne/docs/theory/codits.tex",
+    ),
+    (
+        "P_{m} = P_{1}.",
+        "Chain(P_m, P_1; =)",
+        "code-saturne/code_saturne/docs/theory/combustion_coal.tex",
+    ),
+    (
+        "\\displaystyle 0         \\le f \\le f_{\\mbox{\\footnotesize s}} &;& Y_{i}(f) = Y_{\\mbox{\\footnotesize air}} + \\quad \\frac{f}{f_{\\mbox{\\footnotesize s}}} ~~ (Y_{\\mbox{s}}-Y_{\\mbox{\\footnotesize air}})  \\\\\n\\displaystyle f_{\\mbox{\\footnotesize s}} \\le f \\le 1         &;& Y_{i}(f) = Y_{\\mbox{\\footnotesize s}}~~ + \\frac{f-f_{\\mbox{\\footnotesize s}}}{1-f_{\\mbox{\\footnotesize s}}}~(Y_{\\mbox{\\footnotesize fuel}}-Y_{\\mbox{\\footnotesize s}})",
+        "System(Chain(0, f, f_s; \\le, \\le), Chain(Call(Y_i; f), Add(Y_{air}, Mul(Div(f; f_s), Add(Y_s, Neg(Y_{air})))); =), Chain(f_s, f, 1; \\le, \\le), Chain(Call(Y_i; f), Add(Y_s, Mul(Div(Add(f, Neg(f_s)); Add(1, Neg(f_s))), Add(Y_{fuel}, Neg(Y_s)))); =))",
+        "code-saturne/code_saturne/docs/theory/combustion_gas.tex",
+    ),
+    (
+        "C=D-E",
+        "Chain(C, Add(D, Neg(E)); =)",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{ll}\n&\\displaystyle \\frac {\\partial \\rho}{\\partial t} + \\,\\text{div}\\,\\,(\\rho\\,\\underline{u}) = 0\\\\\n&\\displaystyle \\frac {\\partial  (\\rho f)}{\\partial t} + \\,\\text{div}\\,\\,((\\rho\\,\\underline{u})\\,f) = 0\n\\end{array}\\right.",
+        "System(Chain(Add(Derivative(Call(\\rho); t, 1; True), Call(div; Mul(Call(\\rho), \\underline{u}))), 0; =), Chain(Add(Derivative(Mul(Call(\\rho), Call(f)); t, 1; True), Call(div; Mul(Mul(Call(\\rho), \\underline{u}), Call(f)))), 0; =))",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\underline{F}_L=\\underline{j} \\times \\underline{B}",
+        "Chain(\\underline{F}_L, Cross(\\underline{j}; \\underline{B}); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\rho C_p \\dfrac{\\mathrm{d} T}{\\mathrm{d} t}=  \\text{div}\\, \\left( \\lambda \\underline{\\nabla} T \\right) + \\beta T \\dfrac{\\mathrm{d} P}{\\mathrm{d} t} +q''' + \\mu S^2.",
+        "Chain(Mul(\\rho, C_p, Derivative(Call(T); t, 1)), Add(Call(div; Mul(\\lambda, \\nabla T)), Mul(\\beta, Call(T), Derivative(Call(P); t, 1)), q''', Mul(\\mu, Pow(S; 2))); =)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\left. \\displaystyle\\frac{\\delta P}{\\delta n}\\right|_{I} =\n\\displaystyle\\left. \\displaystyle\\frac{\\delta P}{\\delta\nn}\\right|_{F_{\\,b_{\\,ik}}} + \\mathcal{O}(h)",
+        "Chain(Marked(Div(\\delta P; \\delta n); _{ I }), Add(Marked(Div(\\delta P; \\delta n); _{ F _ { \\, b _ { i k } } }), Call(\\mathcal{O}; h)); =)",
+        "code-saturne/code_saturne/docs/theory/gradrc.tex",
+    ),
+    (
+        "C_{tot} = \\theta c + \\rho C_S",
+        "Chain(C_{tot}, Add(Mul(\\theta, c), Mul(\\rho, C_S)); =)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "\\mu_{{f_{b}}}=\\mu_i",
+        "Chain(\\mu_{f_b}, \\mu_i; =)",
+        "code-saturne/code_saturne/docs/theory/navstv.tex",
+    ),
+    (
+        "\\int_{\\Omega_i}{\\text{div}\\,\\left(\\underline{u}\\otimes (\\rho \\underline{u})\\right)\\, d\\Omega} =\n\\sum_{j\\in Neigh(i)}{\\underline{F}_{\\,ij}((\\rho \\underline{u}), \\underline{u})} \\\\\n+\\sum_{k\\in {\\gamma_b(i)}} {\\underline{F}_{\\,{b}_{ik}}((\\rho \\underline{u}),\\underline{u})} ,",
+        "Chain(Over(\\int; _ { \\Omega _ { i } }; Call(div; Operated(\\otimes; \\underline{u}; Mul(\\rho, \\underline{u}))); \\Omega), Add(Limiting(sum; _{ j \\in N e i g h ( i ) }; Call(\\underline{F}_{ij}; Mul(\\rho, \\underline{u}), \\underline{u})), Limiting(sum; _{ k \\in \\gamma _ { b } ( i ) }; Call(\\underline{F}_{\\,b_ik}; Mul(\\rho, \\underline{u}), \\underline{u}))); =)",
+        "code-saturne/code_saturne/docs/theory/navstv.tex",
+    ),
+    (
+        "\\underline{\\underline{\\nabla}}_i \\underline{v} \\cdot \\underline{\\underline{C}}_i = \\underline{\\underline{R}}_i ,",
+        "Chain(Mul(Call(grad_i; \\underline{v}), \\underline{\\underline{C}}_i), \\underline{\\underline{R}}_i; =)",
+        "code-saturne/code_saturne/docs/theory/spadis.tex",
+    ),
+    (
+        "\\overline{\\underline{\\underline{S}}}= \\overline{\\underline{\\underline{S}}}^S =\n\\frac{1}{2} \\left[ \\underline{\\underline{\\nabla}} \\, \\underline{\\overline{u}} + \\left( \\underline{\\underline{\\nabla}} \\, \\underline{\\overline{u}} \\right)^T\n\\right].",
+        "Chain(\\overline{\\underline{\\underline{S}}}, \\overline { \\underline { \\underline { S } } } ^ { S }, Mul(Div(1; 2), Add(Call(grad; \\underline{\\overline{u}}), Transpose(Call(grad; \\underline{\\overline{u}})))); =, =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\left. \\dfrac{\\partial \\tilde{ \\nu}}{\\partial n} \\right|_{f_{b}} = \\dfrac{\\left. \\tilde{ \\nu}\\right|_{f_{b}} }{ d_0}",
+        "Chain(Marked(Derivative(Call(\\tilde{\\nu}); n, 1; True); _{ f _ { b } }), Div(Marked(Call(\\tilde{\\nu}); _{ f _ { b } }); d_0); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\frac{\\partial P}{\\partial z} = -\\rho g",
+        "Chain(Derivative(Call(P); z, 1; True), Neg(Mul(\\rho, g)); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\theta =T\\left(\\frac{P}{P_{r}}\\right)^{-\\frac{R_{d}}{C_{p}}}",
+        "Chain(\\theta, Mul(T, Pow(Div(P; P_r); Neg(Div(R_d; C_p)))); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\left(\\frac{\\rho_i\\Omega_i}{\\Delta t_i}-\n\\text{Min}(\\Omega_iS_{impl,i};0)\\right)\n\\left(\\varphi_i^{(n+1)}-\\varphi_i^{(n)}\\right)\n+\\ldots = \\ldots + \\Omega_iS_{impl,i}\\varphi_i^{(n)} + \\Omega_iS_{expl,i}",
+        "Chain(Add(Mul(Add(Div(Mul(\\rho_i, \\Omega_i); \\Delta t _ { i }), Neg(Call(\\text{Min}; Given(Mul(\\Omega_i, S_{impl,i}); 0; ;)))), Add(\\varphi _ { i } ^ { ( n + 1 ) }, Neg(\\varphi _ { i } ^ { ( n ) }))), Dots()), Add(Dots(), Mul(\\Omega_i, S_{impl,i}, \\varphi _ { i } ^ { ( n ) }), Mul(\\Omega_i, S_{expl,i})); =)",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "\\sigma_i=\\max\\left\\{C\\frac{\\big(\\frac{3}{2}R_{ii}\\big)^{3/2}}{\\varepsilon},\\Delta\\right\\},\\qquad\nC=0.5.",
+        "System(Chain(\\sigma_i, Call(max; Mul(C, Div(Pow(Mul(Div(3; 2), R_{ii}); Div(3; 2)); \\varepsilon)), \\Delta); =), Chain(C, 0.5; =))",
+        "code-saturne/code_saturne/docs/user/saturne1.tex",
+    ),
+    (
+        "c^2  = \\left(\\frac{\\partial p}{\\partial \\rho}\\right)_s",
+        "Chain(Pow(c; 2), Marked(Derivative(Call(p); \\rho, 1; True); _{ s }); =)",
+        "code-saturne/code_saturne/src/cfbl/cs_cf_thermo.c",
+    ),
+    (
+        "y' = f(t,y,p), \\quad y(t_0) = y_0(p)",
+        "System(Chain(Call(y'), Call(f; t, Call(y), p); =), Chain(Call(y; t_0), Call(y_0; p); =))",
+        "LLNL/sundials/README.md",
+    ),
+    (
+        "c_1(x,y) &=  10^6 \\chi(x)\\eta(y) \\\\\nc_2(x,y) &=  10^{12} \\chi(x)\\eta(y) \\\\\n\\chi(x) &= 1 - \\sqrt{\\frac{x - 10}{10}} + \\frac12 \\sqrt[4]{\\frac{x - 10}{10}} \\\\\n\\eta(y) &= 1 - \\sqrt{\\frac{y - 40}{10}} + \\frac12 \\sqrt[4]{\\frac{x - 10}{10}}.",
+        "System(Chain(Call(c_1; x, y), Mul(Pow(10; 6), Call(\\chi; x), Call(\\eta; y)); =), Chain(Call(c_2; x, y), Mul(Pow(10; 12), Call(\\chi; x), Call(\\eta; y)); =), Chain(Call(\\chi; x), Add(1, Neg(Sqrt(Div(Add(x, Neg(10)); 10))), Mul(Div(1; 2), Root(Div(Add(x, Neg(10)); 10); 4))); =), Chain(Call(\\eta; y), Add(1, Neg(Sqrt(Div(Add(y, Neg(40)); 10))), Mul(Div(1; 2), Root(Div(Add(x, Neg(10)); 10); 4))); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_parallel.rst",
+    ),
+    (
+        "R_1(c_1,c_2,t) &= -q_1*c_1*c_3 - q_2*c_1*c_2 + 2*q_3(t)*c_3 + q_4(t)*c_2, \\\\\nR_2(c_1,c_2,t) &=  q_1*c_1*c_3 - q_2*c_1*c_2 - q_4(t)*c_2, \\\\\nK_v(y) &= K_{v0} e^{y/5}.",
+        "System(Chain(Call(R_1; c_1, c_2, t), Add(Neg(Mul(q_1, c_1, c_3)), Neg(Mul(q_2, c_1, c_2)), Mul(2, Call(q_3; t), c_3), Mul(Call(q_4; t), c_2)); =), Chain(Call(R_2; c_1, c_2, t), Add(Mul(q_1, c_1, c_3), Neg(Mul(q_2, c_1, c_2)), Neg(Mul(Call(q_4; t), c_2))); =), Chain(Call(K_v; y), Mul(K_{v0}, Pow(e; Div(y; 5))); =))",
+        "LLNL/sundials/doc/arkode/examples/source/c_parallel.rst",
+    ),
+    (
+        "\\frac{dy}{dt} = \\lambda y + \\frac{1}{1+t^2} - \\lambda \\arctan(t),",
+        "Chain(Derivative(Call(y); t, 1), Add(Mul(\\lambda, Call(y)), Div(1; Add(1, Pow(t; 2))), Neg(Mul(\\lambda, Call(arctan; t)))); =)",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "|h_\\text{exp}| < \\frac{\\Delta x}{|\\lambda|}",
+        "Chain(Bars(h_{exp}), Div(\\Delta x; Bars(\\lambda)); <)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\sigma_j = \\max\\left\\{ \\sqrt{U}\\, |z_j|, \\frac{\\sigma_0}{w_j} \\right\\}.",
+        "Chain(\\sigma_j, Call(max; Mul(Sqrt(U), Bars(z_j)), Div(\\sigma_0; w_j)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|r\\| \\le \\frac{\\epsilon_L \\epsilon}{10}.",
+        "Chain(Norm(r), Div(Mul(\\epsilon_L, \\epsilon); 10); \\le)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "h' \\;=\\; h_n\\; \\varepsilon_n^{-k_1/p}.",
+        "Chain(h', Mul(h_n, Pow(\\varepsilon_n; Neg(Div(k_1; p)))); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "x = \\frac{2}{1 + \\gamma / \\tilde{\\gamma}} \\tilde{x}.",
+        "Chain(x, Mul(Div(2; Add(1, Div(\\gamma; \\tilde{\\gamma}))), \\tilde{x}); =)",
+        "LLNL/sundials/doc/arkode/guide/source/sunlinsol/ARKODE_interface.rst",
+    ),
+    (
+        "w_i \\approx w_{mean},\\quad \\text{for}\\quad i=0,\\ldots,n-1.",
+        "System(Chain(w_i, w_{mean}; \\approx), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/arkode/guide/source/sunlinsol/ARKODE_interface.rst",
+    ),
+    (
+        "u(t,0) &=& 0 ~,~~~~u(t,2) = 0 ~,  \\\\\nu(0,x) &=& x(2-x)e^{2x} ~.",
+        "System(Chain(Call(u; t, 0), 0; =), Chain(Call(u; t, 2), 0; =), Chain(Call(u; 0, x), Mul(x, Add(2, Neg(x)), Pow(e; Mul(2, x))); =))",
+        "LLNL/sundials/doc/cvode/cv_ex_parallel.tex",
+    ),
+    (
+        "\\dot{u}_i=\\frac{u_{i+1}-2u_{i}+u_{i-1}}{(\\Delta x)^{2}}\n  + 0.5 \\frac{u_{i+1}-u_{i-1}}{2(\\Delta x)} ~.",
+        "Chain(Call(\\dot{u}_i), Add(Div(Add(u_{i+1}, Neg(Mul(2, Call(u_i))), u_{i-1}); Pow(\\Delta x; 2)), Mul(0.5, Div(Add(u_{i+1}, Neg(u_{i-1})); Mul(2, \\Delta x)))); =)",
+        "LLNL/sundials/doc/cvode/cv_ex_parallel.tex",
+    ),
+    (
+        "\\begin{split}\n    \\dot{y}_1 &= -0.04 \\cdot y_1 + 10^4 \\cdot y_2 \\cdot y_3 \\\\\n    \\dot{y}_2 &=  0.04 \\cdot y_1 - 10^4 \\cdot y_2 \\cdot y_3\n                                  - 3 \\cdot 10^7 \\cdot y_2^2 \\\\\n    \\dot{y}_3 &=  3 \\cdot 10^7 \\cdot y_2^2\n  \\end{split}",
+        "System(Chain(Call(\\dot{y}_1), Add(Neg(Mul(0.04, Call(y_1))), Mul(Pow(10; 4), Call(y_2), Call(y_3))); =), Chain(Call(\\dot{y}_2), Add(Mul(0.04, Call(y_1)), Neg(Mul(Pow(10; 4), Call(y_2), Call(y_3))), Neg(Mul(3, Pow(10; 7), Pow(Call(y_2); 2)))); =), Chain(Call(\\dot{y}_3), Mul(3, Pow(10; 7), Pow(Call(y_2); 2)); =))",
+        "LLNL/sundials/doc/cvode/cv_ex_serial.tex",
+    ),
+    (
+        "\\left. \\partial c/\\partial x\\right| _{x_j}\\approx \\left[ \\frac\n32c_{j+1}-c_j-\\frac 12c_{j-1}\\right] /(2\\Delta x) ~.",
+        "Chain(Marked(Derivative(Call(c); x, 1; True); _{ x _ { j } }), Div(Add(Mul(Div(3; 2), c_{j+1}), Neg(c_j), Neg(Mul(Div(1; 2), c_{j-1}))); Mul(2, \\Delta x)); \\approx)",
+        "LLNL/sundials/doc/cvode/cv_ex_tests.tex",
+    ),
+    (
+        "\\|\\Delta_n\\| \\leq \\epsilon \\equiv 1/|C'| \\, .",
+        "Chain(Norm(\\Delta_n), \\epsilon, Div(1; Bars(C')); \\le, \\equiv)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\frac{\\partial u}{\\partial t}= q_1 \\frac{\\partial ^{2}u}{\\partial x^{2}}\n  + q_2 \\frac{\\partial u}{\\partial x}",
+        "Chain(Derivative(Call(u); t, 1; True), Add(Mul(q_1, Derivative(Call(u); x, 2; True)), Mul(q_2, Derivative(Call(u); x, 1; True))); =)",
+        "LLNL/sundials/doc/cvodes/cvs_ex_fwd.tex",
+    ),
+    (
+        "{\\hat F}({\\hat y}_n) \\equiv\n{\\hat y}_n - h_n\\beta_{n,0} {\\hat f}(t_n,\\,{\\hat y}_n) - {\\hat a}_n = 0 \\, ,",
+        "Chain(Call(\\hat{F}; \\hat{y}_n), Add(\\hat{y}_n, Neg(Mul(h_n, \\beta_{n,0}, Call(\\hat{f}; t_n, \\hat{y}_n))), Neg(\\hat{a}_n)), 0; \\equiv, =)",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "{\\hat M}[{\\hat y}_{n(m+1)}-{\\hat y}_{n(m)}]=-{\\hat F}({\\hat y}_{n(m)})",
+        "Chain(Mul(\\hat{M}, Add(\\hat{y}_{n(m+1)}, Neg(\\hat{y}_{n(m)}))), Neg(Call(\\hat{F}; \\hat{y}_{n(m)})); =)",
+        "LLNL/sundials/doc/cvodes/guide/source/Mathematics.rst",
+    ),
+    (
+        "(\\lambda^*_TF_{\\dot y})'  - \\lambda^*_T F_y = 0.",
+        "Chain(Add(Marked(Mul(\\lambda _ { T } ^ { * }, F_{\\dot y}); '), Neg(Mul(\\lambda _ { T } ^ { * }, F_y))), 0; =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\|h^{q'+1} y^{(q'+1)}\\| \\approx T(q') \\equiv (q'+1) \\text{ELTE}(q') \\, .",
+        "Chain(Norm(Mul(Pow(h; Add(q', 1)), y ^ { ( q ' + 1 ) })), Call(T; q'), Mul(Add(q', 1), Call(\\text{ELTE}; q')); \\approx, \\equiv)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{gathered}\nJ_{ij} = [F_i(t,y+\\sigma_j e_j,\\dot{y}+\\alpha\\sigma_j e_j) -\nF_i(t,y,\\dot{y})]/\\sigma_j \\, , \\text{ with}\\\\\n\\sigma_j = \\sqrt{U} \\max \\left\\{ |y_j|, |h\\dot{y}_j|,1/W_j \\right\\}\n\\text{sign}(h \\dot{y}_j) \\, ,\\end{gathered}",
+        "System(Chain(J_{ij}, Div(Add(Call(F_i; t, Add(Call(y), Mul(\\sigma_j, e_j)), Add(Call(\\dot{y}), Mul(\\alpha, \\sigma_j, e_j))), Neg(Call(F_i; t, Call(y), Call(\\dot{y})))); \\sigma_j); =), Chain(\\sigma_j, Mul(Sqrt(U), Call(max; Bars(Call(y_j)), Bars(Mul(h, Call(\\dot{y}_j))), Div(1; W_j)), Call(sign; Mul(h, Call(\\dot{y}_j)))); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "G(y_n) \\equiv\nF \\left( t_n , \\, y_n , \\,\nh_n^{-1} \\sum_{i=0}^q \\alpha_{n,i}y_{n-i} \\right) = 0 \\, .",
+        "Chain(Call(G; y_n), Call(F; t_n, y_n, Mul(Pow(h_n; Neg(1)), BigSum(i; 0; q; Mul(\\alpha_{n,i}, y_{n-i})))), 0; \\equiv, =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "W_i = \\frac{1}{\\text{rtol} \\cdot |y_i| + \\text{atol}_i }\\, .",
+        "Chain(W_i, Div(1; Add(Mul(\\text{rtol}, Bars(y_i)), \\text{atol}_i)); =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\bar q_i = q_y s_i + q_{\\dot{y}} \\dot{s}_i + q_{p_i} \\, , \\quad i = 1,\\ldots,N_p \\, ,",
+        "System(Chain(\\bar{q}_i, Add(Mul(q_y, Call(s_i)), Mul(q_{\\dot y}, Call(\\dot{s}_i)), q_{p_i}); =), Values(i; 1, Dots(), N_p))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "{\\dot y}  = f(t,\\,y) \\, , \\quad y(t_0)  = y_0(p) \\, ,",
+        "System(Chain(Call(\\dot{y}), Call(f; t, Call(y)); =), Chain(Call(y; t_0), Call(y_0; p); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "x = \\frac{2}{1 + c_j / \\bar{c}_j} \\bar{x}.",
+        "Chain(x, Mul(Div(2; Add(1, Div(c_j; \\bar{c}_j))), \\bar{x}); =)",
+        "LLNL/sundials/doc/idas/guide/source/sunlinsol/IDAS_interface.rst",
+    ),
+    (
+        "\\bar{J} = \\dfrac{\\partial \\bar{F}}{\\partial y}\n- \\bar{c}_j \\dfrac{\\partial \\bar{F}}{\\partial\\dot{y}},",
+        "Chain(\\bar{J}, Add(Derivative(Call(\\bar{F}); y, 1; True), Neg(Mul(\\bar{c}_j, Derivative(Call(\\bar{F}); \\dot{y}, 1; True)))); =)",
+        "LLNL/sundials/doc/idas/guide/source/sunlinsol/IDAS_interface.rst",
+    ),
+    (
+        "G(y_n) = F\\left(t_n, y_n, h_{n}^{-1}\\sum_{i=0}^{q}\\alpha_{n,i}y_{n-i}\\right) = 0.",
+        "Chain(Call(G; y_n), Call(F; t_n, y_n, Mul(Pow(h_n; Neg(1)), BigSum(i; 0; q; Mul(\\alpha_{n,i}, y_{n-i})))), 0; =, =)",
+        "LLNL/sundials/doc/idas/guide/source/sunnonlinsol/IDAS_interface.rst",
+    ),
+    (
+        "\\begin{split}\n    M(y) \\ddot y &= Q(y,\\dot y) - \\Phi_y^T(y) \\lambda \\\\\n    \\Phi(y)     &= 0 ~,\n  \\end{split}",
+        "System(Chain(Mul(Call(M; Call(y)), Call(\\ddot{y})), Add(Call(Q; Call(y), Call(\\dot{y})), Neg(Mul(Transpose(Call(\\Phi_y; Call(y))), \\lambda))); =), Chain(Call(\\Phi; Call(y)), 0; =))",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "g = \\int \\int u(x,y,t_f) ~dx~dy",
+        "Chain(g, Antiderivative(Antiderivative(Call(u; x, y, t_f); x); y); =)",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "\\Phi(y) = \\begin{bmatrix}\n    y_2 - a \\cos(y_1) - a \\cos(y_3) \\\\\n    a \\sin(y_1) + \\sin(y_3)\n  \\end{bmatrix}",
+        "Chain(Call(\\Phi; y), MatrixOf(Add(y_2, Neg(Mul(a, Call(cos; y_1))), Neg(Mul(a, Call(cos; y_3)))), Add(Mul(a, Call(sin; y_1)), Call(sin; y_3))); =)",
+        "LLNL/sundials/doc/idas/idas_ex_fwd.tex",
+    ),
+    (
+        "J(u) v \\approx [F(u+\\sigma v) - F(u)]/\\sigma \\, ,",
+        "Chain(Mul(Call(J; u), v), Div(Add(Call(F; Add(u, Mul(\\sigma, v))), Neg(Call(F; u))); \\sigma); \\approx)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\eta_n = \\max(\\eta_n, \\eta_{\\text{safe}})",
+        "Chain(\\eta_n, Call(max; \\eta_n, \\eta_{safe}); =)",
+        "LLNL/sundials/doc/kinsol/guide/source/Usage/index.rst",
+    ),
+    (
+        "\\eta_{\\text{safe}} = \\eta_{n-1}^{\\frac{1+\\sqrt{5}}{2}}",
+        "Chain(\\eta_{safe}, Pow(\\eta_{n-1}; Div(Add(1, Sqrt(5)); 2)); =)",
+        "LLNL/sundials/doc/kinsol/guide/source/Usage/index.rst",
+    ),
+    (
+        "f_i(x,y,c) = c_i \\cdot \\left(b_i + \\sum_{j=1}^{n_s} a_{i,j} \\cdot c_j \\right) \\, .",
+        "Chain(Call(f_i; x, y, c), Mul(c_i, Add(b_i, BigSum(j; 1; n_s; Mul(a_{i,j}, c_j)))); =)",
+        "LLNL/sundials/doc/kinsol/kin_ex_c.tex",
+    ),
+    (
+        "u(0,y) = u(1,y) = u(x,0) = u(x,1) = 0.",
+        "Chain(Call(u; 0, y), Call(u; 1, y), Call(u; x, 0), Call(u; x, 1), 0; =, =, =, =)",
+        "LLNL/sundials/doc/kinsol/kin_ex_cxx.tex",
+    ),
+    (
+        "z_i = c, \\quad i=0,\\ldots,n-1.",
+        "System(Chain(z_i, c; =), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "m = \\sqrt{\\sum_{i=0}^{n-1}\\left(x_i w_i\\right)^2}.",
+        "Chain(m, Sqrt(BigSum(i; 0; Add(n, Neg(1)); Pow(Mul(x_i, w_i); 2))); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "m = \\max_{0\\le i< n} |x_i|.",
+        "Chain(m, Limiting(max; _{ 0 \\le i < n }; Bars(x_i)); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "z_i = |x_i|, \\quad i=0,\\ldots,n-1.",
+        "System(Chain(z_i, Bars(x_i); =), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "y^{(n+1)} = G(y^{(n)})",
+        "Chain(y ^ { ( n + 1 ) }, Call(G; y ^ { ( n ) }); =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
+    ),
+    (
+        "V(x) = \\begin{cases} 0 &\\mbox{if}~ 0\\leq x \\leq L \\\\ \\infty & \\mbox{otherwise} \\end{cases}",
+        "Chain(Call(V; x), Piecewise(0, Chain(0, x, L; \\le, \\le), Infinity(), None); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "-\\frac{\\hbar^2}{2m}\\frac{\\mathrm{d}^2\\psi(x)}{\\mathrm{d} x^2} + V(x)\\psi(x) = E \\psi(x)",
+        "Chain(Add(Neg(Mul(Div(Pow(\\hbar; 2); Mul(2, m)), Derivative(Call(\\psi; x); x, 2))), Mul(Call(V; x), Call(\\psi; x))), Mul(E, Call(\\psi; x)); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\psi_k = A\\cos(kx) + B\\cos(kx), \\qquad E_k = \\frac{k^2\\hbar^2}{2m}",
+        "System(Chain(\\psi_k, Add(Mul(A, Call(cos; Mul(k, x))), Mul(B, Call(cos; Mul(k, x)))); =), Chain(E_k, Div(Mul(Pow(k; 2), Pow(\\hbar; 2)); Mul(2, m)); =))",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\psi_k = A\\sin(kx) + B\\cos(kx)",
+        "Chain(\\psi_k, Add(Mul(A, Call(sin; Mul(k, x))), Mul(B, Call(cos; Mul(k, x)))); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\psi_k(L) = A\\sin(kL) = 0",
+        "Chain(Call(\\psi_k; L), Mul(A, Call(sin; Mul(k, L))), 0; =, =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\int_{-\\infty}^\\infty \\psi^2 \\mathrm{d} x = 1",
+        "Chain(Integral(Pow(\\psi; 2); x; Neg(Infinity()); Infinity()), 1; =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "A = \\sqrt{\\bigg(\\frac{2}{L}\\bigg)}",
+        "Chain(A, Sqrt(Div(2; L)); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "I = \\sum_{i=1}^N m_ir_i^2",
+        "Chain(I, BigSum(i; 1; N; Mul(m_i, Pow(r_i; 2))); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "J = I\\omega",
+        "Chain(J, Mul(I, \\omega); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\hat{H} = -\\frac{\\hbar^2}{2m}\\frac{\\mathrm{d}^2}{\\mathrm{d} x^2}",
+        "Chain(\\hat{H}, Neg(Mul(Div(Pow(\\hbar; 2); Mul(2, m)), Derivative(Blank(); x, 2))); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\hat{H} = -\\frac{\\hbar^2}{2I}\\frac{\\mathrm{d}^2}{\\mathrm{d} \\phi^2}",
+        "Chain(\\hat{H}, Neg(Mul(Div(Pow(\\hbar; 2); Mul(2, I)), Derivative(Blank(); \\phi, 2))); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\hat{H} = -\\frac{\\hbar^2}{2m}\\bigg(\\frac{\\mathrm{d}^2}{\\mathrm{d} x^2} + \\frac{\\mathrm{d}^2}{\\mathrm{d} y^2}\\bigg)",
+        "Chain(\\hat{H}, Neg(Mul(Div(Pow(\\hbar; 2); Mul(2, m)), Add(Derivative(Blank(); x, 2), Derivative(Blank(); y, 2)))); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "E_{\\text{Rot.}} = \\frac{(m_l \\hbar)^2}{2I}",
+        "Chain(E_{Rot.}, Div(Pow(Mul(m_l, \\hbar); 2); Mul(2, I)); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "E_{\\text{Kin.}} = \\frac{(k\\hbar)^2}{2m}",
+        "Chain(E_{Kin.}, Div(Pow(Mul(k, \\hbar); 2); Mul(2, m)); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\psi_{\\text{Rot.}}(\\phi) = \\psi_{\\text{Rot.}}(\\phi + 2\\pi)",
+        "Chain(Call(\\psi_{Rot.}; \\phi), Call(\\psi_{Rot.}; Add(\\phi, Mul(2, \\pi))); =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "\\psi_{\\text{Rot.}}(\\phi) = \\frac{1}{\\sqrt{2\\pi}}\\mathrm{e}^{im_l\\phi} = \\psi_{\\text{Rot.}}(\\phi+2\\pi) = \\frac{1}{\\sqrt{2\\pi}}\\mathrm{e}^{im_l(\\phi+2\\pi)}",
+        "Chain(Call(\\psi_{Rot.}; \\phi), Mul(Div(1; Sqrt(Mul(2, \\pi))), Pow(\\text{e}; Mul(i, m_l, \\phi))), Call(\\psi_{Rot.}; Add(\\phi, Mul(2, \\pi))), Mul(Div(1; Sqrt(Mul(2, \\pi))), Pow(\\text{e}; Mul(i, m_l, Add(\\phi, Mul(2, \\pi))))); =, =, =)",
+        "james-d-pickering/introductory-quantum-mechanics/introductory_quantum.tex",
+    ),
+    (
+        "V_\\alpha = \\phi S_\\alpha",
+        "Chain(V_\\alpha, Mul(\\phi, S_\\alpha); =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "\\sum_{\\alpha=1}^{N_\\mathrm{p}} S_\\alpha = 1",
+        "Chain(BigSum(\\alpha; 1; N_p; S_{\\alpha}), 1; =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "\\mathbf{q}_\\alpha = -\\frac{k_{\\mathrm{r}\\alpha}}{\\mu_\\alpha}\\mathbf{K} \\left( \\nabla P_\\alpha - \\rho_\\alpha \\mathbf{g} \\right)",
+        "Chain(\\mathbf{q}_\\alpha, Neg(Mul(Div(k_{r\\alpha}; \\mu_\\alpha), \\mathbf{K}, Add(\\nabla P _ { \\alpha }, Neg(Mul(\\rho_\\alpha, \\mathbf{g}))))); =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "\\mathbf{q}_\\alpha = V_\\alpha \\mathbf{v}_\\alpha = \\phi S_\\alpha \\mathbf{v}_\\alpha",
+        "Chain(\\mathbf{q}_\\alpha, Mul(V_\\alpha, \\mathbf{v}_\\alpha), Mul(\\phi, S_\\alpha, \\mathbf{v}_\\alpha); =, =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "S_\\alpha \\mathbf{\\Lambda}_\\alpha \\mathbf{v}_{\\phi\\alpha} = - \\nabla P_\\alpha + \\rho_\\alpha \\mathbf{g}",
+        "Chain(Mul(S_\\alpha, \\mathbf{\\Lambda}_\\alpha, \\mathbf{v}_{\\phi\\alpha}), Add(Neg(\\nabla P _ { \\alpha }), Mul(\\rho_\\alpha, \\mathbf{g})); =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "\\phi \\frac{\\partial}{\\partial t}(\\rho_\\alpha S_\\alpha) + \\nabla\\cdot(\\rho_\\alpha S_\\alpha  \\mathbf{v}_{\\phi \\alpha}) - Q_\\alpha = 0",
+        "Chain(Add(Mul(\\phi, Derivative(Mul(Call(\\rho_\\alpha), Call(S_\\alpha)); t, 1; True)), Call(div; Mul(Call(\\rho_\\alpha), Call(S_\\alpha), \\mathbf{v}_{\\phi\\alpha})), Neg(Q_\\alpha)), 0; =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "P_{\\mathrm{c} \\alpha \\gamma} = P_\\alpha - P_\\gamma",
+        "Chain(P_{c\\alpha\\gamma}, Add(P_\\alpha, Neg(P_\\gamma)); =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "0 \\leq k_{\\mathrm{r}\\alpha} \\leq 1",
+        "Chain(0, k_{r\\alpha}, 1; \\le, \\le)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "\\rho_\\alpha = \\tilde{\\rho}_\\alpha + \\gamma_\\alpha^P (P_\\alpha - \\tilde{P}_\\alpha)",
+        "Chain(\\rho_\\alpha, Add(\\tilde{\\rho}_\\alpha, Mul(\\gamma _ { \\alpha } ^ { P }, Add(P_\\alpha, Neg(\\tilde{P}_\\alpha)))); =)",
+        "FluidityProject/fluidity/legacy_reservoir_prototype/doc/model_reservoir_equations.tex",
+    ),
+    (
+        "t(x_1, \\dots, x_m) = \\left( \\frac{1}{n} \\sum_{i=1}^N x_i, \\frac{1}{n} \\sum_{i=1}^N {x_i^2}\\right).",
+        "Chain(Call(t; x_1, Dots(), x_m), Pair(Mul(Div(1; n), BigSum(i; 1; N; x_i)); Mul(Div(1; n), BigSum(i; 1; N; Pow(x_i; 2)))); =)",
+        "jonathan-taylor/stats-lecture-notes/notebooks/multiparameter_partI.ipynb",
+    ),
+    (
+        "\\mathbb{E}_{\\eta}(t(X)) = \\nabla \\Lambda(\\eta).",
+        "Chain(Call(\\mathbb{E}_\\eta; Call(t; X)), Call(\\nabla \\Lambda; \\eta); =)",
+        "jonathan-taylor/stats-lecture-notes/notebooks/multiparameter_partI.ipynb",
+    ),
+    (
+        "t(x)=t(x_1, \\dots, x_N) = \\left(\\frac{1}{N} \\sum_{i=1}^N x_i, -\\frac{1}{2N} \\sum_{i=1}^N x_i^2 \\right)",
+        "Chain(Call(t; x), Call(t; x_1, Dots(), x_N), Pair(Mul(Div(1; N), BigSum(i; 1; N; x_i)); Neg(Mul(Div(1; Mul(2, N)), BigSum(i; 1; N; Pow(x_i; 2))))); =, =)",
+        "jonathan-taylor/stats-lecture-notes/notebooks/multiparameter_partI.ipynb",
+    ),
+    (
+        "\\Lambda(\\eta_1,\\eta_2) = \\frac{1}{2} \\left[\\log(2\\pi)- \\log(\\eta_2) + \\frac{\\eta_1^2 }{\\eta_2} \\right]",
+        "Chain(Call(\\Lambda; \\eta_1, \\eta_2), Mul(Div(1; 2), Add(Call(log; Mul(2, \\pi)), Neg(Call(log; \\eta_2)), Div(Pow(\\eta_1; 2); \\eta_2))); =)",
+        "jonathan-taylor/stats-lecture-notes/notebooks/multiparameter_partI.ipynb",
+    ),
+    (
+        "s \\mapsto \\eta(s) \\in {\\cal D},",
+        "Chain(s, Call(\\eta; s), \\mathcal{D}; \\mapsto, \\in)",
+        "jonathan-taylor/stats-lecture-notes/notebooks/multiparameter_partI.ipynb",
+    ),
+    (
+        "s \\mapsto  \\nabla \\Lambda(\\eta(s)) \\in {\\cal M}.",
+        "Chain(s, Call(\\nabla \\Lambda; Call(\\eta; s)), \\mathcal{M}; \\mapsto, \\in)",
+        "jonathan-taylor/stats-lecture-notes/notebooks/multiparameter_partI.ipynb",
+    ),
+    (
+        "\\begin{array}{rcl} \\mathbf{W}_t &=& \\frac{\\partial\\mathbf{f}(\\mathbf{q}_{t-1}, \\boldsymbol\\omega_t)}{\\partial\\boldsymbol\\omega} \\\\ &=& \\begin{bmatrix} \\frac{\\partial\\mathbf{f}(\\mathbf{q}_{t-1}, \\boldsymbol\\omega_t)}{\\partial\\omega_x} & \\frac{\\partial\\mathbf{f}(\\mathbf{q}_{t-1}, \\boldsymbol\\omega_t)}{\\partial\\omega_y} & \\frac{\\partial\\mathbf{f}(\\mathbf{q}_{t-1}, \\boldsymbol\\omega_t)}{\\partial\\omega_z} \\end{bmatrix} \\\\ &=& \\frac{\\Delta t}{2} \\begin{bmatrix} -q_x & -q_y & -q_z \\\\ q_w & -q_z & q_y \\\\ q_z & q_w & -q_x \\\\ -q_y & q_x & q_w \\end{bmatrix} \\end{array}",
+        "Chain(\\mathbf{W}_t, Derivative(Call(\\mathbf{f}; Call(\\mathbf{q}_{t-1}), Call(\\boldsymbol{\\omega}_t)); \\boldsymbol{\\omega}, 1; True), MatrixOf(Derivative(Call(\\mathbf{f}; Call(\\mathbf{q}_{t-1}), Call(\\boldsymbol{\\omega}_t)); \\omega_x, 1; True), Derivative(Call(\\mathbf{f}; Call(\\mathbf{q}_{t-1}), Call(\\boldsymbol{\\omega}_t)); \\omega_y, 1; True), Derivative(Call(\\mathbf{f}; Call(\\mathbf{q}_{t-1}), Call(\\boldsymbol{\\omega}_t)); \\omega_z, 1; True)), Mul(Div(\\Delta t; 2), MatrixOf(Neg(q_x), Neg(q_y), Neg(q_z), q_w, Neg(q_z), q_y, q_z, q_w, Neg(q_x), Neg(q_y), q_x, q_w)); =, =, =)",
+        "Mayitzin/ahrs/ahrs/filters/ekf.py",
+    ),
+    (
+        "{\\bf P}\\succeq 0 \\quad \\Rightarrow \\quad {\\bf m}^T({\\bf x}) {\\bf P} {\\bf m}({\\bf x}) \\ge 0, \\quad \\forall {\\bf x},",
+        "System(Implies(Chain(\\mathbf{P}, 0; \\succeq); Chain(Mul(Transpose(Call(\\mathbf{m}; \\mathbf{x})), \\mathbf{P}, Call(\\mathbf{m}; \\mathbf{x})), 0; \\ge)), Forall(\\mathbf{x}))",
+        "RussTedrake/underactuated/book/optimization.html",
+    ),
+    (
+        "\\phi_i(t_j) = \\begin{cases} 1 & i=j, \\\\ 0 & \\text{otherwise.}\\end{cases}",
+        "Chain(Call(\\phi_i; t_j), Piecewise(1, Chain(i, j; =), 0, None); =)",
+        "RussTedrake/underactuated/book/trajopt.html",
+    ),
+    (
+        "\\begin{pmatrix} \\left(\\dfrac{\\partial \\boldsymbol{Q}}{\\partial \\boldsymbol{q}}\\right)^{\\mathrm{T}} & \\left(\\dfrac{\\partial \\boldsymbol{P}}{\\partial \\boldsymbol{q}}\\right)^{\\mathrm{T}} \\\\[1.5ex] \\left(\\dfrac{\\partial \\boldsymbol{Q}}{\\partial \\boldsymbol{p}}\\right)^{\\mathrm{T}} & \\left(\\dfrac{\\partial \\boldsymbol{P}}{\\partial \\boldsymbol{p}}\\right)^{\\mathrm{T}} \\end{pmatrix} \\begin{pmatrix} \\boldsymbol{0} & \\boldsymbol{I}_s \\\\ -\\boldsymbol{I}_s & \\boldsymbol{0} \\end{pmatrix} \\begin{pmatrix} \\dfrac{\\partial \\boldsymbol{Q}}{\\partial \\boldsymbol{q}} & \\dfrac{\\partial \\boldsymbol{Q}}{\\partial \\boldsymbol{p}} \\\\[1.5ex] \\dfrac{\\partial \\boldsymbol{P}}{\\partial \\boldsymbol{q}} & \\dfrac{\\partial \\boldsymbol{P}}{\\partial \\boldsymbol{p}} \\end{pmatrix} = \\begin{pmatrix} \\boldsymbol{0} & \\boldsymbol{I}_s \\\\ -\\boldsymbol{I}_s & \\boldsymbol{0} \\end{pmatrix}",
+        "Chain(Mul(MatrixOf(Transpose(Derivative(Call(\\boldsymbol{Q}); \\boldsymbol{q}, 1; True)), Transpose(Derivative(Call(\\boldsymbol{P}); \\boldsymbol{q}, 1; True)), Transpose(Derivative(Call(\\boldsymbol{Q}); \\boldsymbol{p}, 1; True)), Transpose(Derivative(Call(\\boldsymbol{P}); \\boldsymbol{p}, 1; True))), MatrixOf(0, \\boldsymbol{I}_s, Neg(\\boldsymbol{I}_s), 0), MatrixOf(Derivative(Call(\\boldsymbol{Q}); \\boldsymbol{q}, 1; True), Derivative(Call(\\boldsymbol{Q}); \\boldsymbol{p}, 1; True), Derivative(Call(\\boldsymbol{P}); \\boldsymbol{q}, 1; True), Derivative(Call(\\boldsymbol{P}); \\boldsymbol{p}, 1; True))), MatrixOf(0, \\boldsymbol{I}_s, Neg(\\boldsymbol{I}_s), 0); =)",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter10.tex",
+    ),
+    (
+        "\\boldsymbol{M}' & = \\boldsymbol{S}^{\\mathrm{T}} \\boldsymbol{M} \\boldsymbol{S} = \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix}^{\\mathrm{T}} \\begin{pmatrix} m & 0 \\\\ 0 & m \\end{pmatrix} \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix} = \\begin{pmatrix} 2m & 0 \\\\ 0 & 2m \\end{pmatrix} \\\\ \\boldsymbol{K}' & = \\boldsymbol{S}^{\\mathrm{T}} \\boldsymbol{K} \\boldsymbol{S} = \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix}^{\\mathrm{T}} \\begin{pmatrix} \\dfrac{mg}{l}+k & -k \\\\[1.5ex] -k & \\dfrac{mg}{l}+k \\end{pmatrix} \\begin{pmatrix} 1 & 1 \\\\ 1 & -1 \\end{pmatrix} = \\begin{pmatrix} \\dfrac{2mg}{l} & 0 \\\\[1.5ex] 0 & \\dfrac{2mg}{l}+4k \\end{pmatrix}",
+        "System(Chain(\\boldsymbol{M}', Mul(Transpose(\\boldsymbol{S}), \\boldsymbol{M}, \\boldsymbol{S}), Mul(Transpose(MatrixOf(1, 1, 1, Neg(1))), MatrixOf(m, 0, 0, m), MatrixOf(1, 1, 1, Neg(1))), MatrixOf(Mul(2, m), 0, 0, Mul(2, m)); =, =, =), Chain(\\boldsymbol{K}', Mul(Transpose(\\boldsymbol{S}), \\boldsymbol{K}, \\boldsymbol{S}), Mul(Transpose(MatrixOf(1, 1, 1, Neg(1))), MatrixOf(Add(Div(Mul(m, g); l), k), Neg(k), Neg(k), Add(Div(Mul(m, g); l), k)), MatrixOf(1, 1, 1, Neg(1))), MatrixOf(Div(Mul(2, m, g); l), 0, 0, Add(Div(Mul(2, m, g); l), Mul(4, k))); =, =, =))",
+        "ArcturusZhang/Classical-Mechanics-Lecture-Notes/chapter/chapter5.tex",
+    ),
+    (
+        "a(\\psi,\\xi) = l(\\xi),\n     \\ \\ \\forall\\xi\\in \\Psi(0)",
+        "System(Chain(Call(a; \\psi, \\xi), Call(l; \\xi); =), Forall(Chain(\\xi, Call(\\Psi; 0); \\in)))",
+        "rheolef/rheolef/doc/usrman/axisymmetric.tex",
+    ),
+    (
+        "c_1 &=&\n            (\\chi_{n+1}-\\chi_n,\\, \\chi_n-\\chi_{n-1})\n\t  \\\\\n\t  &=& \n            (\\lambda_{n+1}-\\lambda_n)(\\lambda_n-\\lambda_{n-1})\n\t    +\n            (u_{n+1}-u_n,\\, u_n-u_{n-1})_V\n\t  \\\\\n        c_2 &=&\n            (\\dot{\\chi}_n,\\, \\chi_{n+1}-\\chi_n)\n\t  \\\\\n\t  &=& \n            (\\dot{\\lambda}_n,\\, \\lambda_{n+1}-\\lambda_n)\n\t    +\n            (\\dot{u}_n,\\, u_{n+1}-u_n)_V",
+        "System(Chain(c_1, Pair(Add(\\chi_{n+1}, Neg(Call(\\chi_n))); Add(Call(\\chi_n), Neg(\\chi_{n-1}))), Add(Mul(Add(\\lambda_{n+1}, Neg(Call(\\lambda_n))), Add(Call(\\lambda_n), Neg(\\lambda_{n-1}))), Marked(Pair(Add(u_{n+1}, Neg(Call(u_n))); Add(Call(u_n), Neg(u_{n-1}))); _{ V })); =, =), Chain(c_2, Pair(Call(\\dot{\\chi}_n); Add(\\chi_{n+1}, Neg(Call(\\chi_n)))), Add(Pair(Call(\\dot{\\lambda}_n); Add(\\lambda_{n+1}, Neg(Call(\\lambda_n)))), Marked(Pair(Call(\\dot{u}_n); Add(u_{n+1}, Neg(Call(u_n)))); _{ V })); =, =))",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\mathcal{N}(s,\\lambda(s),u(s)) &=& 0 \\\\\n\t  F(\\lambda(s),u(s)) &=& 0",
+        "System(Chain(Call(\\mathcal{N}; s, Call(\\lambda; s), Call(u; s)), 0; =), Chain(Call(F; Call(\\lambda; s), Call(u; s)), 0; =))",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\widetilde{\\mathcal{N}}_n(s,\\,\\chi\\!=\\!(\\lambda,u)) \n\t&=&\n\t  \\|\\chi-\\chi_n\\|^2\t\n\t- |s-s_n|^2\n         \\\\\n\t&=&\n\t  |\\lambda-\\lambda_n|^2\n\t+ \\|u-u_n\\|_V^2\t\n\t- |s-s_n|^2\n\t\\hspace{8em}",
+        "Chain(Call(\\widetilde{\\mathcal{N}}_n; s, Chain(\\chi, Pair(\\lambda; u); =)), Add(Pow(Norm(Add(\\chi, Neg(\\chi_n))); 2), Neg(Pow(Bars(Add(s, Neg(s_n))); 2))), Add(Pow(Bars(Add(\\lambda, Neg(\\lambda_n))); 2), Pow(Marked(Norm(Add(u, Neg(u_n))); _{ V }); 2), Neg(Pow(Bars(Add(s, Neg(s_n))); 2))); =, =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\mathcal{F}_n(s,\\chi(s)) = 0",
+        "Chain(Call(\\mathcal{F}_n; s, Call(\\chi; s)), 0; =)",
+        "rheolef/rheolef/doc/usrman/continuation.tex",
+    ),
+    (
+        "\\phi(t,x) = \\exp\\left( -\\lambda t -r(t) |x-x_0(t)|^2 \\right)",
+        "Chain(Call(\\phi; t, x), Call(exp; Add(Neg(Mul(\\lambda, t)), Neg(Mul(Call(r; t), Pow(Bars(Add(x, Neg(Call(x_0; t)))); 2))))); =)",
+        "rheolef/rheolef/doc/usrman/convect.tex",
+    ),
+    (
+        "\\nu^{-1}\\boldsymbol{q} - \\nabla \\phi &=& 0 \n\t\\ \\mbox{ in } \\ \\Omega\n\t\n\t\\\\\n  {\\rm div}(\\boldsymbol{q} - \\boldsymbol{u}\\phi) - \\sigma\\phi &=& -f \n\t\\ \\mbox{ in } \\ \\Omega\n\t\n\t\\\\\n  \\phi &=& \\phi_\\Gamma\n\t\\ \\mbox{ on } \\ \\Gamma_d",
+        "System(Chain(Add(Mul(Pow(\\nu; Neg(1)), \\boldsymbol{q}), Neg(\\nabla \\phi)), 0; =), Words(\\text{in~\\Omega}), Chain(Add(Call(div; Add(\\boldsymbol{q}, Neg(Mul(\\boldsymbol{u}, \\phi)))), Neg(Mul(\\sigma, \\phi))), Neg(f); =), Words(\\text{in~\\Omega}), Chain(\\phi, \\phi_\\varGamma; =), Words(\\text{on~\\varGamma_{d}}))",
+        "rheolef/rheolef/doc/usrman/convect_hdg.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h),\n      \\ \\forall v_h \\in V_{0,h}",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, V_{0,h}; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet-nh.tex",
+    ),
+    (
+        "a(u,v) = l(v), \\ \\forall v \\in V_0",
+        "System(Chain(Call(a; u, v), Call(l; v); =), Forall(Chain(v, V_0; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet-nh.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h),\n      \\ \\forall v_h \\in V_h",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, V_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet.tex",
+    ),
+    (
+        "\\|\\boldsymbol{\\tau}\\|_{\\mathrm{div},2,\\Omega}^2\n    =\n    \\|\\boldsymbol{\\tau}\\|_{0,2,\\Omega}^2\n    +\n    \\|\\mathrm{div}(\\boldsymbol{\\tau})\\|_{0,2,\\Omega}^2",
+        "Chain(Pow(Marked(Norm(\\boldsymbol{\\tau}); _{ \\mathrm { d i v } , 2 , \\Omega }); 2), Add(Pow(Marked(Norm(\\boldsymbol{\\tau}); _{ 0 , 2 , \\Omega }); 2), Pow(Marked(Norm(Call(div; \\boldsymbol{\\tau})); _{ 0 , 2 , \\Omega }); 2)); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "m_s(\\bar{\\lambda}_h,\\mu_h)\n  &=&\n  k_h(\\mu_h)\n  ,\\ \\ \\forall \\mu_h\\in M_h",
+        "System(Chain(Call(m_s; \\bar{\\lambda}_h, \\mu_h), Call(k_h; \\mu_h); =), Forall(Chain(\\mu_h, M_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "u(x) = \\prod_{i=0}^{d-1} \\sin(\\pi x_i)",
+        "Chain(Call(u; x), BigProduct(i; 0; Add(d, Neg(1)); Call(sin; Mul(\\pi, x_i))); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hdg.tex",
+    ),
+    (
+        "(u_h,\\lambda_h)\n  &=&\n  \\argmin_{v_h\\in X_h}\n  \\max_{\\mu_h\\in M_h(0)}\n  L_1(v_h,\\mu_h)",
+        "Chain(Pair(u_h; \\lambda_h), Limiting(argmin; _{ v _ { h } \\in X _ { h } }; Limiting(max; _{ \\mu _ { h } \\in M _ { h } ( 0 ) }; Call(L_1; v_h, \\mu_h))); =)",
+        "rheolef/rheolef/doc/usrman/dirichlet_hho.tex",
+    ),
+    (
+        "m(\\check{u}_h,\\check{v}_h)\n  &=&\n  d_*(u_h^*,\\check{v}_h)\n  ,\\ \\ \\forall \\check{v}_h\\in X_h",
+        "System(Chain(Call(m; \\check{u}_h, \\check{v}_h), Call(d_*; u _ { h } ^ { * }, \\check{v}_h); =), Forall(Chain(\\check{v}_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/dirichlet_hho.tex",
+    ),
+    (
+        "\\begin{array}{lcccl}\n      a({\\bf u}_h,{\\bf v}) &+& b({\\bf v}, p_h) &=& 0, \\ \\forall {\\bf v}\\in V_h(0), \\\\\n      b({\\bf u}_h,q) &-& c(p,q) &=& 0, \\ \\forall q \\in Q_h.\n    \\end{array}",
+        "System(Chain(Add(Call(a; \\mathbf{u}_h, \\mathbf{v}), Call(b; \\mathbf{v}, p_h)), 0; =), Forall(Chain(\\mathbf{v}, Call(V_h; 0); \\in)), Chain(Add(Call(b; \\mathbf{u}_h, q), Neg(Call(c; p, q))), 0; =), Forall(Chain(q, Q_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/incompressible-elasticity.tex",
+    ),
+    (
+        "-r \\Delta u^{(k+1)}\n\t&=&\n\tf\n\t+\n\t{\\rm div}\n\t\\left(\n\t\t\\boldsymbol{\\sigma}^{(k)} - r \\boldsymbol{\\gamma}^{(k)} \n\t\\right)\n        \\ \\mbox{ in } \\Omega \\\\\n      u^{(k+1)}&=& 0\n        \\ \\mbox{ on } \\partial\\Omega",
+        "System(Chain(Neg(Mul(r, \\Delta u ^ { ( k + 1 ) })), Add(f, Call(div; Add(\\boldsymbol { \\sigma } ^ { ( k ) }, Neg(Mul(r, \\boldsymbol { \\gamma } ^ { ( k ) }))))); =), Words(\\text{in~\\Omega}), Chain(u ^ { ( k + 1 ) }, 0; =), Words(\\text{on~\\partial\\Omega}))",
+        "rheolef/rheolef/doc/usrman/mosolov.tex",
+    ),
+    (
+        "\\breve{t}_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf v}_h) \n   :=\n   t_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf v}_h) \n   +\n   s_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf v}_h)",
+        "Chain(Call(\\breve{t}_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{v}_h; ;)), Add(Call(t_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{v}_h; ;)), Call(s_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{v}_h; ;))); =)",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "t_h({\\bf w}_h;\\,{\\bf u}_h,\\, {\\bf u}_h) \\geq 0\n   ,\\ \\forall {\\bf w}_h,\\,{\\bf u}_h \\in {\\bf X}_h",
+        "System(Chain(Call(t_h; Given(\\mathbf{w}_h; \\mathbf{u}_h, \\mathbf{u}_h; ;)), 0; \\ge), Forall(\\mathbf{w}_h), Forall(Chain(\\mathbf{u}_h, \\mathbf{X}_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "a({\\bf u},{\\bf u}) = l({\\bf u})",
+        "Chain(Call(a; \\mathbf{u}, \\mathbf{u}), Call(l; \\mathbf{u}); =)",
+        "rheolef/rheolef/doc/usrman/navier_stokes_statio_dg.tex",
+    ),
+    (
+        "a(u_h,v_h) = l(v_h),\n      \\ \\forall v_h \\in X_h",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, X_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/neumann-nh.tex",
+    ),
+    (
+        "u^{(n+1)} := u^{(n)} + \\delta u^{(n)}",
+        "Chain(u ^ { ( n + 1 ) }, Add(u ^ { ( n ) }, \\delta u ^ { ( n ) }); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "a\\left(u^{(n)} ;u^{*},v\\right) = l(v),\n      \\ \\forall v \\in W^{1,p}_0(\\Omega)",
+        "System(Chain(Call(a; Given(u ^ { ( n ) }; u ^ { * }, v; ;)), Call(l; v); =), Forall(Chain(v, Call(W _ { 0 } ^ { 1 , p }; \\Omega); \\in)))",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "u^{(n+1)} = \\omega u^* + (1-\\omega)*u^{(n)}",
+        "Chain(u ^ { ( n + 1 ) }, Add(Mul(\\omega, u ^ { * }), Operated(*; Add(1, Neg(\\omega)); u ^ { ( n ) })); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\omega_{\\rm opt} = 2/p",
+        "Chain(\\omega_{opt}, Div(2; p); =)",
+        "rheolef/rheolef/doc/usrman/p_laplacian.tex",
+    ),
+    (
+        "\\int_\\Omega \n    p_h\\,q_h\n    \\,\\mathrm{d}x\n  &=&\n  \\int_\\Omega \n    p\\,q_h\n    \\,\\mathrm{d}x\n  ,\\ \\ \\forall q_h\\in Q_h",
+        "System(Chain(Over(\\int; _ { \\Omega }; Mul(p_h, q_h); x), Over(\\int; _ { \\Omega }; Mul(p, q_h); x); =), Forall(Chain(q_h, Q_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/raviart_thomas.tex",
+    ),
+    (
+        "\\begin{array}{lcccl}\n      a_h({\\bf u}_h,{\\bf v}_h) &+& b_h({\\bf v}_h, p_h) &=& l_h({\\bf v}_h), \\ \\forall {\\bf v}_h\\in {\\bf X}_h, \\\\\n      b_h({\\bf u}_h,q_h)       &-& c_h(p_h,q_h)        &=& k_h(q), \\ \\forall q_h \\in Q_h.\n    \\end{array}",
+        "System(Chain(Add(Call(a_h; \\mathbf{u}_h, \\mathbf{v}_h), Call(b_h; \\mathbf{v}_h, p_h)), Call(l_h; \\mathbf{v}_h); =), Forall(Chain(\\mathbf{v}_h, \\mathbf{X}_h; \\in)), Chain(Add(Call(b_h; \\mathbf{u}_h, q_h), Neg(Call(c_h; p_h, q_h))), Call(k_h; q); =), Forall(Chain(q_h, Q_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/stokes_dg.tex",
+    ),
+    (
+        "a(u_h,v_h) &=& l(v_h), \\ \\ \\forall v_h\\in W_h \\\\",
+        "System(Chain(Call(a; u_h, v_h), Call(l; v_h); =), Forall(Chain(v_h, W_h; \\in)))",
+        "rheolef/rheolef/doc/usrman/surface.tex",
+    ),
+    (
+        "\\eta (x) = \\left\\{ \\begin{array}{ll}\n\t\t\\varepsilon   & \\mbox{ when } x \\in \\Omega_{\\rm west} \\\\ \n\t\t1             & \\mbox{ when } x \\in \\Omega_{\\rm east}\n      \t\t\\end{array} \\right.",
+        "Chain(Call(\\eta; x), Piecewise(\\varepsilon, Chain(x, \\Omega_{west}; \\in), 1, Chain(x, \\Omega_{east}; \\in)); =)",
+        "rheolef/rheolef/doc/usrman/transmission.tex",
+    ),
+    (
+        "\\omega_{K_0,S} \n  =\n  \\dfrac{\\eta_{|K_0}}\n        {\\eta_{|K_0} + \\eta_{|K_1}}\n  \\ \\ \\mbox{ and }\\ \\ \n  \\omega_{K_1,S}\n  =\n  \\dfrac{\\eta_{|K_1}}\n        {\\eta_{|K_0} + \\eta_{|K_1}}",
+        "System(Chain(\\omega_{K_0,S}, Div(\\eta_{|K_0}; Add(\\eta_{|K_0}, \\eta_{|K_1})); =), Chain(\\omega_{K_1,S}, Div(\\eta_{|K_1}; Add(\\eta_{|K_0}, \\eta_{|K_1})); =))",
+        "rheolef/rheolef/doc/usrman/transmission_dg.tex",
+    ),
+    (
+        "a(\\phi,\\varphi) &=& l(\\varphi), \\ \\forall \\varphi\\in X",
+        "System(Chain(Call(a; \\phi, \\varphi), Call(l; \\varphi); =), Forall(Chain(\\varphi, X; \\in)))",
+        "rheolef/rheolef/doc/usrman/transport_dg.tex",
+    ),
+    (
+        "{\\rm div}(\\boldsymbol{u}\\nabla \\phi) + \\sigma \\phi &=& f \n\t\\ \\ \\mbox{ in } \\ \\Omega\n\t\\\\\n  \\phi &=& u_\\Gamma\n\t\\ \\mbox{ on } \\ \\partial \\Omega_-",
+        "System(Chain(Add(Call(div; Mul(\\boldsymbol{u}, \\nabla \\phi)), Mul(\\sigma, \\phi)), f; =), Words(\\text{in~\\Omega}), Chain(\\phi, u_\\varGamma; =), Words(\\text{on~\\partial\\Omega_{-}}))",
+        "rheolef/rheolef/doc/usrman/transport_hdg.tex",
+    ),
+    (
+        "u^{(k+1)} &:=& \\argmin_{v\\in H^1(\\Omega)}\n\t\t L((v,\\gamma^{(k)});\\lambda^{(k)})\n\t\\\\\n    \\gamma^{(k+1)} &:=& \\argmin_{\\delta\\in L^{\\infty}(\\partial\\Omega)}\n\t\tL((u^{(k+1)},\\delta);\\lambda^{(k)})\n\t\\\\\n     \\lambda^{(k+1)}\n\t&:=&\n        \\lambda^{(k)}\n\t+ \\rho \\left( u^{(k+1)} - \\gamma^{(k+1)} \\right)\n        \\ \\mbox{ on } \\partial\\Omega",
+        "System(Chain(u ^ { ( k + 1 ) }, Limiting(argmin; _{ v \\in H ^ { 1 } ( \\Omega ) }; Call(L; Given(Pair(v; \\gamma ^ { ( k ) }); \\lambda ^ { ( k ) }; ;))); =), Chain(\\gamma ^ { ( k + 1 ) }, Limiting(argmin; _{ \\delta \\in L ^ { \\infty } ( \\partial \\Omega ) }; Call(L; Given(Pair(u ^ { ( k + 1 ) }; \\delta); \\lambda ^ { ( k ) }; ;))); =), Chain(\\lambda ^ { ( k + 1 ) }, Add(\\lambda ^ { ( k ) }, Mul(\\rho, Add(u ^ { ( k + 1 ) }, Neg(\\gamma ^ { ( k + 1 ) })))); =), Words(\\text{on~\\partial\\Omega}))",
+        "rheolef/rheolef/doc/usrman/yield_slip.tex",
+    ),
+    (
+        "\\dfrac{\\partial \\phi}{\\partial t}(t)\n    =\n    \\dfrac{1}{\\Delta t}\n    \\sum_{i=0}^p\n\t\\alpha_{p,i}\n        \\ \\phi (t\\!-\\!i\\Delta t)\n    +\n    \\mathcal{O} \\left( \\Delta t^p \\right)",
+        "Chain(Derivative(Call(\\phi; t); t, 1; True), Add(Mul(Div(1; \\Delta t), BigSum(i; 0; p; Mul(\\alpha_{p,i}, Call(\\phi; Add(t, Neg(Mul(i, \\Delta t))))))), Call(\\mathcal{O}; Pow(\\Delta t; p))); =)",
+        "rheolef/rheolef/doc/usrman/zalesak_dg.tex",
+    ),
+    (
+        "\\nabla\\boldsymbol{F} (\\widehat{\\boldsymbol{x}})\n  =\n  \\sum_{\\beta=1}^{n_p}\n    \\boldsymbol{x}_{K,\\beta}\n    \\otimes\n    \\nabla \\varphi_\\beta\n    (\\widehat{\\boldsymbol{x}})\n  ,\\ \\ \\forall \\widehat{\\boldsymbol{x}} \\in \\widehat{K}",
+        "System(Chain(Call(\\nabla \\boldsymbol { F }; \\widehat{\\boldsymbol{x}}), BigSum(\\beta; 1; n_p; Operated(\\otimes; \\boldsymbol{x}_{K,\\beta}; Call(\\nabla \\varphi _ { \\beta }; \\widehat{\\boldsymbol{x}}))); =), Forall(Chain(\\widehat{\\boldsymbol{x}}, \\widehat{K}; \\in)))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\bar{B}' &=& \\bar{A} \\bar{C}'",
+        "Chain(\\bar{B}', Mul(\\bar{A}, \\bar{C}'); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\ell_\\alpha(\\psi_\\gamma)\n  &=&\n  \\delta_{\\alpha,\\beta}\n  ,\\ \\ 1\\leq \\alpha,\\beta\\leq n\n  \\\\\n  \\sum_{\\gamma=1}^n a_{\\beta,\\gamma} \\ell_\\alpha(\\psi_\\gamma)\n  &=&\n  0\n  ,\\ \\ n+1\\leq \\alpha\\leq \\tilde{n}\n  ,\\ \\ 1\\leq \\beta\\leq n",
+        "System(Chain(BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\ell_\\alpha; \\psi_{\\gamma}))), \\delta_{\\alpha,\\beta}; =), Chain(1, \\alpha, n; \\le, \\le), Chain(1, \\beta, n; \\le, \\le), Chain(BigSum(\\gamma; 1; n; Mul(a_{\\beta,\\gamma}, Call(\\ell_\\alpha; \\psi_{\\gamma}))), 0; =), Chain(Add(n, 1), \\alpha, \\tilde{n}; \\le, \\le), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\psi_\\alpha\n  &=&\n  \\sum_{\\beta=1}^m\n    \\bar{a}_{\\alpha,\\beta}\n    b_\\beta",
+        "Chain(\\psi_\\alpha, BigSum(\\beta; 1; m; Mul(\\bar{a}_{\\alpha,\\beta}, b_{\\beta})); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\ell_\\alpha(\\varphi_\\beta) &=& \\delta_{\\alpha,\\beta}\n  ,\\ \\ 1\\leq \\alpha,\\beta \\leq n",
+        "System(Chain(Call(\\ell_\\alpha; \\varphi_\\beta), \\delta_{\\alpha,\\beta}; =), Chain(1, \\alpha, n; \\le, \\le), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\Lambda_k\n  &=&\n  \\max_{\\widehat{\\boldsymbol{x}}\\in\\widehat{K}}\n  \\sum_{\\beta=1}^n\n  |\\varphi_\\beta(\\widehat{\\boldsymbol{x}})|",
+        "Chain(\\Lambda_k, Limiting(max; _{ \\widehat { \\boldsymbol { x } } \\in \\widehat { K } }; BigSum(\\beta; 1; n; Bars(Call(\\varphi_{\\beta}; \\widehat{\\boldsymbol{x}})))); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "G_{K,q,i,j}\n  &=&\n  \\sum_{\\beta=1}^{\\bar{n}}\n    X_{K,\\bar{\\beta},i}\n    \\bar{C}'_{\\bar{\\beta},q,j}",
+        "Chain(G_{K,q,i,j}, BigSum(\\beta; 1; \\bar{n}; Mul(X_{K,\\bar\\beta,i}, \\bar{C}_{\\bar\\beta,q,j}')); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\varphi_\\beta (\\widehat{\\boldsymbol{x}})\n  &=&\n  \\sum_{\\gamma=1}^{\\tilde{n}} a_{\\beta,\\gamma} \\psi_\\gamma(\\widehat{\\boldsymbol{x}})\n  ,\\ \\ \\forall\\widehat{\\boldsymbol{x}} \\in \\widehat{K}\n  ,\\ \\ 1\\leq \\beta\\leq n",
+        "System(Chain(Call(\\varphi_\\beta; \\widehat{\\boldsymbol{x}}), BigSum(\\gamma; 1; \\tilde{n}; Mul(a_{\\beta,\\gamma}, Call(\\psi_{\\gamma}; \\widehat{\\boldsymbol{x}}))); =), Forall(Chain(\\widehat{\\boldsymbol{x}}, \\widehat{K}; \\in)), Chain(1, \\beta, n; \\le, \\le))",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "G_K\n  &=&\n  X_K^T \\bar{B}'",
+        "Chain(G_K, Mul(Transpose(X_K), \\bar{B}'); =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "\\tilde{\\boldsymbol{\\psi}}\n  &=&\n  (\\tilde{\\psi}_\\alpha)_{1\\leq \\alpha\\leq n}\n  \\ =\\ \n  \\{(p,0)\\}_{p\\in \\boldsymbol{b}_k}\n  \\cup\n  \\{(0,q)\\}_{q\\in \\boldsymbol{b}_k}\n  \\cup\n  \\{(x_1r,x_2r)\\}_{r\\in \\bar{\\boldsymbol{b}}_k}",
+        "Chain(\\tilde{\\boldsymbol{\\psi}}, Marked(\\tilde{\\psi}_\\alpha; _{ 1 \\leq \\alpha \\leq n }), Operated(\\cup; Operated(\\cup; Marked(Tuple(Pair(p; 0); {}); _{ p \\in \\boldsymbol { b } _ { k } }); Marked(Tuple(Pair(0; q); {}); _{ q \\in \\boldsymbol { b } _ { k } })); Marked(Tuple(Pair(Mul(x_1, r); Mul(x_2, r)); {}); _{ r \\in \\bar { \\boldsymbol { b } } _ { k } })); =, =)",
+        "rheolef/rheolef/fem/idoc/internals_basis.tex",
+    ),
+    (
+        "J^{(\\alpha,\\beta)}_{-1}(x) &=& 0 \\\\\n    J^{(\\alpha,\\beta)}_0(x) &=& 1 \\\\\n    xJ^{(\\alpha,\\beta)}_{n}(x) &=& a_n^* J^{(\\alpha,\\beta)}_n(x) + b_n^* J^{(\\alpha,\\beta)}_{n-1}(x) + b_{n+1}^* J_{n+1}(x),\n    \t\\ \\ n \\geq 0",
+        "System(Chain(Call(J _ { - 1 } ^ { ( \\alpha , \\beta ) }; x), 0; =), Chain(Call(J _ { 0 } ^ { ( \\alpha , \\beta ) }; x), 1; =), Chain(Mul(x, Call(J _ { n } ^ { ( \\alpha , \\beta ) }; x)), Add(Mul(a _ { n } ^ { * }, Call(J _ { n } ^ { ( \\alpha , \\beta ) }; x)), Mul(b _ { n } ^ { * }, Call(J _ { n - 1 } ^ { ( \\alpha , \\beta ) }; x)), Mul(b _ { n + 1 } ^ { * }, Call(J_{n+1}; x))); =), Chain(n, 0; \\ge))",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "\\int_{-1}^1 f(x) {\\rm d}x \n  \\approx\n  \\sum_{r=0}^{R-1} f\\left(\\zeta_{r,R}^{(0,0)}\\right)\n                   \\ \\omega_{r,R}^{(0,0)}",
+        "Chain(Integral(Call(f; x); x; Neg(1); 1), BigSum(r; 0; Add(R, Neg(1)); Mul(Call(f; \\zeta _ { r , R } ^ { ( 0 , 0 ) }), \\omega _ { r , R } ^ { ( 0 , 0 ) })); \\approx)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "\\int_{-1}^1 f(x) (1-x)^\\alpha (1+x)^\\beta {\\rm d}x \n  \\approx \n  \\sum_{r=0}^{R-1} f\\left(\\check{\\zeta}_{r,R}^{(\\alpha,\\beta)}\\right)\n                   \\ \\check{\\omega}_{r,R}^{(\\alpha,\\beta)}",
+        "Chain(Integral(Mul(Call(f; x), Pow(Add(1, Neg(x)); \\alpha), Pow(Add(1, x); \\beta)); x; Neg(1); 1), BigSum(r; 0; Add(R, Neg(1)); Mul(Call(f; \\check { \\zeta } _ { r , R } ^ { ( \\alpha , \\beta ) }), \\check { \\omega } _ { r , R } ^ { ( \\alpha , \\beta ) })); \\approx)",
+        "rheolef/rheolef/fem/quadrature/jacobi.tex",
+    ),
+    (
+        "g  = f_f  -      A_{ii}^{-1} f_i",
+        "Chain(g, Add(f_f, Neg(Mul(Pow(A_{ii}; Neg(1)), f_i))); =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "C*u_f = g",
+        "Chain(Operated(*; C; u_f), g; =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "A u = f",
+        "Chain(Mul(A, u), f; =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "\\left( \\begin{array}{cc}     \n        A_{ii} & A_{ie} \\\\\n        A_{ei} & A_{ee}\n    \\end{array} \\right)\n    \\left( \\begin{array}{c}     \n        u_i \\\\ u_e\n    \\end{array} \\right)\n    =\n    \\left( \\begin{array}{c}     \n        f_i \\\\ f_e\n    \\end{array} \\right)",
+        "Chain(Mul(MatrixOf(A_{ii}, A_{ie}, A_{ei}, A_{ee}), MatrixOf(u_i, u_e)), MatrixOf(f_i, f_e); =)",
+        "rheolef/rheolef/fem/quadrature/matvec.tex",
+    ),
+    (
+        "R_{l}=\\frac{(u+1)(u-1)\\left( e^{t}-e^{-t} \\right)}{\\left( u+1\n\\right)^{2}e^{t}-\\left( u-1 \\right)^{2}e^{-t}}\\, ,\\, T_{l}=\\frac{4u}{\\left(\nu+1 \\right)^{2}e^{t}-\\left( u-1 \\right)^{2}e^{-t}}",
+        "System(Chain(R_l, Div(Mul(Add(u, 1), Add(u, Neg(1)), Add(Pow(e; t), Neg(Pow(e; Neg(t))))); Add(Mul(Pow(Add(u, 1); 2), Pow(e; t)), Neg(Mul(Pow(Add(u, Neg(1)); 2), Pow(e; Neg(t)))))); =), Chain(T_l, Div(Mul(4, u); Add(Mul(Pow(Add(u, 1); 2), Pow(e; t)), Neg(Mul(Pow(Add(u, Neg(1)); 2), Pow(e; Neg(t)))))); =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "\\mu_{0}=\\cos \\theta =\\sin \\delta \\sin \\phi +\\cos \\delta \\cos \\phi \\cos\n{th}",
+        "Chain(\\mu_0, Call(cos; \\theta), Add(Mul(Call(sin; \\delta), Call(sin; \\phi)), Mul(Call(cos; \\delta), Call(cos; \\phi), Call(cos; Mul(t, h)))); =, =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        'u_{H_{2}O}\\left( z,z\' \\right)=\\int_{z\'}^{z} \\rho_{H_{2}O} \\left( z" \\right)\\,\n\\left( \\frac{P(z")}{P_{0}}\\sqrt \\frac{T_{0}}{T(z")} \\right)^{n}dz"',
+        "Chain(Call(u_{H_2O}; z, z'), Integral(Mul(Call(\\rho_{H_2O}; z''), Pow(Mul(Div(Call(P; z''); P_0), Sqrt(Div(T_0; Call(T; z'')))); n)); z''; z'; z); =)",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "U_{l}=\\frac{T_{1,l}{\\, R}_{L+1,l}}{1-R_{1,l}^{\\star }R_{L+1,l+1}}\\, \\, ,\\, \\,\nD_{l}=\\frac{T_{1,l}}{1-R_{1,l}^{\\star }R_{L+1,l+1}}",
+        "System(Chain(U_l, Div(Mul(T_{1,l}, R_{L+1,l}); Add(1, Neg(Mul(R _ { 1 , l } ^ { \\star }, R_{L+1,l+1})))); =), Chain(D_l, Div(T_{1,l}; Add(1, Neg(Mul(R _ { 1 , l } ^ { \\star }, R_{L+1,l+1})))); =))",
+        "code-saturne/code_saturne/docs/theory/atmo.tex",
+    ),
+    (
+        "q_{ib} \\left( K_{f_{b}} , \\, Y \\right)  =\n-\\left(K_{f_{b}} + C\\,\\frac{\\mu_T}{\\sigma_T}\\right)\n                  \\dfrac{\\partial Y}{\\partial y}",
+        "Chain(Call(q_{ib}; K_{f_b}, Call(Y)), Neg(Mul(Add(K_{f_b}, Mul(C, Div(\\mu_T; \\sigma_T))), Derivative(Call(Y); y, 1; True))); =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\displaystyle\\frac{\\partial^2 P}{\\partial n \\partial \\tau } = 0,",
+        "Chain(Derivative(Call(P); n, 1, \\tau, 1; True), 0; =)",
+        "code-saturne/code_saturne/docs/theory/bndcnd.tex",
+    ),
+    (
+        "\\dfrac{\\partial }{\\partial t}(\\rho \\underline{u})\n+\\underline{\\text{div}}\\, \\left( \\underline{u}\\otimes \\rho \\underline{u} \\right)\n= - \\underline{\\nabla} P + \\underline{\\text{div}}\\,  \\underline{\\underline{\\tau}}.",
+        "Chain(Add(Derivative(Mul(Call(\\rho), Call(\\underline{u})); t, 1; True), Call(div; Operated(\\otimes; Call(\\underline{u}); Mul(Call(\\rho), Call(\\underline{u}))))), Add(Neg(\\nabla P), Call(div; \\underline{\\underline{\\tau}})); =)",
+        "code-saturne/code_saturne/docs/theory/cavitation.tex",
+    ),
+    (
+        "E = \\rho e = \\rho\\varepsilon + \\frac{1}{2} \\rho u^2",
+        "Chain(E, Mul(\\rho, e), Add(Mul(\\rho, \\varepsilon), Mul(Div(1; 2), \\rho, Pow(u; 2))); =, =)",
+        "code-saturne/code_saturne/docs/theory/cfbase.tex",
+    ),
+    (
+        "\\displaystyle e_{b,int} =\n\\underbrace{\\frac{ h'_{imp,ext} }{ C_v\\,h_{int}+h'_r\\,h'_{imp,ext} }\\,\n  \\left(C_v\\,T_{imp,ext}+\\frac{1}{2}u^2_{i}+\\varepsilon_{sup,i}\\right)}_{A_b}\n+\\underbrace{\\frac{ C_v\\,h_{int}+h'_{imp,ext}(h'_r-1) }{ C_v\\,h_{int}+h'_r\\,h'_{imp,ext} }}_{B_b}\\,e_{I'}",
+        "Chain(e_{b,int}, Add(Mul(Div(h_{imp,ext}'; Add(Mul(C_v, h_{int}), Mul(h_r', h_{imp,ext}'))), Add(Mul(C_v, T_{imp,ext}), Mul(Div(1; 2), Pow(u_i; 2)), \\varepsilon_{sup,i})), Mul(Div(Add(Mul(C_v, h_{int}), Mul(h_{imp,ext}', Add(h_r', Neg(1)))); Add(Mul(C_v, h_{int}), Mul(h_r', h_{imp,ext}'))), e_{I'})); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "e_{b,int} = \\frac{h_b\\,h'_{imp,ext}}{h_{int}\\,(h_b+h'_{imp,ext})}\\,(T_{imp,ext}-T_{I'})+e_{I'}",
+        "Chain(e_{b,int}, Add(Mul(Div(Mul(h_b, h_{imp,ext}'); Mul(h_{int}, Add(h_b, h_{imp,ext}'))), Add(T_{imp,ext}, Neg(T_{I'}))), e_{I'}); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "P_{paroi} = P_i \\left( 1+ \\displaystyle\\frac{\\gamma -1}{\\gamma}\n\\displaystyle\\frac{\\rho_i}{P_i} \\underline{g} \\cdot (\\underline{x}_{paroi} - \\underline{x}_i)\n\\right)^{\\frac{\\gamma}{\\gamma -1}}",
+        "Chain(P_{paroi}, Mul(P_i, Pow(Add(1, Mul(Div(Add(\\gamma, Neg(1)); \\gamma), Div(\\rho_i; P_i), \\underline{g}, Add(\\underline{x}_{paroi}, Neg(\\underline{x}_i)); 3)); Div(\\gamma; Add(\\gamma, Neg(1))))); =)",
+        "code-saturne/code_saturne/docs/theory/cfxtcl.tex",
+    ),
+    (
+        "T^* = -\\displaystyle\\frac{\\phi_b}{\\rho\\,C_p\\,u_k}",
+        "Chain(T ^ { * }, Neg(Div(\\phi_b; Mul(\\rho, C_p, u_k))); =)",
+        "code-saturne/code_saturne/docs/theory/clptrg.tex",
+    ),
+    (
+        "G_{\\text{calc}}=\\displaystyle\\frac{u_{\\tau,G}-u_{\\tau,F}}{2d} =\n\\displaystyle\\frac{u_{\\tau,I}+u_{\\tau,J}-2u_{\\tau,F}}{4d}",
+        "Chain(G_{calc}, Div(Add(u_{\\tau,G}, Neg(u_{\\tau,F})); Mul(2, d)), Div(Add(u_{\\tau,I}, u_{\\tau,J}, Neg(Mul(2, u_{\\tau,F}))); Mul(4, d)); =, =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\displaystyle\\frac{u_{\\tau,I'}}{u^*}=g(y^+)",
+        "Chain(Div(u_{\\tau,I'}; u ^ { * }), Call(g; y ^ { + }); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\frac{\\nu_t}{\\nu} = a_1 (y^+)^3",
+        "Chain(Div(\\nu_t; \\nu), Mul(a_1, Pow(y ^ { + }; 3)); =)",
+        "code-saturne/code_saturne/docs/theory/clptur.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{l}\n\\textrm{R}_{ij}=\\textrm{S}_{3(i-1)+j}\\\\\n\\textrm{S}_i=\\textrm{R}_{q(i)r(i)}\n\\end{array}\\right.",
+        "System(Chain(\\text{R}_{ij}, \\text{S}_{3(i-1)+j}; =), Chain(\\text{S}_i, \\text{R}_{q(i)r(i)}; =))",
+        "code-saturne/code_saturne/docs/theory/clsyvt.tex",
+    ),
+    (
+        "\\underbrace{\\ \\ f_{b,int}\\ \\ }_{\\text{valeur de bord utilis\\'ee par le calcul}}\n= \\underbrace{\\ \\ f_{\\text{\\it r\\'eel}}\\ \\ }_{\\text{valeur r\\'eelle impos\\'ee au bord}}",
+        "Chain(f_{b,int}, f_{r\\'eel}; =)",
+        "code-saturne/code_saturne/docs/theory/condli.tex",
+    ),
+    (
+        "||\\lambda_l ||_{\\,\\mathbb{C}}  < 1",
+        "Chain(Marked(Norm(\\lambda_l); _{ \\, \\mathbb { C } }), 1; <)",
+        "code-saturne/code_saturne/docs/theory/covofi.tex",
+    ),
+    (
+        "\\displaystyle\\frac{\\partial\\underline{D}}{\\partial t}-\\underline{\\text{rot}}\\ \\underline{H}=-\\underline{j}",
+        "Chain(Add(Derivative(Call(\\underline{D}); t, 1; True), Neg(Call(rot; \\underline{H}))), Neg(\\underline{j}); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\begin{array}{lll}\n\\underline{j}\\cdot\\underline{E}&=&\n\\displaystyle-\\frac{\\partial \\underline{D}}{\\partial t}\\cdot\\underline{E}\n+\\underline{H}\\cdot\\underline{\\text{rot}}\\ \\underline{E}-\\text{div}\\,(\\underline{E}\\times\\underline{H})\\\\\n\\end{array}",
+        "Chain(Mul(\\underline{j}, \\underline{E}; 1), Add(Neg(Mul(Derivative(Call(\\underline{D}); t, 1; True), \\underline{E}; 1)), Mul(\\underline{H}, Call(rot; \\underline{E}); 1), Neg(Call(div; Cross(\\underline{E}; \\underline{H})))); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\left\\{\\begin{array}{l}\n{\\color{red}\\displaystyle P_J=\\frac{1}{2}\\,\\underline{j}\\cdot\\underline{E}^*}\\\\\n{\\color{red}\\underline{E}=-\\underline{\\nabla}{(P_R+i\\,P_I)}}\\\\\n{\\color{red}\\underline{j}=\\sigma\\underline{E}}\\\\\n\\end{array}\\right.",
+        "System(Chain(P_J, Mul(Div(1; 2), \\underline{j}, \\underline { E } ^ { * }; 2); =), Chain(\\underline{E}, Neg(Call(grad; Add(P_R, Mul(i, P_I)))); =), Chain(\\underline{j}, Mul(\\sigma, \\underline{E}); =))",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "\\underline{F}_L=\\sum\\limits_i\\left[{n_i\\,q_i\\left(\\underline{E} + \\underline{v}_i \\times \\underline{B}\\right)}\\right]",
+        "Chain(\\underline{F}_L, BigSum(i; Mul(n_i, q_i, Add(\\underline{E}, Cross(\\underline{v}_i; \\underline{B})))); =)",
+        "code-saturne/code_saturne/docs/theory/elbase.tex",
+    ),
+    (
+        "h \\equiv e+ \\dfrac{1}{\\rho} P.",
+        "Chain(h, Add(e, Mul(Div(1; \\rho), P)); \\equiv)",
+        "code-saturne/code_saturne/docs/theory/goveqn.tex",
+    ),
+    (
+        "\\int_{\\Omega} \\text{div}\\, \\left( Y \\ \\underline{q} \\right) \\mathrm{d} \\Omega \\simeq \\sum_{{f} \\in \\mathcal{F}_{i}} Y_{f} \\ \\underline{q}_{f} \\cdot \\underline{S}_{f},",
+        "Chain(Over(\\int; _ { \\Omega }; Call(div; Mul(Y, \\underline{q})); \\Omega), Limiting(sum; _{ f \\in \\mathcal { F } _ { i } }; Mul(Y_f, \\underline{q}_f, \\underline{S}_f; 2)); \\simeq)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "C(h) \\ \\dfrac{\\partial{h}}{\\partial{t}} \\simeq \\text{div}\\, \\left( K(h) \\ \\underline{\\nabla}(h + z) \\right) + Q_s,",
+        "Chain(Mul(Call(C; Call(h)), Derivative(Call(h); t, 1; True)), Add(Call(div; Mul(Call(K; Call(h)), Call(grad; Add(Call(h), z)))), Q_s); \\simeq)",
+        "code-saturne/code_saturne/docs/theory/ground_water.tex",
+    ),
+    (
+        "a_{\\,{b}_{ik}} =  B_{\\,b,ik}\\,a_I\\\\",
+        "Chain(a_{\\,b_ik}, Mul(B_{b,ik}, a_I); =)",
+        "code-saturne/code_saturne/docs/theory/matrix.tex",
+    ),
+    (
+        "f(\\mu_i,\\mu_j) = \\dfrac{\\mu_i \\mu_j}{\\alpha_{{ij}}\n\\mu_i+(1-\\alpha_{{ij}}) \\mu_j}",
+        "Chain(Call(f; \\mu_i, \\mu_j), Div(Mul(\\mu_i, \\mu_j); Add(Mul(\\alpha_{ij}, \\mu_i), Mul(Add(1, Neg(\\alpha_{ij})), \\mu_j))); =)",
+        "code-saturne/code_saturne/docs/theory/navstv.tex",
+    ),
+    (
+        "{\\text{\\texttt{TRAV}}}({\\text{\\texttt{IEL}}},1) = |\\Omega_{IEL}| (-\\displaystyle (\\frac {\\partial p}\n{\\partial x})_{{\\text{\\texttt{IEL}}}}+(\\rho({\\text{\\texttt{IEL}}})-\\rho_0)g_x)",
+        "Chain(Call(\\text{\\text{TRAV}}; \\text{\\text{IEL}}, 1), Mul(Bars(\\Omega_{IEL}), Add(Neg(Marked(Derivative(Call(p); x, 1; True); _{ \\text { \\text { I E L } } })), Mul(Add(Call(\\rho; \\text{\\text{IEL}}), Neg(\\rho_0)), g_x))); =)",
+        "code-saturne/code_saturne/docs/theory/predvv.tex",
+    ),
+    (
+        "\\text{div}\\,(\\,{\\rho\\,\\underline{u}}\\,) = \\Gamma",
+        "Chain(Call(div; Mul(\\rho, \\underline{u})), \\varGamma; =)",
+        "code-saturne/code_saturne/docs/theory/resopv.tex",
+    ),
+    (
+        "\\left\\{\n\\begin{array}{ll}\n\\theta = 1 & \\text{for an implicit first order Euler scheme}, \\\\\n\\theta = \\frac{1}{2} & \\text{for second order Crank-Nicolson scheme}.\n\\end{array}\n\\right.",
+        "System(Chain(\\theta, 1; =), Words(\\text{for~an~implicit~first~order~Euler~scheme}), Chain(\\theta, Div(1; 2); =), Words(\\text{for~second~order~Crank-Nicolson~scheme}))",
+        "code-saturne/code_saturne/docs/theory/timstp.tex",
+    ),
+    (
+        "\\begin{array}{r c l}\n\\displaystyle k &=&\\frac{1}{2} tr{\\underline{\\underline{R}}}, \\\\\n\\mathcal{P} &=&\\frac{1}{2} tr \\left( \\underline{\\underline{\\mathcal{P}}} \\right) ,\n\\end{array}",
+        "System(Chain(k, Mul(Div(1; 2), Call(tr; \\underline{\\underline{R}})); =), Chain(\\mathcal{P}, Mul(Div(1; 2), Call(tr; \\underline{\\underline{\\mathcal{P}}})); =))",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\underline{\\underline{E}} = \\underline{\\underline{L}}-C \\left( \\underline{\\underline{\\alpha}} - \\underline{\\underline{\\widetilde{\\beta}}} \\right),",
+        "Chain(\\underline{\\underline{E}}, Add(\\underline{\\underline{L}}, Neg(Mul(C, Add(\\underline{\\underline{\\alpha}}, Neg(\\underline{\\underline{\\widetilde{\\beta}}}))))); =)",
+        "code-saturne/code_saturne/docs/theory/turbul.tex",
+    ),
+    (
+        "\\displaystyle\n\\phi_{ij,1} = -\\rho\\,C_1 \\frac{\\varepsilon}{k} (R_{ij} - \\frac{2}{3} k \\delta_{ij})",
+        "Chain(\\phi_{ij,1}, Neg(Mul(\\rho, C_1, Div(\\varepsilon; k), Add(R_{ij}, Neg(Mul(Div(2; 3), k, \\delta_{ij}))))); =)",
+        "code-saturne/code_saturne/docs/theory/turrij.tex",
+    ),
+    (
+        "\\displaystyle\n\\Phi_{ij} - \\varepsilon_{ij} = \\phi_{ij,1} + \\phi_{ij,2} + \\phi_{ij,w}  -\\frac{2}{3} \\rho \\ \\delta_{ij} \\varepsilon",
+        "Chain(Add(\\Phi_{ij}, Neg(\\varepsilon_{ij})), Add(\\phi_{ij,1}, \\phi_{ij,2}, \\phi_{ij,w}, Neg(Mul(Div(2; 3), \\rho, \\delta_{ij}, \\varepsilon))); =)",
+        "code-saturne/code_saturne/docs/theory/turrij.tex",
+    ),
+    (
+        "\\underline{\\underline{\\mu}}=\\begin{bmatrix}\\mu_x & 0 & 0 \\\\ 0 & \\mu_y & 0 \\\\ 0 & 0 & \\mu_z \\end{bmatrix}",
+        "Chain(\\underline{\\underline{\\mu}}, MatrixOf(\\mu_x, 0, 0, 0, \\mu_y, 0, 0, 0, \\mu_z); =)",
+        "code-saturne/code_saturne/docs/theory/visort.tex",
+    ),
+    (
+        "\\omega(y,z) = \\sum_{p=1}^N \\Gamma_p \\, \\xi_{\\sigma_p}(r)",
+        "Chain(Call(\\omega; y, z), BigSum(p; 1; N; Mul(\\varGamma_p, Call(\\xi_{\\sigma_p}; r))); =)",
+        "code-saturne/code_saturne/docs/theory/vortex.tex",
+    ),
+    (
+        "\\epsilon_{\\textrm{sup}} = e - C_v T",
+        "Chain(\\epsilon_{sup}, Add(e, Neg(Mul(C_v, T))); =)",
+        "code-saturne/code_saturne/src/cfbl/cs_cf_thermo.c",
+    ),
+    (
+        "c^2  = \\gamma \\frac{p}{\\rho}",
+        "Chain(Pow(c; 2), Mul(\\gamma, Div(p; \\rho)); =)",
+        "code-saturne/code_saturne/src/cfbl/cs_cf_thermo.c",
+    ),
+    (
+        "f(t,x) = \\begin{cases} 1 & \\text{if}\\;\\; x=1/2, \\\\\n0 & \\text{otherwise}. \\end{cases}",
+        "Chain(Call(f; t, x), Piecewise(1, Chain(x, Div(1; 2); =), 0, None); =)",
+        "LLNL/sundials/doc/arkode/examples/source/c_serial.rst",
+    ),
+    (
+        "\\dot{y} = f(t,y),  \\qquad y(t_0) = y_0.",
+        "System(Chain(Call(\\dot{y}), Call(f; t, Call(y)); =), Chain(Call(y; t_0), y_0; =))",
+        "LLNL/sundials/doc/arkode/guide/source/Introduction.rst",
+    ),
+    (
+        "p_2(\\tau) =  \\tau^2\\,y_{n-1} + (1-\\tau^2)\\,y_{n} + h_n(\\tau+\\tau^2)\\,\\hat{f}_{n}.",
+        "Chain(Call(p_2; \\tau), Add(Mul(Pow(\\tau; 2), y_{n-1}), Mul(Add(1, Neg(Pow(\\tau; 2))), y_n), Mul(h_n, Add(\\tau, Pow(\\tau; 2)), \\hat{f}_n)); =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "G(z_i) = 0",
+        "Chain(Call(G; z_i), 0; =)",
+        "LLNL/sundials/doc/arkode/guide/source/Mathematics.rst",
+    ),
+    (
+        "M \\approx I - \\gamma J \\, ,\n\\quad J = \\partial f / \\partial y \\, ,\n\\quad \\mbox{and} \\quad\n\\gamma = h_n \\beta_{n,0} \\, .",
+        "System(Chain(M, Add(I, Neg(Mul(\\gamma, J))); \\approx), Chain(J, Derivative(Call(f); y, 1; True); =), Chain(\\gamma, Mul(h_n, \\beta_{n,0}); =))",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "y_n^{(i+1)} = y_n^{(i)} + \\delta y_n^{(i)}",
+        "Chain(y _ { n } ^ { ( i + 1 ) }, Add(y _ { n } ^ { ( i ) }, \\delta y _ { n } ^ { ( i ) }); =)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "R \\leftarrow \\max\\{0.3R , \\|\\delta_m\\| / \\|\\delta_{m-1}\\| \\} \\, .",
+        "Chain(R, Call(max; Mul(0.3, R), Div(Norm(\\delta_m); Norm(\\delta_{m-1}))); \\leftarrow)",
+        "LLNL/sundials/doc/cvode/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\dot z = q(t,y,\\dot{y},p) \\, , \\quad z(t_0) = 0 \\, .",
+        "System(Chain(Call(\\dot{z}), Call(q; t, Call(y), Call(\\dot{y}), p); =), Chain(Call(z; t_0), 0; =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "J = \\frac{\\partial G}{\\partial y}\n= \\frac{\\partial F}{\\partial y} +\n\\alpha\\frac{\\partial F}{\\partial \\dot{y}} \\, ,",
+        "Chain(J, Derivative(Call(G); y, 1; True), Add(Derivative(Call(F); y, 1; True), Mul(\\alpha, Derivative(Call(F); \\dot{y}, 1; True))); =, =)",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "\\begin{split} & F(t, y, \\dot y , p) = 0 \\\\ & y(t_0) = y_0(p) \\, ,~ {\\dot\ny}(t_0) = \\dot y_0(p) \\, , \\end{split}",
+        "System(Chain(Call(F; t, Call(y), Call(\\dot{y}), p), 0; =), Chain(Call(y; t_0), Call(y_0; p); =), Chain(Call(\\dot{y}; t_0), Call(\\dot{y}_0; p); =))",
+        "LLNL/sundials/doc/idas/guide/source/Mathematics.rst",
+    ),
+    (
+        "W_{mean} = \\|W\\|_2 / \\sqrt{n}",
+        "Chain(W_{mean}, Div(Marked(Norm(W); _{ 2 }); Sqrt(n)); =)",
+        "LLNL/sundials/doc/idas/guide/source/sunlinsol/IDAS_interface.rst",
+    ),
+    (
+        "g(t) = \\int \\int u(t,x,y)~dx~dy ~.",
+        "Chain(Call(g; t), Antiderivative(Antiderivative(Call(u; t, x, y); x); y); =)",
+        "LLNL/sundials/doc/idas/idas_ex_adj.tex",
+    ),
+    (
+        "F(u_n + \\lambda\\delta_n) \\ge F(u_n) + \\beta \\nabla F(u_n)^T \\lambda\\delta_n \\, ,",
+        "Chain(Call(F; Add(u_n, Mul(\\lambda, \\delta_n))), Add(Call(F; u_n), Mul(\\beta, Transpose(Call(\\nabla F; u_n)), \\lambda, \\delta_n)); \\ge)",
+        "LLNL/sundials/doc/kinsol/guide/source/Mathematics.rst",
+    ),
+    (
+        "(D_F)_{i,i} \\approx D_{F,mean},\\quad \\text{for}\\quad i=0,\\ldots,n-1.",
+        "System(Chain(Marked(D_F; _{ i , i }), D_{F,mean}; \\approx), Values(i; 0, Dots(), Add(n, Neg(1))))",
+        "LLNL/sundials/doc/kinsol/guide/source/sunlinsol/KINSOL_interface.rst",
+    ),
+    (
+        "b + u = \\nabla \\cdot (D \\nabla u) + c(u) + u,",
+        "Chain(Add(b, u), Add(Call(div; Mul(D, \\nabla u)), Call(c; u), u); =)",
+        "LLNL/sundials/doc/kinsol/kin_ex_cxx.tex",
+    ),
+    (
+        "m = \\min_{0\\le i< n} x_i.",
+        "Chain(m, Limiting(min; _{ 0 \\le i < n }; x_i); =)",
+        "LLNL/sundials/doc/shared/nvectors/NVector_Operations.rst",
+    ),
+    (
+        "\\| Pz - r \\|_{\\text{wrms}} < tol",
+        "Chain(Marked(Norm(Add(Mul(P, z), Neg(r))); _{ \\text { w r m s } }), \\text{tol}; <)",
+        "LLNL/sundials/doc/shared/sunlinsol/SUNLinSol_API.rst",
+    ),
+    (
+        "\\mathbf{A} =\n\\begin{bmatrix}\n\\mathbf{A_0} & 0 & \\cdots & 0\\\\\n0 & \\mathbf{A_2} & \\cdots & 0\\\\\n\\vdots & \\vdots & \\ddots & \\vdots\\\\\n0 & 0 & \\cdots & \\mathbf{A_{n-1}}\\\\\n\\end{bmatrix}",
+        "Chain(\\mathbf{A}, MatrixOf(\\mathbf{A}_0, 0, Dots(), 0, 0, \\mathbf{A}_2, Dots(), 0, Dots(), Dots(), Dots(), Dots(), 0, 0, Dots(), \\mathbf{A}_{n-1}); =)",
+        "LLNL/sundials/doc/shared/sunmatrix/SUNMatrix_MagmaDense.rst",
+    ),
+    (
+        "\\alpha^{(n)} =(\\alpha_0^{(n)}, \\ldots, \\alpha_{m_n}^{(n)})",
+        "Chain(\\alpha ^ { ( n ) }, Tuple(\\alpha _ { 0 } ^ { ( n ) }, Dots(), \\alpha _ { m _ { n } } ^ { ( n ) }; ()); =)",
+        "LLNL/sundials/doc/shared/sunnonlinsol/SUNNonlinSol_FixedPoint.rst",
     ),
 )
 

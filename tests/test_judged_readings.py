@@ -80,6 +80,11 @@ OPAQUE = (
     r"P(X > z) = 0",
     r"y = \mathbb{1}(x > 0)",
     r"A = \mathbf{0}_{3 \times 2}",
+    r"\partial_t \rho + \partial_x (\rho u) = 0",
+    r"F_{\mu \nu} = \partial_\mu A_\nu - \partial_\nu A_\mu",
+    r"\partial_t^2 u = c^2 \partial_{xx} u",
+    r"\nabla_i Y = Z",
+    r"\nabla \Lambda(D) \subsetneq M",
 )
 
 
@@ -116,6 +121,13 @@ def test_a_derivative_at_a_place_is_not_that_of_a_constant(latex: str) -> None:
 
 
 OPEN = (  # of letters of which too little is known, beside another relation that prints other tokens
+    (r"c = \langle \psi | \phi \rangle", r"c = \langle \phi | \psi \rangle"),
+    (r"E = \langle \psi | \hat{H} | \psi \rangle", r"E = \langle \psi | \hat{V} | \psi \rangle"),
+    (r"\rho = \sum_i p_i | \psi_i \rangle \langle \psi_i |", r"\rho = \sum_i p_i \langle \psi_i | \, | \psi_i \rangle"),
+    (r"\hat{H} | \psi \rangle = E | \psi \rangle", r"| \psi \rangle \hat{H} = E | \psi \rangle"),
+    (r"| a \rangle \langle b | = c", r"\langle b | \, | a \rangle = c"),
+    (r"\partial_t u = v", r"\partial_x u = v"),
+    (r"\partial_t (u v) = w", r"v \partial_t u = w"),
     (r"\dot{\mathbf{x}} = f(\mathbf{x}, u)", r"\dot{\mathbf{x}} = f(u, \mathbf{x})"),
     (r"\bar{u} = \mathbf{A}^{-1} \bar{b}", r"\bar{u} = \mathbf{A} \bar{b}"),
     (r"\mathbf{A} = (\mathbf{v}, \mathbf{w}, 0)", r"\mathbf{A} = (\mathbf{w}, \mathbf{v}, 0)"),
@@ -207,6 +219,14 @@ def test_a_row_that_is_transposed_is_a_vector() -> None:
 
 
 SAME = {  # two ways to print one thing
+    r"y = x^{\mathrm{1/2}}": r"y = x^{1/2}",
+    r"x = \sum_{i=0}^n a_i, \quad 0 \le i, j \le n": r"x = \sum_{i=0}^n a_i, \quad 0 \le i \le n, \quad 0 \le j \le n",
+    r"E = \left\langle \psi \middle| \hat{H} \middle| \psi \right\rangle": r"E = \langle \psi | \hat{H} | \psi \rangle",
+    r"\ket{\psi} = a \ket{0}": r"| \psi \rangle = a \left| 0 \right\rangle",
+    r"a = \braket{b|c}": r"a = \langle b | c \rangle",
+    r"E_n = n, \quad n = 0, 1, 2...": r"E_n = n, \quad n = 0, 1, 2, \dots",
+    r"\partial_t^2 u = v": r"\partial_{tt} u = v",
+    r"\underline{\text{div}} (a \underline{\nabla} b) = 0": r"\text{div} (a \nabla b) = 0",
     r"y = \cos^2 \frac{1}{2} (a - b)": r"y = \cos^2 \left(\frac{1}{2} (a - b)\right)",
     r"\frac{\partial f}{\partial x}(x, y) = 2 x y": r"\frac{\partial f(x, y)}{\partial x} = 2 x y",
     r"\begin{equation} a = b. \tag{1} \end{equation}": r"a = b",
@@ -791,6 +811,65 @@ EVIDENCE = {  # what leaves open how it is meant, beside what shows it
     r"m {^a} b = c": r"m {^2} b = c",
     r"y = \mathcal{P} \int_0^1 f(x) \, dx": r"y = \mathcal{Q} \int_0^1 f(x) \, dx",
     "C_{n} = a_1 + b_1\n\nC_{\\mu_{p}} = c_1": "C_{n} = a_1 + b_1 +\n\nC_{\\mu_{p}}",
+    r"e_{ij}^{n+1} = b e_i^{n+1}": r"e_{ij}^2 = b e_i^2",
+    r"\frac{\rho^{n+1} - \rho^n}{\Delta t} = c \rho n": r"\frac{\rho^2 - 1}{\Delta t} = c \rho^n n",
+    r"a^{n+1, 0} = a^n": r"a^{n+1, 0} = a",
+    r"y^{n(m+1)} - y^{n(m)} = a": r"y^{n(n+1)} - y^{m} = a m n",
+    r"E^X = E^\infty": r"E^X = E",
+    r"\frac{\partial c^i}{\partial t} = d_i + c^i, \quad i = 1, \ldots, 6": (
+        r"\frac{\partial c_i}{\partial t} = d_i + c_i, \quad i = 1, \ldots, 6"
+    ),
+    r"E = \sum_{i, j > i}^N \frac{C_6^{ij}}{R_{ij}^6}": r"E = \sum_{i, j > i}^N \frac{C_6}{R_{ij}^6}",
+    r"J(t, z) = f^I(t, z) + I": r"J(t, z) = f(t, z) + I",
+    r"R^1(u, v) = u R^2(u, v)": r"R_1(u, v) = u R_2(u, v)",
+    r"F = 1 - \frac{2b Ri}{1 + c}": r"F = 1 - \frac{2b R}{1 + c}",
+    r"v = \mathcal{EM}(a + b)": r"v = \mathcal{E}(a) + b",
+    r"\alpha - L^2 \Delta \alpha = 1": r"\alpha_2 - \alpha_1 = L \Delta \alpha",
+    r"s = f_i \left(\frac{a}{b}\right)^{3/2}": r"s = f_i \frac{a}{b}",
+    r"u = v \phi_h \left(\frac{z}{L}\right)": r"u = v \phi_h(z, L)",
+    r"T = R^\dagger (TX - X^\dagger TX) R": r"T = a + X^\dagger",
+    r"\hat\Theta \mathbf{H} = a \mathbf{H}": r"\hat\Theta = a",
+    r"\psi_i(x) = C_{\mu i} \phi_\mu(x)": r"\psi_i(x) = C_i \phi_i(x)",
+    r"E = \frac{f_{ia} f_{ia}}{e_a - e_i}": r"E = \frac{f_{ia}^2}{e_a - e_i}",
+    r"u_t(t, 0, y) = 0": r"u(t, 0, y) = 0",
+    r"p = \phi_r + \frac{1}{r} \phi_\theta": r"p = \phi_r + \frac{1}{r}",
+    r"B = \begin{pmatrix} I_n + A_0 & A_1 \\ 0 & I_m \end{pmatrix}": (
+        r"B = \begin{pmatrix} I_{11} & I_{12} \\ 0 & I_{22} \end{pmatrix}"
+    ),
+    r"z_n = h q(t_n, y_n) + \sum_{i=1}^q a_i z_{n-i}": r"z_n = h q(t_n, y_n) + \sum_{i=1}^p a_i z_{n-i}",
+    r"\underline{a} = \underline{b}": r"\underline{a} = \underline{\nabla} b",
+    r"\underline{w}^n \cdot \underline{S} = a": r"\underline{w} \cdot \underline{S} = a",
+    r"\text{div} ((\rho \underline{u})^n a) = 0": r"\text{div} ((\rho \underline{u}) a) = 0",
+    r"\delta P^{n+\theta} = P^{n+\theta} - P^{n-1+\theta}": r"\delta P = P^{n+\theta} - Q^{n-1+\theta}",
+    r"\eta^n_{lm} = D^n_{11} n^2_{1, lm} + D^n_{22} n_2": r"\eta_{lm} = D_{11} n^2_{1, lm} + D_{22} n_2",
+    r"\sum_{i=0}^K a_i y^{n-i} + h \sum_{i=0}^K b_i \dot{y}^{n-i} = 0": r"\sum_{i=0}^K a_i y^{n-i} + h \dot{y} = 0",
+    r"J = \frac{\partial f^I}{\partial y}": r"J = \frac{\partial f_I}{\partial y}",
+    r"\dot\xi = g_p^T + f_p^T \lambda, \quad \xi(T) = 0": r"\dot\xi = g_p + f_p \lambda, \quad \xi(T) = 0",
+    r"h_a (e_b - e_I) = h'_{imp} (T_b - T_e)": r"h_a (e_b - e_I) = h_{imp} (T_b - T_e)",
+    r"\text{D}_i = \text{P}_1 \text{P}_3 (\text{P}_2 + \text{P}_4)": (
+        r"\text{D}_i = \text{P}_1 \text{P}_3 \cdot (\text{P}_2 + \text{P}_4)"
+    ),
+    r"b = \begin{cases} 1 & [O_2] < 0.01 \\ 0 & [O_2] > 0.01 \end{cases}": (
+        r"b = \begin{cases} 1 & x < 0.01 \\ 0 & x > 0.01 \end{cases}"
+    ),
+    r"yyn = y_p + y_c": r"y_n = y_p + y_c",
+    r"Eq = 0.01 + 0.02 \cos\theta": r"E_q = 0.01 + 0.02 \cos\theta",
+    r"m = \sum_{i=0}^n (x_i H(id_i))^2": r"m = \sum_{i=0}^n (x_i H(i d))^2",
+    r"u_t = \nabla \cdot (D \nabla u) + b": r"u_t = \nabla \cdot (D \nabla v) + b",
+    r"\sum_{\kappa=1}^N X_\alpha^\kappa = 1": r"\sum_{\kappa=1}^N X_\kappa = 1",
+    r"\nabla^2 f(x) = \begin{pmatrix} a & b \\ b & c \end{pmatrix}": r"\nabla^2 f(x) = a",
+    r"-\Delta u + \exp(u) = 0": r"v - \Delta u + \exp(u) = 0",
+    r"F(u) = -\Delta u + \exp(u)": r"F(u) = v - \Delta u + \exp(u)",
+    r"b(u, q) = 0, \quad \forall q \in L^2(\Omega)": r"b(u, q) = 0, \quad \forall q \in L(\Omega)",
+    r"F = B A^{-1} C b": r"F = A^{-1} b",
+    r"Q_{ij} = G_{ij} - \delta_{ij} G_{kk}": r"Q_{ij} = G_{ij} - \delta_{ij} G_{12}",
+    r"\partial u / \partial t = 2 u_{xx} + b": r"\partial u / \partial t = 2 v_{12} + b",
+    r"\hat\pi(v)(\hat{x}) = b": r"\hat\pi(v) \hat{x} = b",
+    r"[S(\Phi, a)]^{n+\theta} = b S(\Phi^n, a^n)": r"[S(\Phi, a)]^2 = b S(\Phi, a)",
+    r"P = \frac{1}{2} P_{kk}": r"P = \frac{1}{2} P_{12}",
+    r"P_{ij} = R_{ik} \frac{\partial u_j}{\partial x_k}": r"P_{ij} = R_{ij} \frac{\partial u_j}{\partial x}",
+    r"J = I \frac{\partial f^I}{\partial y}": r"J = I \frac{\partial f}{\partial y}",
+    r"A P^{-1} D^{-1} x = b": r"\mathbf{A} \mathbf{P}^{-1} \mathbf{D}^{-1} \mathbf{x} = \mathbf{b}",
 }
 
 
@@ -804,3 +883,89 @@ def test_what_nothing_shows_is_in_doubt(latex: str) -> None:
 @pytest.mark.parametrize("word", ["log_sigmoid", "mean_t"])
 def test_a_word_that_begins_like_a_function_has_a_variable_of_its_own(word: str) -> None:
     assert lower(*first_reading(rf"y = \mathrm{{{word}}}(x)"))
+
+
+LINED = {  # what stands below a line is another letter, and what stands beside it is kept
+    r"\underline{a} \cdot \underline{b}_i = c": r"\underline{a} \cdot \underline{b}_j = c",
+    r"\underline{a} \cdot \underline{b}' = c": r"\underline{a} \cdot \underline{b} = c",
+    r"\underline{\underline{a}} \, \underline{b} = c": r"\underline{\underline{b}} \, \underline{a} = c",
+    r"a = \underline{a} \cdot \underline{b}": r"\underline{a} = a \cdot \underline{b}",
+    r"\underline{\nabla}_i a = \underline{b}": r"\underline{\nabla}_j a = \underline{b}",
+}
+
+
+@pytest.mark.parametrize("latex", LINED)
+def test_a_line_below_a_letter_makes_it_another_one_and_drops_no_scripts(latex: str) -> None:
+    assert lower(*first_reading(latex)) != lower(*first_reading(LINED[latex]))
+
+
+def test_lines_below_letters_make_vectors_and_matrices() -> None:
+    moving = first_reading(r"\frac{\partial \underline{D}}{\partial t} = \underline{\nabla} b")[1]
+    assert (letter := moving.find(r"\underline{D}", 0))
+    assert letter.kind == "vector"
+    notation = first_reading(r"\underline{\underline{D}} \, \underline{w} = \underline{v}")[1]
+    kinds = [notation.find(each, 0) for each in (r"\underline{\underline{D}}", r"\underline{w}", r"\underline{v}")]
+    assert [each and each.kind for each in kinds] == ["matrix", "vector", "vector"]
+
+
+def test_the_last_of_the_values_of_an_index_is_equal_to_nothing_on_the_next_line() -> None:
+    tree = first_reading(r"z_i = a, \quad i = 1, \ldots, s, \\ y_n = b")[0]
+    assert bracketed(tree) == "System(Chain(z_i, a; =), Values(i; 1, Dots(), s), Chain(y_n, b; =))"
+
+
+@pytest.mark.parametrize("latex", [r"y = \arg(a, b)", r"y = \operatorname{sgn}(a, b)", r"y = \operatorname{atan2}(a)"])
+def test_functions_that_jump_have_as_many_arguments_as_they_have(latex: str) -> None:
+    with pytest.raises(SymcheckError, match="has"):
+        lower(*first_reading(latex))
+
+
+def test_an_index_that_is_compared_is_no_imaginary_unit() -> None:
+    notation = first_reading(r"a = \begin{cases} 0 & i = 1 \\ b & 2 \le i \le s \end{cases}")[1]
+    letter = notation.find("i", 0)
+    assert letter
+    assert not letter.number
+    assert first_reading(r"a = b e^{i t}")[1].find("i", 0).number == "i"  # type: ignore[union-attr]
+
+
+def test_tr_before_a_tensor_is_its_trace() -> None:
+    assert (
+        first_reading(r"a = tr{\underline{\underline{T}}}")[0] == first_reading(r"a = tr(\underline{\underline{T}})")[0]
+    )
+    tree = first_reading(r"a = tr \underline{\underline{T}} b")[0]
+    assert bracketed(tree) == r"Chain(a, Mul(Call(tr; \underline{\underline{T}}), b); =)"
+
+
+FIELDS = {
+    r"\mathbf{c} = \mathbf{k} \times \mathbf{E} + \mathbf{B}": "vector",
+    r"\mathbf{E} = \mathbf{H}^T \mathbf{H}": "matrix",
+}
+
+
+@pytest.mark.parametrize("latex", FIELDS)
+def test_the_electric_field_is_a_vector_where_waves_or_other_fields_are_beside_it(latex: str) -> None:
+    letter = first_reading(latex)[1].find(r"\mathbf{E}", 0)
+    assert letter
+    assert letter.kind == FIELDS[latex]
+
+
+def test_bars_of_lengths_within_averages_are_no_states() -> None:
+    assert bracketed(first_reading(r"a = \langle |x|^2 \rangle")[0]) == "Chain(a, Call(average; Pow(Bars(x); 2)); =)"
+    assert bracketed(first_reading(r"a = \langle |x| y \rangle")[0]) == "Chain(a, Call(average; Mul(Bars(x), y)); =)"
+
+
+def test_what_is_integrated_as_a_power_of_one_letter_may_depend_on_the_variable() -> None:
+    assert all(formula.tag == "form" for formula in lower(*first_reading(r"\int_0^L \psi^2 \, dx = 1")))
+    assert all(formula.tag != "form" for formula in lower(*first_reading(r"\int_0^L x^2 \, dx = a")))
+
+
+def test_a_prime_differentiates_by_the_time_and_not_by_its_first_value() -> None:
+    letter = first_reading(r"y' = f(t, y), \quad y(t_0) = a")[1].find("y", 0)
+    assert letter
+    assert letter.depends == "t"
+
+
+@pytest.mark.parametrize("latex", [r"\bar{L} = \bar{A}^T", r"\bar{u} = \bar{v}^T"])
+def test_what_is_transposed_below_an_accent_is_a_matrix_if_it_is_capital(latex: str) -> None:
+    letter = first_reading(latex)[1].find(r"\bar{A}" if "A" in latex else r"\bar{v}", 0)
+    assert letter
+    assert letter.kind == ("matrix" if "A" in latex else "vector")

@@ -34,6 +34,7 @@ ACCENTS = frozenset(
         r"\check",
         r"\widetilde",
         r"\widehat",
+        r"\underline",
     ]
 )
 OVER = STYLES | ACCENTS

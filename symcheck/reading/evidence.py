@@ -12,13 +12,14 @@ from functools import cached_property, lru_cache
 from symcheck.reading import tex
 from symcheck.reading.arguments import is_doubled, is_product
 from symcheck.reading.commands import ACCENTS
-from symcheck.reading.faces import FACES, is_styled
+from symcheck.reading.faces import FACES, TENSOR, is_styled
 from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, POWER_OR_LABEL, names_of_several_tokens
 from symcheck.reading.occurrences import BOLD, FUNCTIONS_SPELLED, Occurrence, occurrences, words
 from symcheck.reading.operators import operators
 from symcheck.reading.powers import raised_in_vain
 from symcheck.reading.side_by_side import doubted
 from symcheck.reading.sides import equated, without_dots
+from symcheck.reading.tensors import unsaid_products
 
 # what e is in formulas of orbits: "1 - e^2", "1 + e", "e \cos"
 _ECCENTRIC = re.compile(
@@ -77,7 +78,8 @@ class Evidence:
     @cached_property
     def capital(self) -> bool:
         """Is it bold, without an arrow, and capital?"""
-        return is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling
+        line = self.spelling.startswith(r"\underline{") and not TENSOR.match(self.spelling)
+        return is_styled(self.spelling, capital=True) and r"\vec" not in self.spelling and not line
 
     @cached_property
     def multiplied(self) -> bool:
@@ -309,7 +311,8 @@ _HYPERGEOMETRIC = re.compile(
 _OF_FUNCTION = re.compile(r"(?<![A-Za-z\\])f ([a-z]) (?:t )?(?:_ (?:\w|\{[^{}]*\}) )?(?:\\left )?\(")
 # all that is integrated, and by what
 _ALONE = re.compile(
-    r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) (?:\\[,;:] )?d (\w|\\\w+)"
+    r"\\int (?:[_^] (?:\w|\\\w+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) )*([A-Za-z]|\\[a-z]+) "
+    r"(?:\^ (?:\d|\{ \d \}) )?(?:\\[,;:] )?d (\w|\\\w+)"
 )
 
 
@@ -317,6 +320,19 @@ _ALONE = re.compile(
 _RATE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t(?: t)? \})")
 # and slopes
 _PLACE_BELOW = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:[xyz]|\{ (?:[xyz] )+\})")
+# spaces of functions whose powers may be integrated
+_OF_SPACE = re.compile(r"\\in (L)(?: _ (?:\w|\{ \w \}))? \^ (?:\d|p|\{ [\dp] \}) (?:\\left )?\(")
+# second derivatives written below a letter
+_CURVED = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ \{ ([xyzt]) \2 \}")
+# and of what a gradient is taken of
+_RATE_OF_FIELD = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-z])|\{ t \})")
+# and of potentials
+_SLOPES = re.compile(r"(\\(?:phi|psi|Phi|Psi)) _ (?:\{ )?([xyzrt]|\\theta)(?: \}|(?! [,\w]))")
+# letters with a line below them, and what shows that they are vectors
+_LINED = re.compile(r"(\\underline \{ (?:\w|\\[A-Za-z]+)(?: \{ (?:\w|\\[a-z]+) \})? \})")
+_OF_FIELDS = re.compile(
+    r"\\underline \{ \\underline|\\(?:nabla|cdot|times|otimes|vec)(?![a-z])|\{ (?:d i v|r o t|g r a d) "
+)
 _LABELS = "derivatives, or letters with a label? write them as fractions"
 _RUN = r"(?:[i-n]|\\(?:alpha|beta|mu|nu|lambda|rho|sigma|ell))"
 # two indices with a comma between them
@@ -397,7 +413,8 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
             name = f"{letter} ^ {{ {above.strip('{} ')} }}" if above else letter
             yield name, "constant, or not? write brackets behind what depends on the variable"
     yield from ((x if "^" in x else canonical(x), doubt) for x, doubt in operators(text))
-    if "^" in text and " = " in text:
+    yield from ((canonical(x), doubt) for x, doubt in unsaid_products(text))
+    if "^" in text and (" = " in text or r"\equiv" in text):
         yield from ((canonical(base), POWER_OR_LABEL.format(above)) for base, above in raised_in_vain(text))
     if r"1 - \pi" in text and _WEIGHT.search(text):
         yield r"\pi", "the number pi, or a probability? say what it is"
@@ -473,6 +490,23 @@ def _in_doubt(formulas: Sequence[str]) -> dict[str, str]:
         said = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)} \( \S+ , \S+ \) =")  # of what it is a function
         if not any(map(said.search, formulas)):
             found.setdefault(letter, _LABELS)
+    for space in {x for text in formulas for x in _OF_SPACE.findall(text)}:
+        found.setdefault(space, "a power of a value, or a space of functions? say what it is")
+    for letter, below in {pair for text in formulas for pair in _CURVED.findall(text)}:
+        if any(re.search(rf"\\partial {re.escape(letter)}(?! [_^])(?![A-Za-z])", text) for text in formulas):
+            found.setdefault(f"{letter}_{{{below}{below}}}", _LABELS)
+    for letter in {x for text in formulas for x in _RATE_OF_FIELD.findall(text)}:
+        if any(
+            re.search(rf"\\nabla(?: \^ \{{ 2 \}}| \^ 2)? {re.escape(letter)}(?! _)(?![A-Za-z])", text)
+            for text in formulas
+        ):
+            found.setdefault(f"{letter}_t", _LABELS)
+    slopes = [each for formula in formulas for each in _SLOPES.findall(formula)]
+    for letter in {x for x, _ in slopes if len({by for y, by in slopes if y == x}) > 1}:
+        found.setdefault(letter, _LABELS)
+    lined = {x for formula in formulas if r"\underline {" in formula for x in _LINED.findall(formula)}
+    if lined and not any(map(_OF_FIELDS.search, formulas)):
+        found |= dict.fromkeys(map(canonical, lined), "a vector, or a bound? say what it is")
     integrated = [each for formula in formulas if r"\int " in formula for each in _ALONE.findall(formula)]
     if integrated:
         toks = [text for formula in formulas for text in tex.texts(formula)]
@@ -523,8 +557,8 @@ _PRIMED = re.compile(
 )
 # what may be transposed before a factor, where T is a letter, too
 _POWER_OF_T = re.compile(
-    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol|d+ot) \{{ \w \}})){_INDEX} \^ (?:T|\{{ T \}})"
-    rf" (?={_BASE})"
+    rf"(?<![A-Za-z\\])((?:[A-Za-z]|\\[a-z]+|\\(?:mathbf|bm|boldsymbol|d+ot) \{{ \w \}})){_INDEX}"
+    rf"(?: (?:\\right )?\))? \^ (?:T|\{{ T \}}) (?={_BASE}|\\(?:alpha|gamma|delta|eta|lambda|nu|tau|omega)(?![a-z]))"
 )
 _ABOVE_T = re.compile(r"\^ (?:T|\{ T \})|\\[a-z]+ \{ T \}")  # where T is no letter
 # X^H, conjugated and transposed
@@ -614,7 +648,8 @@ def _paired(places: Sequence[Occurrence]) -> list[Occurrence]:
     found = list(places)
     own = [k for k, place in enumerate(places) if place.role != "subscript"]
     for k, m in itertools.pairwise(own):
-        if places[k].after in (r"\cdot", r"\times") and places[m].before == places[k].after:
+        bracketed = places[k].after == r"\cdot" and places[m].before == "(" and places[m].after in ("+", "-")
+        if places[k].after in (r"\cdot", r"\times") and (places[m].before == places[k].after or bracketed):
             found[k] = replace(found[k], beside=(*found[k].beside, spelling(places[m])))
             found[m] = replace(found[m], beside=(*found[m].beside, spelling(places[k])))
     return found

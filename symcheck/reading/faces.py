@@ -5,10 +5,24 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow)\{")  # a style, or an accent over it
+# a style, or an accent over it; a line below it is one
+STYLED = re.compile(r"(?:\\\w+\{)?\\(mathbf|boldsymbol|bm|pmb|vec|overrightarrow|underline)\{")
+TENSOR = re.compile(r"\\underline\{\\underline\{")  # two lines below a letter
 # what a vector begins with, behind a factor
 FACES = frozenset(
-    {r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec", r"\hat", r"\bar", r"\dot", r"\ddot", r"\prescript"}
+    {
+        r"\mathbf",
+        r"\boldsymbol",
+        r"\bm",
+        r"\pmb",
+        r"\vec",
+        r"\underline",
+        r"\hat",
+        r"\bar",
+        r"\dot",
+        r"\ddot",
+        r"\prescript",
+    }
 )
 HAT = re.compile(r"\\(hat|widehat|vec)\{")  # accents of unit vectors and of vectors
 ACCENT = re.compile(r"\\(hat|widehat|vec|bar|overline|tilde|breve)\{")  # accents that make a letter of their own

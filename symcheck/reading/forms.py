@@ -19,7 +19,7 @@ from symcheck.core.terms import Node, node
 from symcheck.core.verdicts import Doubt, SymcheckError, Unsaid
 from symcheck.reading.faces import face
 from symcheck.reading.functions import FIELDS
-from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, KINDS_OPEN, is_expectation
+from symcheck.reading.names import INDEX_IN_NAME, INTEGRATED, KINDS_OPEN, STATES, is_expectation
 from symcheck.reading.notation import Letter, Notation
 from symcheck.reading.printing import to_latex
 from symcheck.reading.relations import Relation
@@ -37,6 +37,7 @@ from symcheck.reading.tree import (
     Interval,
     Limiting,
     Marked,
+    MatrixOf,
     Mul,
     Name,
     Neg,
@@ -54,7 +55,7 @@ from symcheck.reading.tree import (
     nodes,
 )
 
-_LEFT_OPEN = (INDEX_IN_NAME, INTEGRATED, KINDS_OPEN)  # doubts without a second way to read what is printed
+_LEFT_OPEN = (INDEX_IN_NAME, INTEGRATED, KINDS_OPEN, STATES)  # doubts without a second way to read what is printed
 _CHANGES = (r"\Delta", r"\delta", r"\nabla", "d", r"\text{d}")  # signs of changes and of derivatives
 # a derivative or an integral of some order, with its beginning at the left
 _FRACTIONAL = re.compile(r"\\prescript \{[^{}]*(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}[^{}]*)*\} \{.*\} \{ [DIJ] \} [_^]")
@@ -125,6 +126,11 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raised = isinstance(part.base.function, Name) and not isinstance(part.exponent, Number)
             if raised and part.exponent != Neg(Number("1")):
                 raise SymcheckError(f"{to_latex(part)}: a power, or a label? write brackets around the base")
+        if isinstance(part, Pow) and any(isinstance(x, Name) for x in nodes(part.exponent)):
+            factors = part.base.factors if isinstance(part.base, Mul) else (part.base,)
+            kinds = [notation.find(x.letter, len(x.subscripts)) for x in factors if isinstance(x, Name)]
+            if any(letter is not None and letter.latex.startswith((r"\underline", r"\vec")) for letter in kinds):
+                raise SymcheckError(f"{to_latex(part)}: a power of a vector, or a label? say what it is")
         if isinstance(part, Pow) and isinstance(part.base, Marked) and not isinstance(part.base.value, Norm | Bars):
             raise SymcheckError(f"{to_latex(part)}: between two places, or a power? write brackets around its base")
         averaged = part.base if isinstance(part, Pow) and isinstance(part.base, Call) else None
@@ -132,6 +138,8 @@ def _refuse(tree: Tree, notation: Notation) -> None:
             raise SymcheckError(f"{to_latex(part)}: the average of a sum, or its positive part? say what it is")
         if isinstance(part, Transpose) and _is_called(part.value) and Call(part.value.function, ()) in parts:
             raise SymcheckError(f"{to_latex(part)}: are these its arguments? write them before the T, or a product")
+        if isinstance(part, Chain) and any(isinstance(x, MatrixOf) for x in part.members):
+            refuse_laplacian(part)
         if isinstance(part, Chain) and part.signs[0] == "=" and any(map(_is_pair_in_braces, part.members)):
             raise SymcheckError(f"{to_latex(part)}: the bracket of two operators, or a set? say what it means")
         if isinstance(part, Add | Div | Neg) and any(
@@ -371,6 +379,13 @@ def refuse_doubt(tree: Tree, letter: Letter) -> None:
     if letter.doubt:
         error = Unsaid if letter.doubt.startswith(_LEFT_OPEN) else Doubt
         raise error(f"{to_latex(tree)}: {letter.doubt}")
+
+
+def refuse_laplacian(chain: Chain) -> None:
+    """An error for a matrix that is equal to a Laplacian: some print the matrix of second derivatives so."""
+    for member in chain.members:
+        if isinstance(member, Call) and member.function == "laplacian":
+            raise SymcheckError(f"{to_latex(member)}: the Laplacian, or the matrix of second derivatives? say which")
 
 
 def refuse_bare(tree: Tree, notation: Notation) -> None:

@@ -77,7 +77,7 @@ SPELLED = {  # other names of the same functions
 }  # fmt: skip
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan", "sinh": "arsinh", "cosh": "arcosh", "tanh": "artanh"}
 OF_MATRICES = ("det", "tr", "Tr", "vec", "Re", "Im", "rank", "sign", "max", "min", "log")
-FIELDS = ("grad", "div", "curl", "rot", "laplacian")  # operators on fields, which take one factor
+FIELDS = ("grad", "div", "curl", "rot", "laplacian", "derivative")  # operators on fields, which take one factor
 OPAQUE = (  # that are read and have no algebraic form
     "arg", "Arg", "Pr", "Var", "Cov", "var", "cov", "dim", "deg",
     "gcd", "ker", "adj", "span", "sgn", "floor", "ceil", "sn", "cn", "dn", "am",

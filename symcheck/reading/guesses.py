@@ -22,7 +22,7 @@ from symcheck.reading.arguments import (
 )
 from symcheck.reading.commands import LETTER_COMMANDS, OVER
 from symcheck.reading.evidence import Evidence, time
-from symcheck.reading.faces import ACCENT, HAT, face, is_accented, is_styled
+from symcheck.reading.faces import ACCENT, HAT, TENSOR, face, is_accented, is_styled
 from symcheck.reading.names import is_letter
 from symcheck.reading.notation import SAID, Letter
 from symcheck.reading.occurrences import FRACTIONS, FUNCTIONS_SPELLED, INTEGRALS, Occurrence
@@ -96,6 +96,13 @@ def options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, t
         return [in_doubt(guess, "a factor, or applied to what follows? say what it is") for guess in found]
     if of.said or not of.arguments:
         return found
+    if any(place.role == "bound" and place.arguments is None for place in of.places):
+        doubt = "a function, or a number? say what it is"
+        found = [in_doubt(guess, doubt) if guess.letter.kind == "function" else guess for guess in found]
+    base, _, below = of.spelling.partition("_")
+    single = below == "t" or (below in ("x", "y", "z") and sum(_stem(x) == base for x in every) == 1)
+    if single and base not in defined and any(len(x) > 1 and below in x for x in of.arguments):
+        return [in_doubt(guess, "a derivative, or a label? write it as a fraction") for guess in found]
     letters = [guess.letter for guess in found if not guess.remote]
     applied = all(each.kind == "function" or each.depends for each in letters)
     unclear = [place for place in of.places if place.arguments is not None and not _multiplies(of, place)]
@@ -127,6 +134,8 @@ def _before_brackets(of: Evidence, every: Mapping[str, Evidence], found: list[Gu
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
     if of.spelling.endswith(r"\dagger }"):  # which is done to factors
         found = [in_doubt(guess, FACTOR) if guess.letter.kind == "function" else guess for guess in found]
+    if any(map(_raises_quotient, of.places)):
+        found = [in_doubt(guess, FACTOR) for guess in found]
     form = of.spelling not in _TYPICAL and any(map(_holds_form, of.places))
     if form or (any(map(_raises, of.places)) and _has_coefficients_beside(of, every)):
         found = [in_doubt(guess, FACTOR) for guess in found]
@@ -185,6 +194,15 @@ def _holds_form(place: Occurrence) -> bool:
     return alone and is_product(place.arguments or ()) and any(map(_QUADRATIC.fullmatch, place.arguments or ()))
 
 
+def _raises_quotient(place: Occurrence) -> bool:
+    """Does one fraction stand in brackets with a power behind them, which as a factor needs them too?"""
+    alone = place.powered and place.superscript is None and len(place.arguments or ()) == 1
+    return alone and place.word in _TYPICAL and any(map(_QUOTIENT.fullmatch, place.arguments or ()))
+
+
+_QUOTIENT = re.compile(r"\\[dt]?frac \{ [^+-]* \}")
+
+
 def _raises(place: Occurrence) -> bool:
     """Does one letter stand in brackets with a power behind it?"""
     return (
@@ -199,6 +217,13 @@ def _has_coefficients_beside(of: Evidence, every: Mapping[str, Evidence]) -> boo
     """Does the same letter stand with another index, and nothing in brackets behind it, as b_0 beside `b_1 (T)^2`?"""
     stem, _, below = of.spelling.partition("_")
     return bool(below) and any(x.partition("_")[0] == stem and not each.arguments for x, each in every.items())
+
+
+def _is_beside_bare(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Does the same upright letter stand with other indices, and nothing in brackets behind it?"""
+    stem, _, below = of.spelling.partition("_")
+    alike = (each for x, each in every.items() if x.partition(" ")[0] != of.spelling and x.partition("_")[0] == stem)
+    return bool(below) and any(not each.arguments for each in alike)
 
 
 def _has_members_bare(of: Evidence, every: Mapping[str, Evidence]) -> bool:
@@ -271,16 +296,20 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         applied_to = _letter(of, kind="function", depends=depends, size=shape)
         function = Guess(applied_to, "a function", "it stands before its arguments only")
         yield in_doubt(function, FACTOR) if _is_greek(latex) else function
-    elif arguments and simple and _varies(of):
+    elif arguments and simple and _varies(of) and not (of.dotted and simple == ("T",) and time(every) == "t"):
         kinds = ("matrix", "vector") if of.capital else ("vector",) if face(latex) else ("scalar",)
         for kind in kinds:
             dependent = _letter(of, kind=kind, depends=", ".join(simple))
             yield Guess(dependent, f"a function of {', '.join(simple)}", "it stands before them")
     elif arguments and not bare and (_NAMED.match(latex) or of.idle):
         function = Guess(_letter(of, kind="function"), "a function", "a product needs no brackets there")
-        yield in_doubt(function, FACTOR) if _holds_factors(of) else function
+        yield in_doubt(function, FACTOR) if _holds_factors(of) or _is_beside_bare(of, every) else function
     elif arguments and not bare and not of.dotted and _is_function(of, every):
-        yield Guess(_letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does")
+        function = Guess(
+            _letter(of, kind="function"), "a function", "it stands before arguments, or its derivative does"
+        )
+        labelled = _is_primed(of) and "_" in latex and all(map(is_sum, arguments))
+        yield in_doubt(function, FACTOR) if labelled else function
     elif arguments and not bare and not of.dotted and not face(latex):
         yield from _before_sums(of, every)
     elif bare and not of.dotted and not of.derived and any(map(is_lone, of.places)):
@@ -319,11 +348,11 @@ def _options(of: Evidence, every: Mapping[str, Evidence], defined: Mapping[str, 
         kind = "matrix" if len(of.shape) > 1 else "vector"
         yield Guess(_letter(of, kind=kind, size=of.shape, depends=""), f"a {kind}", PRINTED)
     elif face(latex):
-        yield from _styled(of)
+        yield from _styled(of, every)
     elif of.square or (of.spelling.isupper() and any(each.square for each in every.values()) and not arguments):
         yield Guess(_letter(of, kind="matrix", depends=""), "a matrix", "a multiple of the identity stands beside it")
     elif of.transposed and "T" not in every:
-        kind = "matrix" if latex.lstrip("\\")[:1].isupper() else "vector"
+        kind = "matrix" if _ACCENTED.sub("", latex).lstrip("\\")[:1].isupper() else "vector"
         yield Guess(_letter(of, kind=kind, depends=""), f"a {kind}", "it is transposed")
     elif of.column and not of.bound and not arguments and "T" not in every:
         yield Guess(_letter(of, kind="vector", depends=""), "a vector", "it stands in a row, or behind one")
@@ -357,6 +386,7 @@ def _in_kronecker_product(of: Evidence) -> bool:
     return of.spelling.isupper() and any(r"\otimes" in (place.before, place.after) for place in of.places)
 
 
+_ACCENTED = re.compile(r"^(?:\\(?:bar|overline|hat|widehat|tilde|widetilde|check|breve)\{)+")
 _NAMED = re.compile(r"\\text\{(?:\w\w|[A-Z]\}_)")  # several upright letters, or one with an index
 NORMED = "a vector, or a number? say what it is"
 FACTOR = "a factor before brackets, or a function? say what it is"
@@ -443,8 +473,12 @@ def _before_sums(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]
     weight = constant or (of.spelling == "g" and any(place.before in _MASSES for place in of.places))
     small = of.spelling[:1] == "\\" and of.spelling[1:2].islower() and of.spelling != r"\zeta"
     coefficient = factor and small  # as in \phi(1.4 - x)
+    typical_stem = of.spelling[:1] == "\\" and _stem(of.spelling) in _TYPICAL
     typical = of.spelling in _TYPICAL and not weight and not coefficient
     indexed = of.spelling[:2] in ("f_", "F_", "g_", "h_", "J_") or _OF_ORDER.match(of.spelling) is not None
+    if typical_stem and _holds_quotient(of):
+        yield in_doubt(function, FACTOR)
+        return
     doubtful = _holds_factors(of) and (typical or indexed or (len(of.spelling) == 1 and of.spelling.isupper()))
     if product is not matrix and not typical and (_is_hardly_factor(of) or _has_members_applied(of, every)):
         product = in_doubt(product, FACTOR)
@@ -541,6 +575,11 @@ def _holds_factors(of: Evidence) -> bool:
     return latin and all(map(_FACTORS.match, (args[0] for args in of.arguments)))
 
 
+def _holds_quotient(of: Evidence) -> bool:
+    """Do all brackets behind it hold one fraction, which needs none as a factor?"""
+    return not any(p.powered for p in of.places) and all(_QUOTIENT.fullmatch(args[0]) for args in of.arguments)
+
+
 def _is_function(of: Evidence, every: Mapping[str, Evidence]) -> bool:
     """Is a letter that stands before brackets only a function for certain, by its face or by what stands beside it?"""
     if of.spelling.startswith((r"\mathcal", r"\mathscr")) or _is_primed(of):
@@ -604,7 +643,7 @@ def _beside_vectors(of: Evidence, every: Mapping[str, Evidence]) -> bool:
             styled or each.said == "vector" or re.fullmatch(r"real \d+", each.said) is not None
         )
 
-    if any(face(x) == f"{of.spelling}}}" for x in every):
+    if of.spelling == r"\hbar" or any(face(x) == f"{of.spelling}}}" for x in every):
         return False  # the length of the same letter in bold type
     beside = {x for place in of.places for x in place.beside}
     accented = HAT.match(of.spelling) is not None or _is_dotted(of)
@@ -706,7 +745,8 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
             return [euler, replace(letter, remote=any(variable))]
         return [letter, euler]
     if latex in ("i", "j", r"\text{i}", r"\text{j}"):
-        if of.below and all(map(_is_compared, of.places)):
+        ordered = any({place.before, place.after} & _ORDERED for place in of.places)
+        if (of.below or ordered) and all(map(_is_compared, of.places)):
             return [
                 Guess(_letter(of, depends="", name=variable_name(latex)), "a real number", "it is an index elsewhere")
             ]
@@ -731,6 +771,7 @@ def _number(of: Evidence, every: Mapping[str, Evidence]) -> list[Guess]:
     return []
 
 
+_ORDERED = frozenset({"<", ">", r"\le", r"\leq", r"\ge", r"\geq"})  # what no imaginary number is
 _COMPARED = frozenset({"=", r"\ne", r"\neq", "<", ">", r"\le", r"\leq", r"\ge", r"\geq"})
 
 
@@ -779,7 +820,7 @@ def _primed_by(of: Evidence, every: Mapping[str, Evidence]) -> str:
     if not any(place.primes and place.arguments is None for place in of.places):
         return ""
     inside = {place.arguments[0] for place in of.places if is_lone(place) and place.arguments}
-    own = {x for x in inside if is_letter(x)} or {x for x in ("x", "t", "s") if x in every}
+    own = {x for x in inside if is_letter(x) and "_" not in x} or {x for x in ("x", "t", "s") if x in every}
     return own.pop() if len(own) == 1 else ""
 
 
@@ -795,7 +836,13 @@ def _dependent(of: Evidence, every: Mapping[str, Evidence], named: bool) -> Iter
         yield Guess(_letter(of, kind=kind, depends=words, size=of.shape, named=named), f"a {kind}", PRINTED)
         return
     if of.capital:
-        kinds = ("matrix",) if of.multiplied else ("vector",) if of.crossed else ("matrix", "vector")
+        kinds = (
+            ("matrix",)
+            if of.multiplied
+            else ("vector",)
+            if of.crossed or _is_field(of, every)
+            else ("matrix", "vector")
+        )
         for kind in kinds:
             yield Guess(_letter(of, kind=kind, depends=words, named=named), f"a {kind}, a function of {words}", MOVING)
         return
@@ -871,7 +918,21 @@ def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
         yield Guess(_letter(of, kind="function", depends=depends, size=size), told, "it stands before its arguments")
 
 
-def _styled(of: Evidence) -> Iterator[Guess]:
+_WAVE_VECTOR = re.compile(r"(?:\\hat\{)?\\(?:mathbf|boldsymbol|bm|vec)\{k\}+(?:_.*)?")
+_FIELDS = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)\{([EBHD])\}(?:_.*)?")  # letters of fields
+
+
+def _is_field(of: Evidence, every: Mapping[str, Evidence]) -> bool:
+    """Is it the electric field, or one beside it, as another field, a wave vector or a rate of it shows?"""
+    if not (own := _FIELDS.fullmatch(of.spelling)) or of.multiplied:
+        return False
+    found = {match[1] for x in every if (match := _FIELDS.fullmatch(x)) and not every[x].transposed}
+    waves = any(_WAVE_VECTOR.fullmatch(x) for x in every)
+    rates = own[1] == "E" and any(place.before == r"\partial" for place in of.places)
+    return "E" in found and (len(found) > 1 or waves or rates)
+
+
+def _styled(of: Evidence, every: Mapping[str, Evidence]) -> Iterator[Guess]:
     """A bold letter, or one with an arrow."""
     shifted = all(is_shift_of_time(args) or _BETWEEN.fullmatch(args[0]) for args in of.arguments)
     if of.arguments and not of.bare and shifted:
@@ -879,13 +940,17 @@ def _styled(of: Evidence) -> Iterator[Guess]:
         return
     vector = Guess(_letter(of, kind="vector", depends=""), "a vector", "it is bold, or has an arrow")
     matrix = Guess(_letter(of, kind="matrix", depends=""), "a matrix", "it is bold and capital")
-    if not of.capital:
+    if TENSOR.search(of.spelling.replace(" ", "")):
+        yield replace(matrix, why="two lines stand below it")
+        return
+    if not of.capital or of.spelling.startswith(r"\underline"):
         yield vector
         return
-    long = any(place.before in ("|", r"\|") and place.after in ("|", r"\|") for place in of.places)
+    ends = {(place.before.replace("\\", ""), place.after.replace("\\", "")) for place in of.places}
+    long = ("|", "|") in ends or {("|", "-"), ("-", "|")} <= ends  # or a distance
     if of.multiplied:
         yield matrix
-    elif of.crossed:
+    elif of.crossed or _is_field(of, every):
         yield vector
     else:
         near = {x for p in of.places if r"\cdot" in (p.before, p.after) for x in p.beside}

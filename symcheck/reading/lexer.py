@@ -49,7 +49,7 @@ RELATIONS = {
     **{sign: sign for sign in (
         r"\to", r"\rightarrow", r"\leftarrow", r"\longrightarrow", r"\mapsto", r"\sim", r"\propto", r"\simeq", r"\cong",
         r"\ll", r"\gg", r"\subseteq", r"\supset", r"\perp", r"\parallel", r"\notin", r"\prec", r"\succ", r"\doteq",
-        r"\leftrightarrow", r"\lesssim", r"\gtrsim", r"\preceq", r"\succeq", r"\asymp",
+        r"\subsetneq", r"\supseteq", r"\leftrightarrow", r"\lesssim", r"\gtrsim", r"\preceq", r"\succeq", r"\asymp",
     )},
 }  # fmt: skip
 LOGIC = {
@@ -298,6 +298,8 @@ class Lexer(tex.Reader):
             self.i += 1
             kind = SIMPLE.get(text) or LOGIC.get(text) or "REL"
             self.emit(kind, RELATIONS.get(text, text), at)
+        elif text == r"\partial" and self.peek(1) == "_":
+            self.derivative()
         elif tex.is_letter(text) or text == r"\partial" or text[1:] in COMMANDED:
             self.letter()
         else:
@@ -323,6 +325,19 @@ class Lexer(tex.Reader):
         if kind == "laplacian" and self.group() != ("2",):
             self.fail(r"a power of \nabla other than 2", at)
         self.emit("FN", f"{kind}{below}", at)
+
+    def derivative(self) -> None:
+        r"""`\partial_x`, `\partial_t^2`: derivatives of what follows by what stands below."""
+        at = self.at()
+        self.i += 2
+        below = [text for text in self.group() if text not in SPACES]
+        if self.peek() == "^":
+            self.i += 1
+            order = "".join(self.group())
+            if not order.isdigit() or len(below) != 1:
+                self.fail("a derivative of which order? write it as a fraction", at)
+            below *= int(order)
+        self.emit("FN", f"derivative{tex.subscript(below)}", at)
 
     def overlined(self) -> bool:
         """A line over more than one letter: a mean, or what is conjugate, of all of it."""
@@ -1165,6 +1180,9 @@ def _listed(lexemes: Sequence[Lexeme]) -> list[Lexeme]:
             if low and before.type == "COMMA":
                 out += [lexeme, comma]
                 continue
+        ended = behind is lexeme or behind.type in ("RPAR", "NEWLINE", "GAP", "COMMA", "SEMI")
+        if lexeme.type == "DOTS" and ended and k > 1 and before.type == "NUMBER" and lexemes[k - 2].type == "COMMA":
+            out.append(comma)
         out.append(lexeme)
     return out
 

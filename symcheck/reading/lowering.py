@@ -1022,6 +1022,11 @@ class Lowering:
     def between_jumps(self, jump: Call, left: Tree, sign: str, right: Tree, env: Env) -> Formula:
         """A relation with a function that jumps: it holds with each of its values, where it has them."""
         parts: list[Formula] = []
+        count = 2 if jump.function in _OF_POINTS else 1
+        if len(jump.arguments) != count:
+            raise SymcheckError(
+                f"{to_latex(jump)}: {jump.function} has {count} argument{'s' * (count > 1)}; write it so"
+            )
         for value, where in JUMPS[str(jump.function)](*jump.arguments):
             holds = _and([node(order, self.scalar(each, env), 0) for each, order in where])
             stated = self.compare(_put(left, jump, value), sign, _put(right, jump, value), env)
@@ -1713,6 +1718,7 @@ JUMPS: dict[str, Callable[..., Jumps]] = {
     "sgn": _sign, "sign": _sign, "atan2": _angle_of, "arctan2": _angle_of, "arg": _argument, "Arg": _argument,
     ABOVE: _argument_above,
 }  # fmt: skip
+_OF_POINTS = frozenset({"atan2", "arctan2"})  # which have two arguments
 
 
 def _put(tree: Tree, old: Tree, new: Tree) -> Tree:

@@ -44,15 +44,19 @@ DIMENSIONLESS = {  # numbers that print abbreviates with two letters
     "Oh": "Ohnesorge", "Bd": "Bond", "Ja": "Jakob", "Fr": "Froude", "Pr": "Prandtl", "Ca": "capillary", "St": "Stokes",
     "Ra": "Rayleigh", "Ga": "Galilei", "Ar": "Archimedes", "Gz": "Graetz", "Ma": "Mach",
     "SG": "specific-gravity", "MW": "molecular-weight", "Mo": "Morton", "Le": "Lewis", "Ro": "Rossby", "Ta": "Taylor",
-    "Ek": "Ekman",
+    "Ek": "Ekman", "Ri": "Richardson", "Da": "Damköhler", "Ha": "Hartmann", "Wo": "Womersley", "Wi": "Weissenberg",
+    "Eo": "Eötvös", "At": "Atwood",
 }  # fmt: skip
 # Those of them that may be products too: forces times radii, masses times accelerations.
-PRODUCTS = frozenset({"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta"})
+PRODUCTS = frozenset(
+    {"Fr", "Pr", "Ca", "St", "Ra", "Ga", "Ar", "Ja", "Gr", "Sh", "Sc", "Ma", "Mo", "Le", "Ro", "Ta", "Da", "Ha", "At"}
+)
 TRANSPOSED_OR_LABEL = "transposed, or a label? write brackets around what is transposed"
 STANDARD = "in degrees, or in the standard state? say what it is"
 DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
 _EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # letters of expectations
 KINDS_OPEN = "too many of these may be vectors or matrices"
+STATES = "a state, of which nothing is calculated"
 INTEGRATED = "all that is integrated by"
 INDEX_IN_NAME = "an index of a name is not summed over"
 LABEL_DOUBT = "a power, or a label?"
@@ -77,6 +81,7 @@ class Scripted:
     applied: bool = False  # do brackets stand behind it that hold no sum?
     changed: bool = False  # does the sign of a change stand before it?
     below: bool = False  # does anything stand below it?
+    derived: bool = False  # is it differentiated?
 
 
 # where names of the other kinds can be
@@ -108,6 +113,7 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
         {each.word for each in scripted if each.above in (("0",), ("1",)) and each.below},
         {word for formula in raised for word in _APPLIED.findall(formula)},
         {each.above[0] for each in scripted if each.word == r"\delta" and each.below and len(each.above) == 1},
+        {each.word for each in scripted if "," in each.above and not each.framed},
         {(each.word, "".join(each.above)) for each in scripted if len(each.above) == 1 or each.above[:1] in _BOLD},
     )
     labelled = {
@@ -130,6 +136,12 @@ def names_of_several_tokens(formulas: Sequence[str], said: Mapping[str, str]) ->
             found |= {latex: doubt for latex, doubt in _accented(formula) if latex not in within}
         if _ABBREVIATED.search(formula):
             found |= {latex: doubt for latex, doubt in _dimensionless(formula, said).items() if latex not in found}
+    found |= {
+        latex: STATES
+        for formula in formulas
+        if r"\rangle" in formula or r"\langle" in formula
+        for latex in _states(formula)
+    }
     found = {tex.without_dots(latex): doubt for latex, doubt in found.items()} | dict.fromkeys(_values(formulas), "")
     for latex in found:
         if latex.startswith(r"\Delta ") and any(_is_multiplied(latex.split()[1], formula) for formula in formulas):
@@ -170,6 +182,10 @@ def _is_of_letters(place: Occurrence) -> bool:
 _APPLIED = re.compile(r"(?<![A-Za-z\\])([A-Z]) (?:\\left )?\(")  # capitals before brackets
 # a power with two indices of which the second one is typed too high: `x^{b_i, j}`
 _INDEXED_POWER = re.compile(r"([a-z]) _ (?:\{ )?[a-z](?: \})? , [a-z]")
+# a step of an iteration within a step of time: `y^{n (m + 1)}`
+_STEP_OF_STEP = re.compile(r"([i-n]) \( (?!\1)[i-n](?: [-+] 1)? \)")
+# the values that an index takes, from a number on
+_VALUED = re.compile(r"(?<![A-Za-z\\])([i-n]) (?:& )?= \d+ , (?:\d+ , )*(?:\\[lc]?dots|\. \. \.|\d+)(?: , \S+)?")
 # a number of combinations, or a power
 _COMBINATIONS = re.compile(r"C _ (?:[a-z]|\{ [a-z] \})")
 # a function of a sphere, whose degree stands below it
@@ -213,6 +229,7 @@ class Told:
     framed: Collection[str]  # letters between two frames that have numbers, as in T_2^1
     applied: Collection[str]  # letters before brackets
     mixed: Collection[str]  # indices above Kronecker's delta
+    listed_above: Collection[str]  # letters with a list above them, as in a^{n, k}
     raised: Collection[tuple[str, str]]  # letters, each with the one that stands above it elsewhere
 
     @cached_property
@@ -225,6 +242,20 @@ class Told:
         """Letters that stand alone below another one, or among indices there."""
         found = {text for formula in self.formulas for pair in _INDICES_BELOW.findall(formula) for text in pair.split()}
         return found - {"{", "}", ","}
+
+    @cached_property
+    def counting(self) -> Collection[str]:
+        """Letters whose values are listed, which stand below other letters, and are no numbers elsewhere."""
+        valued = {letter for formula in self.formulas for letter in _VALUED.findall(formula)}
+        if not valued:
+            return valued
+        below = {
+            x
+            for formula in self.formulas
+            for x in valued
+            if re.search(rf"_ (?:\{{ )?{x}(?: \}}|(?![A-Za-z]))", formula)
+        }
+        return below - {word for formula in self.formulas for word in _Numbers(_VALUED.sub("", formula)).run()}
 
     @cached_property
     def multiplied(self) -> bool:
@@ -274,8 +305,15 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
     if of.word == "d" and len(inside) > 1 and len(_letters(inside)) == len(inside):
         return POWER_OR_LABEL.format(inside[0])
     sign = sign or (of.word.startswith(r"\mathbb") and _UPRIGHT.match(" ".join(inside)) is not None)  # no set
-    if not inside or ((of.word in _NO_BASE or of.word.startswith(r"\mathbb")) and not sign):
+    baseless = of.word in _NO_BASE and not (of.word == "e" and of.below)  # e_i is no number
+    if not inside or ((baseless or of.word.startswith(r"\mathbb")) and not sign):
         return None
+    if (
+        inside == [r"\infty"]
+        or _STEP_OF_STEP.fullmatch(" ".join(inside))
+        or (inside == ["1"] and of.applied and not of.below)
+    ):
+        return POWER_OR_LABEL.format(" ".join(inside))  # no powers that anybody prints
     if inside == [r"\circ"] and of.word not in _ANGLES and not of.word[:1].isupper():
         return STANDARD
     if inside in (["0"], ["1"]) and not any((of.word, power) in told.raised for power in "23n"):
@@ -288,12 +326,33 @@ def _doubt(of: Scripted, told: Told, labelled: Collection[str]) -> str | None:
         return POWER_OR_LABEL.format(powers[0])  # as in z^{(M - 1)} beside z^M
     if _is_label(inside) or (inside == [r"\circ"] and of.word[:1].isupper()):  # the standard state, and no degrees
         return ""
+    if of.word in told.listed_above and "," not in inside and (_letters(inside) or "".join(inside).isdigit()):
+        return POWER_OR_LABEL.format(" ".join(inside))  # beside `a^{n + 1, k}`
     upright = [text for text in inside if text not in {"{", "}"} | ROMAN]
     if len(upright) == 1 and upright[0] in _TRANSPOSING:
         if upright[0] not in ("T", "H") or of.word not in labelled:
             return None
         return "" if of.framed else TRANSPOSED_OR_LABEL
     letters = _letters(inside)
+    if letters and of.word.startswith(r"\underline"):
+        return POWER_OR_LABEL.format(letters[0])
+    if len(letters) == len(inside) == 1 and letters[0] in told.counting and not of.plain and of.word not in told.powers:
+        return POWER_OR_LABEL.format(letters[0])
+    if (
+        (of.applied or of.derived)
+        and not of.below
+        and len(inside) == 1
+        and inside[0].isupper()
+        and inside[0] in told.numbers
+    ):
+        return POWER_OR_LABEL.format(inside[0])  # behind its argument a power would stand
+    if (
+        of.below
+        and len(letters) == len(inside) > 1
+        and "," not in inside
+        and {*itertools.pairwise(letters)} <= {*told.paired}
+    ):
+        return POWER_OR_LABEL.format(" ".join(inside))  # a pair of indices
     index = letters == ["".join(inside)] and letters[0] in _GREEK_INDICES and letters[0] in told.below
     if index and letters[0] not in told.numbers:
         return POWER_OR_LABEL.format(letters[0])  # summed over
@@ -482,10 +541,20 @@ def _scripted(formula: str) -> Iterator[Scripted]:
                 before = texts[:start]
                 coefficient = before[-len(above) - 3 :] == ("_", "{", *above, "}") and len(_letters(above)) < 2
                 coefficient = coefficient and not (len(above) == 1 and above[0] in _AXES)
-                plain = not framed and (before[-1:] in (("d",), (r"\partial",)) or coefficient)
+                derived = before[-1:] in (("d",), (r"\partial",)) and not (len(above) == 1 and above[0].isupper())
+                plain = not framed and (derived or coefficient)
                 applied = _is_applied(texts[end:])
                 yield Scripted(
-                    name, bare, word, tuple(above), framed, plain, applied, changed=changed > 0, below=low > behind
+                    name,
+                    bare,
+                    word,
+                    tuple(above),
+                    framed,
+                    plain,
+                    applied,
+                    changed=changed > 0,
+                    below=low > behind,
+                    derived=before[-1:] == (r"\partial",),
                 )
             reader.i = start + 1 if changed and not above else behind
         except SymcheckError:
@@ -560,7 +629,14 @@ def _unit(latex: str, formula: str) -> str:
         return ""
     if formula.count("[") == 1 and re.search(rf"[\w}})] (?:\\[,;:] )?{re.escape(latex)}[ .,;]*$", formula):
         return "a matrix in brackets, or the unit of what stands before them? say what it is"
-    return "" if _OF_MATRICES.search(formula) else "a matrix in brackets, or a concentration? say what it is"
+    compared = re.search(
+        rf"(?:[<>]|\\(?:le|ge|leq|geq|leqslant|geqslant)) {re.escape(latex)}|{re.escape(latex)} (?:& )?[<>]", formula
+    )
+    return (
+        ""
+        if _OF_MATRICES.search(formula) and not compared
+        else "a matrix in brackets, or a concentration? say what it is"
+    )
 
 
 def _is_multiplied(letter: str, formula: str) -> bool:
@@ -578,6 +654,15 @@ def _is_laplacian(letter: str, formula: str) -> bool:
     Other changes beside it say that it is one.
     """
     own = re.escape(letter)
+    if re.search(rf"\^ (?:2|\{{ 2 \}}) (?:\\[,;:!] )*\\Delta {own}(?! [_^])(?![A-Za-z])", formula) and re.search(
+        rf"(?:^|[-+=] ){own} [-+=]", formula
+    ):
+        return True  # multiplied by the square of a length
+    if letter in _POTENTIALS and re.search(
+        rf"(?:(?:^|= )(?:& )?- |\\int _ (?:\S|\\\w+|\{{[^{{}}]*\}}) (?:\{{ )?)\\Delta {own}(?![A-Za-z])(?! [_^])",
+        formula,
+    ):
+        return True  # as equations begin, and what is tested by others
     if formula.count(r"\Delta") > formula.count(rf"\Delta {letter}"):
         return False
     if re.search(
@@ -645,6 +730,22 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
                 return {}
         found[name] = f"the {DIMENSIONLESS[word]} number, or {a} times {b}? write \\cdot, or name one letter"
     return found
+
+
+_WITHIN = r"(?! ?(?:[\^_,)]|\\right))(?:(?!\||\\\||\\langle|\\rangle|[=&]|\\\\).)+"
+# products of states, perhaps with an operator between them, and states alone
+_PRODUCT_OF_STATES = re.compile(rf"\\langle {_WITHIN}(?:\|{_WITHIN})+\\rangle")
+_STATE = re.compile(rf"\|{_WITHIN}\\rangle|\\langle {_WITHIN}\|")
+
+
+def _states(formula: str) -> Iterator[str]:
+    r"""States in brackets, `| \psi \rangle`, `\langle \phi |`, and their products, `\langle \phi | \psi \rangle`."""
+    yield from _PRODUCT_OF_STATES.findall(formula)
+    rest = _PRODUCT_OF_STATES.sub(" , ", formula)
+    found = _STATE.findall(rest)
+    alone = _STATE.sub(" , ", rest)
+    if not re.search(r"\\[lr]angle|\|", alone):  # lengths or averages beside them may be what the bars belong to
+        yield from found
 
 
 def _accented(formula: str) -> Iterator[tuple[str, str]]:
@@ -747,7 +848,8 @@ def _bracketed(texts: tuple[str, ...], start: int) -> int:
     reader = tex.Reader(" ".join(texts[end + 1 :]))
     while reader.peek() == "_":  # the scripts of the name
         reader.i += 1
-        reader.group()
+        if "=" in reader.group():
+            return 0  # its value there
     return end + 1 + reader.i
 
 

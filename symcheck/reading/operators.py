@@ -13,7 +13,8 @@ _ABOVE = r"(?: \^ (?:\w|\*|\{ [^{}]* \}))?"
 _LETTER = rf"(?:[a-z]|\\(?!partial|frac)[a-z]+|\\(?:Psi|Phi)|\\[a-z]+ \{{ \w \}}){_BELOW}{_ABOVE}"
 # both sides end in one letter: `L_z Y = m \hbar Y`
 _EIGEN = re.compile(
-    rf"(?:^|& |quad |\\\\ )([A-Z]){_BELOW} ((?:Y|{_LETTER})(?: _ \w| _ \{{ [^{{}}]* \}})?{_ABOVE}) "
+    rf"(?:^|& |quad |\\\\ )([A-Z]|\\hat \{{ \\?[A-Z]\w* \}}){_BELOW} "
+    rf"((?:Y|{_LETTER})(?: _ \w| _ \{{ [^{{}}]* \}})?{_ABOVE}) "
     r"(?:& )?= (?:& )?((?:(?!\\\\|\\q?quad|=).)*) \2(?= ?(?:[.,;]|\\q?quad|\\\\|$))"
 )
 _BRACKETS = re.compile(r"\([^()]*\)")  # whose sums are no addends of what they stand in

@@ -421,6 +421,7 @@ class Builder:
                     continue
             last = trees[end] if end < len(trees) else None
             valued = end + 1 < len(trees) and isinstance(trees[end + 1], Number | Dots)
+            valued |= k > 0 and isinstance(trees[k - 1], Dots)  # the end of `1, \\dots, s`
             if (
                 isinstance(last, Chain)
                 and last.signs[0] != r"\in"
@@ -559,7 +560,10 @@ class Builder:
         name = name.name if isinstance(name, Indexed) else name
         if isinstance(name, Name) and _SEVERAL.match(name.letter):
             return False
-        return isinstance(name, Name) and (bool(name.subscripts) or self.notation.find(name.letter, 0) is not None)
+        index = isinstance(name, Name) and self.is_index(name) and self.notation.inferred
+        return isinstance(name, Name) and (
+            bool(name.subscripts) or self.notation.find(name.letter, 0) is not None or index
+        )
 
     def is_index(self, tree: Tree) -> bool:
         return isinstance(tree, Name) and not tree.subscripts and self.notation.index(tree.letter) is not None
@@ -933,7 +937,7 @@ class Builder:
         if _is_operated(node) and self.in_brackets(after):
             raise self.fail(after.at, "of what the operator makes, or times it? write \\cdot, or brackets around both")
         applied = isinstance(node, Call) and isinstance(node.function, Name) and bool(node.arguments)
-        if applied and after.kind == "group" and not after.postfix and _is_letter(self.inside(after)):
+        if applied and after.kind == "group" and not after.postfix and _is_place(self.inside(after)):
             raise self.fail(after.at, AT_OR_TIMES)  # J(f)(x)
         if not alone:
             return
@@ -1871,6 +1875,11 @@ def _has_no_letters(tree: Tree) -> bool:
 def _is_letter(tree: Tree | None) -> bool:
     """Is this one letter without scripts, around which a product needs no brackets?"""
     return isinstance(tree, Name) and tree == Name(tree.letter) and tex.is_letter(tree.letter)
+
+
+def _is_place(tree: Tree | None) -> bool:
+    """Is this one letter, perhaps with an accent, and no change or gradient of one?"""
+    return isinstance(tree, Name) and " " not in tree.letter and not tree.subscripts
 
 
 def _is_step(node: Derivative, inside: Tree | None) -> bool:

@@ -280,6 +280,8 @@ def _call(tree: Call, power: str = "") -> str:
         return f"{_name(tree.function)}({inside})" if tree.arguments else _name(tree.function)
     name, _, below = tree.function.partition("_")
     head = name if name in COMMANDS else rf"operatorname{{{name}}}" + (f"_{below}" if below else "")
+    if below and name in ("grad", "derivative"):  # by what
+        head = ("nabla" if name == "grad" else "partial") + f"_{below}"
     single = isinstance(tree.arguments[0], Name | Number)
     if _is_bare(tree) and (single or not _bracketed.get()):
         return rf"\{head}{power} {inside}"

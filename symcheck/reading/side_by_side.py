@@ -59,13 +59,15 @@ _DEFINED = frozenset({"RT", "RC", "LC", "GM"})  # usual products, of which none 
 _ARGUMENT = re.compile(
     r"(?:^|& |\\\\ )\\?[A-Za-z]+ (?:_ (?:\w|\{[^{}]*\}) )?\( (?:[a-z] , )+([a-z]) ([a-z]) (?:, [a-z] )*\)(?: &)? ="
 )
+# what is called an identity, with an index below
+_IDENTITY = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )i d _ ")
 # a letter with itself as its index, behind another one: `bu_u`
 _INDEXED_BY_ITSELF = re.compile(r"(?<![A-Za-z\\])(?<![A-Za-z] )([a-z]) ([a-z]) _ (?:\{ )?\2(?: \})?(?![A-Za-z])")
 _UNITS = frozenset(
     {"kg", "km", "cm", "mm", "Hz", "kHz", "MHz", "Pa", "kPa", "MPa", "kN", "kJ", "kW", "eV", "keV", "MeV"}
 )
 _DOUBLED = frozenset(2 * letter for letter in string.ascii_uppercase)  # which is no power of a letter with an index
-_APPLIED = re.compile(r"[A-Z][fpqtuvwxyz]")  # a matrix or an operator before what it is applied to
+_APPLIED = re.compile(r"[A-DF-Z][fpqtuvwxyz]|E[fptuvwxyz]")  # a matrix or an operator before what it is applied to
 _NO_VECTORS = frozenset("fpt")  # which hardly stand behind a matrix that is a whole left side with them
 # two letters that are said to be their product
 _OWN_PRODUCT = re.compile(
@@ -90,6 +92,8 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
     for text in formulas:
         for first, second in _INDEXED_BY_ITSELF.findall(text) if " _ " in text else ():
             found |= dict.fromkeys((first, second) if first != "d" else (), _told(first + second))
+    if any(map(_IDENTITY.search, formulas)):
+        found |= dict.fromkeys("id", _told("id"))
     for text in formulas:
         for first, second in _OWN_PRODUCT.findall(text):
             found |= dict.fromkeys((first, second), _told(first + second))
@@ -118,6 +122,9 @@ def doubted(formulas: Sequence[str]) -> dict[str, str]:
         left = run[0] not in _FACTORS_FIRST and any(
             re.match(rf"(?:& )?{' '.join(run)}_ (?:& )?=", text.strip()) for text in texts
         )
+        opening = any(re.match(rf"(?:.*\\\\ )?(?:& )?{' '.join(run)} (?:& )?= ", text.strip()) for text in texts)
+        if len(run) == LONGEST and run.islower() and opening and run[0] not in _FACTORS_FIRST:
+            found |= dict.fromkeys(run, _told(run))
         if alone and left and len(run) == 2 and run.islower():
             found |= dict.fromkeys(alone, _told(run))
         if run[0] in alone and _is_defined(run, alone, texts):

@@ -48,7 +48,7 @@ NOTHING = {  # layout, with the number of arguments that go with it
     r"\tiny": 0,
 }  # fmt: skip
 SECOND = frozenset({r"\textcolor", r"\overset", r"\stackrel", r"\underset"})  # the second argument is what counts
-BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underline", r"\underbracket", r"\overbracket"})
+BRACED = frozenset({r"\underbrace", r"\overbrace", r"\underbracket", r"\overbracket"})
 # functions; braces end their arguments
 _BARE = frozenset(f"\\{name}" for name in COMMANDS - {"det", "max", "min"} | {"tr", "Tr", "rank"})
 _ENTRY = r"[A-Z](?:_(?:\w|\{[^{}]*\}))?"
@@ -145,7 +145,10 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if found := _CALCULATED.search(source):
         raise SymcheckError(f"{found[0]}: a formula in text; write it outside of the text")
     source = _TEN.sub(lambda found: rf"\cdot 10^{{{found[1] or found[2]}}}", source)
-    source = _OPTIONS.sub("", source)
+    source = (
+        _STATES.sub(_with_states, source) if "angle" in source or r"\ket" in source or r"\bra" in source else source
+    )
+    source = _UPRIGHT_NUMBER.sub(r"{\1}", _OPTIONS.sub("", source))
     source = _SYMBOLS.sub(r"\\boldsymbol{\1}", source) if r"\boldmath" in source else source
     source = _ITALIC.sub(r"\\mathrm{\1}", source)
     source = _WORDS.sub(_with_formulas, source)
@@ -163,6 +166,30 @@ def plain(source: str, beside: Iterable[str] = ()) -> str:
     if rest != len(tokens):
         return source
     return phrased(_printed(_made_plain(parts)))
+
+
+_INSIDE = r"((?:(?!\\left|\\right|\\langle|\\rangle).)*?)"
+_BAR = r"(?:\||\\vert|\\lvert|\\rvert)"
+_BRACED = r"\s*\{((?:[^{}]|\{[^{}]*\})*)\}"
+# states in brackets whose sizes are adapted, and the commands that are usual for them
+_STATES = re.compile(
+    rf"\\left\s*(?:\\langle{_INSIDE}\\right\s*{_BAR}|{_BAR}{_INSIDE}\\right\s*\\rangle|\\langle{_INSIDE}\\right\s*\\rangle)"
+    rf"|\\(?:ket{_BRACED}|bra{_BRACED}|braket{_BRACED})",
+    re.DOTALL,
+)
+
+
+def _with_states(found: re.Match[str]) -> str:
+    """The same in brackets of one size; an average stays as it is."""
+    bra, ket, both = found[1] or found[5], found[2] or found[4], found[3] or found[6]
+    if bra is not None:
+        return rf"\langle {bra} | "
+    if ket is not None:
+        return rf"| {ket} \rangle "
+    if both is None or not re.search(rf"\\middle|{_BAR}", both):
+        return found[0]
+    inner = re.sub(r"\\(?:vert|lvert|rvert)", "|", both.replace(r"\middle", ""))
+    return rf"\langle {inner} \rangle "
 
 
 _SCRIPTS = r"(?:\s*(?:_|\^)\s*(?:[\w+*-]|\{(?:[^{}]|\{[^{}]*\})*\})|'|\([A-Za-z, ]*\))*"
@@ -403,6 +430,9 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
         elif part in SECOND and k + 2 < len(parts):
             found += _second(part, parts[k + 1], parts[k + 2])
             k += 3
+        elif part == r"\underline" and k + 1 < len(parts):
+            found += _underlined(_inner(parts[k + 1]))
+            k += 2
         elif part in BRACED and k + 1 < len(parts):
             found += _inner(parts[k + 1])
             k += 2
@@ -437,6 +467,17 @@ def _made_plain_here(parts: list[Part]) -> list[Part]:
     return found
 
 
+def _underlined(inner: list[Part]) -> list[Part]:
+    """A letter with a line below it is one of its own; a line below more stresses it."""
+    letter, end = (inner[:2], 2) if inner[:1] == [r"\underline"] else _letter_here(inner, 0)
+    rest = inner[end:]
+    name = bool(letter) and letter[0] not in ROMAN and letter[0] != r"\nabla" and letter[:1] != [r"\partial"]
+    scripts = [part for k, part in enumerate(rest) if part in ("_", "^") or (k and rest[k - 1] in ("_", "^"))]
+    if not name or [part for part in rest if part != "'"] != scripts:
+        return inner
+    return [r"\underline", Group(letter), *rest]
+
+
 # scripts that are no powers
 MARKS = frozenset({"{", "}", "*", "+", "-", "'", r"\ast", r"\star", r"\prime", r"\dagger"})
 
@@ -462,6 +503,11 @@ def _over_letters(command: str, inner: list[Part]) -> list[Part]:
     if command in STYLES and letter and not power and _is_bracket(rest[scripted:]):
         return [command, Group(letter), *rest[:scripted], *_styled(command, rest[scripted:])]  # bold of all of it
     if command in STYLES and len(inner) > 1 and all(isinstance(part, str) and tex.is_letter(part) for part in inner):
+        word = "".join(map(str, inner))
+        if command in (r"\mathcal", r"\mathscr", r"\mathfrak") and word.isalpha():
+            raise SymcheckError(
+                f"{command}{{{word}}}: one name, or a product? write {command} before each of its letters"
+            )
         return [each for part in inner for each in (command, Group([part]))]
     return [command, Group(inner)]
 
@@ -661,6 +707,7 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 
 
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
+_UPRIGHT_NUMBER = re.compile(r"\\(?:mathrm|mathbf|rm)\s*\{\s*(\d+\s*/\s*\d+)\s*\}")
 _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold letter in text
 # words, perhaps with formulas among them
 _WORDS = re.compile(

@@ -257,6 +257,8 @@ def _is_word(word: str, toks: Sequence[tex.Tok], k: int) -> bool:
     opening = [tok.text for tok in toks[end : end + 1]]
     applied = word in _OF_VARIABLES and opening in (["("], ["["], [r"\left"])
     applied = applied or (word == "Li" and opening in (["_"], ["("]))  # the logarithmic integral, and polylogarithms
+    behind_brace = [tok.text for tok in toks[end + 1 : end + 2]] if opening == ["{"] else opening
+    applied = applied or (word in ("tr", "Tr") and behind_brace in _OF_STYLE)  # of a matrix
     cost = word == "cost" and first and behind == "("
     initials = first and behind == "(" and word.isupper() and len(word) > 2  # as in MSD(t) =
     named |= len(word) > LONGEST_PRODUCT and word.islower() and len({*word}) > 2
@@ -290,6 +292,7 @@ _OF_VARIABLES |= {
     "Log",
     "Ln",
 }
+_OF_STYLE = ([r"\mathbf"], [r"\boldsymbol"], [r"\bm"], [r"\underline"])
 _ANGLES = frozenset({"Az", "El"})  # azimuth and elevation
 _WITH_FUNCTION = re.compile("sin|cos|tan|log|exp|max|min|ln")  # typed as letters, and a product with it
 
