@@ -103,7 +103,11 @@ def with_proofs(own: Outcomes, work: Work, until: float = math.inf) -> tuple[Out
 def outcome(questions: tuple[Question, ...]) -> Outcome:
     """How a relation compares with different sources, the smallest sets first."""
     compared_ = [*_compared(questions)]
-    holding = tuple(_with_what_it_takes(question, points) for question, points in compared_ if points and points.holds)
+    holding = tuple(
+        dict.fromkeys(
+            _with_what_it_takes(question, points) for question, points in compared_ if points and points.holds
+        )
+    )
     failing = dict.fromkeys(
         _with_what_it_takes(question, points)
         for question, points in compared_
@@ -441,7 +445,8 @@ class Derived:
 def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Definition, ...]]:
     """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated.
 
-    A letter on both sides of the relation may drop out there, or be eliminated like others.
+    A letter on both sides of the relation may drop out there, or be eliminated like others. One that may have any value
+    may stand once.
     """
     found: dict[tuple[Definition, ...], None] = {}
     done = set[frozenset[Definition]]()
@@ -454,7 +459,8 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
         if len(found) >= most or len(done) > MOST_STEPS:
             return
         count = Counter(name for names in (*own, *(each.names for each in chosen)) for name in names)
-        alone = sorted(name for name, times in count.items() if times == 1)
+        free = relation.link.bound.union(*(each.link.bound for each in chosen))
+        alone = sorted(name for name, times in count.items() if times == 1 and name not in free)
         if not alone:
             found.update({chosen: None} if chosen else {})
             return
