@@ -3,10 +3,12 @@ r"""Where the argument of a function without brackets ends, by other formulas: `
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
+from dataclasses import replace
 from typing import NamedTuple
 
 from symcheck.document.macros import tokens
+from symcheck.document.survey import Link, Seen
 from symcheck.reading.parser import ANGLES, OFTEN_ANGLES
 
 OPEN_ARGUMENT = "belong to the argument of"  # in the reason why something is not read
@@ -39,11 +41,7 @@ def argument_rules(every: Iterable[str], unread: Iterable[str]) -> list[str]:
     A letter that is elsewhere all of an argument is so here, and what follows is a factor; one that is nowhere all of
     an argument, but a factor in some, is a factor here.
     """
-    alone, factor = set[str](), set[str]()
-    for latex in every:
-        for place in _places(latex):
-            alone |= {place.letter} if place.alone else set()
-            factor |= {place.letter} if place.factor else set()
+    alone, factor = _kinds(every)
     found = dict[str, None]()
     for place in (place for latex in unread for place in _places(latex) if place.bracket):
         if (place.letter in alone) == (place.letter in factor):
@@ -52,6 +50,46 @@ def argument_rules(every: Iterable[str], unread: Iterable[str]) -> list[str]:
         inside = (place.letter, ")", *whole) if place.letter in alone else (place.letter, *whole, ")")
         found[" ".join((*place.before, place.letter, *whole, "->", *place.before, "(", *inside))] = None
     return [*found]
+
+
+def in_brackets(every: Iterable[str], seen: Sequence[Seen]) -> list[Seen]:
+    r"""The same with brackets around arguments of several letters, as of `\cosh m L`, that begin with such a factor.
+
+    They are read so without brackets, but where more is at stake than a reading these are asked for.
+    """
+    alone, factor = _kinds(every)
+
+    def named(link: Link) -> Link:
+        left, right = (_bracketed(side, factor - alone) for side in (link.left, link.right))
+        return replace(link, left=left, right=right)
+
+    return [replace(each, links=tuple(map(named, each.links))) if factor else each for each in seen]
+
+
+def _bracketed(latex: str, factors: Set[str]) -> str:
+    if not _FUNCTION.search(latex):
+        return latex
+    toks, new, k = [tok.text for tok in tokens(latex) if not tok.is_space], list[str](), 0
+    while k < len(toks):
+        new.append(toks[k])
+        k += 1
+        if not _FUNCTION.fullmatch(new[-1]):
+            continue
+        begin = _scripted(toks, k, "^")
+        end, ends = begin, list[int]()
+        while end < len(toks) and _LETTER.fullmatch(toks[end]):
+            ends.append(end := _scripted(toks, end + 1, "_"))
+        behind = toks[end] if end < len(toks) else ""
+        if len(ends) > 1 and "".join(toks[begin : ends[0]]) in factors and behind in _ENDING:
+            new += [*toks[k:begin], "(", *toks[begin:end], ")"]
+            k = end
+    return " ".join(new) if len(new) > len(toks) else latex
+
+
+def _kinds(every: Iterable[str]) -> tuple[set[str], set[str]]:
+    """The letters that are all of an argument somewhere, and those that are factors in one."""
+    places = [place for latex in every for place in _places(latex)]
+    return {place.letter for place in places if place.alone}, {place.letter for place in places if place.factor}
 
 
 def _places(latex: str) -> Iterator[_Place]:

@@ -79,7 +79,7 @@ def sought(sets: Derived, numbers: Iterable[int], work: Work, until: float = mat
     """
 
     def outcomes(questions: Mapping[int, list[tuple[Question, ...]]]) -> tuple[Outcomes, int]:
-        tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
+        tasks = sorted(dict.fromkeys(each for every in questions.values() for each in every if each), key=_cost)
         found = work.all(outcome, tasks, FOLLOWING, lambda reason: NOTHING, until)
         compared_ = {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}
         return compared_, len(tasks) - len(found)
@@ -90,6 +90,12 @@ def sought(sets: Derived, numbers: Iterable[int], work: Work, until: float = mat
     for k, every in behind.items():
         own[k] = [replace(x, holding=y.holding, failing=y.failing) for x, y in zip(own[k], every, strict=True)]
     return own, left + more
+
+
+def _cost(questions: tuple[Question, ...]) -> tuple[int, int]:
+    """How long it takes to compare a relation: what stands written out in components takes ten times as long."""
+    lists = {x for each in questions for x, phrase in each.letters if phrase in AS_NUMBERS}
+    return len(lists), len(questions)
 
 
 def with_proofs(own: Outcomes, work: Work, until: float = math.inf) -> tuple[Outcomes, int]:
@@ -283,7 +289,8 @@ class Derived:
             return
         for link in seen.links:
             if (formula.display or max(link.sizes) >= SMALLEST) and not link.is_assignment:
-                yield Definition(k, link)
+                left, right = (names & (seen.names | link.bound) for names in link.names)  # and no numbers
+                yield Definition(k, replace(link, names=(left, right)))
 
     def questions(self, k: int, later: bool = False) -> list[tuple[Question, ...]]:
         """For each equation of a formula those that ask whether it follows, from one set after the other.
@@ -446,8 +453,13 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
     """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated.
 
     A letter on both sides of the relation may drop out there, or be eliminated like others. One that may have any value
-    may stand once.
+    may stand once; so may what else a function is made of whose derivatives or integrals the relation is about.
     """
+
+    def any_value(each: Definition) -> frozenset[str]:
+        function = relation.link.operates and each.link.head and (each.link.bound or each.link.head in relation.names)
+        return each.names - {each.link.head} if function else each.link.bound
+
     found: dict[tuple[Definition, ...], None] = {}
     done = set[frozenset[Definition]]()
     with_name: dict[str, list[Definition]] = {}
@@ -459,7 +471,7 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
         if len(found) >= most or len(done) > MOST_STEPS:
             return
         count = Counter(name for names in (*own, *(each.names for each in chosen)) for name in names)
-        free = relation.link.bound.union(*(each.link.bound for each in chosen))
+        free = relation.link.bound.union(*map(any_value, chosen))
         alone = sorted(name for name, times in count.items() if times == 1 and name not in free)
         if not alone:
             found.update({chosen: None} if chosen else {})

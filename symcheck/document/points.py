@@ -39,6 +39,7 @@ _PRIMED = re.compile(r"'\s*\}?\s*(?:\\left\s*)?\(|\\d+ot\{[^{}]*\}\s*(?:\\left\s
 # a letter with two indices below it
 _ENTRY = re.compile(r"(\\?[A-Za-z]+(?:\{[^{}]*\})?)_\{\s*([a-z0-9])\s*,?\s*([a-z0-9])\s*\}")
 TRIED = 6  # points from which Newton's method begins, for letters of the same signs
+MANY = 24  # points at which equations are evaluated that say what letters are
 POINTS = 4  # that are found: some may lie where a factor is zero that usually is not
 ANYWHERE = 12  # points for a relation that ought to hold for all values: at many it has no real ones
 ENOUGH = 2  # of these, those at which something does not hold by accident
@@ -434,16 +435,49 @@ def _points(
     zero = _zero(equations := _all(sources, letters, unknown, own))
     equations, fixed = [_without(each, zero) for each in equations], dict.fromkeys(zero, 0.0)
     symbols = [*dict.fromkeys(symbol for equation in equations for symbol in equation.symbols)]
+    if (points := _explicit(equations, symbols)) is None:
+        points = _implicit(equations, symbols)
+    return tuple(fixed | dict(zip(symbols, map(float, point), strict=True)) for point in points[:POINTS])
+
+
+def _implicit(equations: Sequence[Equation], symbols: Sequence[Symbol]) -> Array:
+    """Points, one in each row, by Newton's method."""
     numbers, placed = np.random.default_rng(1), _placed(equations, symbols)
     with np.errstate(all="ignore"):
         for signs in _signs(len(symbols), placed):
             found = _solved(placed, signs * numbers.uniform(0.3, 1.7, signs.shape))
             there = _is_found(found)
             if np.any(there):
-                same = there & np.all(signs == signs[np.argmax(there)], axis=1)
-                points = found[same][:POINTS]
-                return tuple(fixed | dict(zip(symbols, map(float, point), strict=True)) for point in points)
-    return ()
+                same: Array = found[there & np.all(signs == signs[np.argmax(there)], axis=1)]
+                return same
+    return np.empty((0, len(symbols)))
+
+
+def _explicit(equations: Sequence[Equation], symbols: Sequence[Symbol]) -> Array | None:
+    """Points with all letters above zero, if each equation says what a letter is by those said before; else None."""
+    rows = (next(((x, y) for x, y in (each.plain, each.plain[::-1]) if x.is_Symbol), None) for each in equations)
+    left = [(*row, {*row[1].free_symbols}) for row in rows if row is not None]
+    heads: dict[Symbol, Expr] = {}
+    said = {head for head, _, _ in left}
+    if len(left) < len(equations) or len(said) < len(left):
+        return None
+    while left:
+        ready = [row for row in left if row[2].isdisjoint(said - heads.keys())]
+        if not ready:
+            return None
+        heads |= {head: value for head, value, _ in ready}
+        left = [row for row in left if row[0] not in heads]
+    free = [symbol for symbol in symbols if symbol not in heads]
+    numbers = np.random.default_rng(1)
+    points = numbers.uniform(0.3, 1.7, (MANY, len(free)))
+    values = dict(zip(free, points.T, strict=True))
+    with np.errstate(all="ignore"):
+        for head, value in heads.items():
+            system = _placed([_Sides((value, value))], own := sorted(value.free_symbols & values.keys(), key=str))
+            values[head] = np.broadcast_to(_evaluate(system, [values[x] for x in own])[0], MANY)
+    found = np.array([values[x] for x in symbols]).T
+    good = found[np.all((found > 0) & np.isfinite(found), axis=1)]
+    return good if len(good) >= ENOUGH else None
 
 
 def _zero(equations: Iterable[Equation]) -> set[Symbol]:

@@ -61,9 +61,8 @@ class Link:
     chained: bool  # does it stand behind another one?
     head: str = ""  # the letter that it may define
     place: int = 0  # among all relations of the formula
-    bound: frozenset[str] = (
-        frozenset()
-    )  # letters that may have any value: at which a function is said, or by which is summed
+    bound: frozenset[str] = frozenset()  # letters at which a function is said, or by which is integrated: of any value
+    operates: bool = False  # does it hold derivatives or integrals?
 
     @property
     def latex(self) -> str:
@@ -230,7 +229,9 @@ def _links(tree: Tree) -> Iterator[Link]:
             head = "" if chained else next(iter(definitions([" = ".join(sides)])[0]), "")
             bound = {x for side in (left, right) for _, part in walk(side) for x in _bound(part)}
             bound |= names[0] - {head} if head and isinstance(left, Call) else set()
-            yield Link(*sides, names, (_size(left), _size(right)), chained, head, place, frozenset(bound))
+            operates = any(isinstance(part, Derivative | Integral) for side in (left, right) for _, part in walk(side))
+            sizes = _size(left), _size(right)
+            yield Link(*sides, names, sizes, chained, head, place, frozenset(bound), operates)
         before = right
 
 
