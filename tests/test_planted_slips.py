@@ -339,6 +339,13 @@ $$\frac{\partial \mathcal{L}}{\partial q}
         "c",
         4,
     ),
+    "a sum with its value": Planted(
+        "The numbers have the sums\n$$\\sum_{j=1}^N (2 j - 1) = N^2, \\qquad "
+        "\\sum_{j=1}^N j^3 = \\frac{N^2 (N SLIP 1)^2}{4}.$$\n",
+        "+",
+        "-",
+        2,
+    ),
     "arguments without brackets": Planted(
         "The rod bends as\n$$w(x) = b \\frac{\\sinh n(L - x)}{\\sinh n L}$$\nwith the slope\n"
         "$$w'(x) = SLIP b n \\frac{\\cosh n(L - x)}{\\sinh n L}.$$\n",
@@ -382,6 +389,14 @@ SOUND = {
     "and varies with the temperature as\n$$\\frac{\\partial P}{\\partial T} = \\frac{R}{v - b}.$$\n",
     "a constant that an integral says": "The wave is\n$$\\psi(x) = A e^{-x^2/2}$$\nIts norm is\n"
     "$$\\int_{-\\infty}^{\\infty} \\psi(x)^2 \\, dx = 1,$$\nwhich says what $A$ is.\n",
+    "a value at a letter": "The front has the curvature\n"
+    "$$R(z) = z \\left(1 + \\left(\\frac{z_R}{z}\\right)^2\\right)$$\n"
+    "and at $z_R$ it is\n$$R(z_R) = 2 z_R.$$\nThe width is\n"
+    "$$w(z) = w_0 \\sqrt{1 + \\left(\\frac{z}{z_R}\\right)^2}$$\n"
+    "and there\n$$w(z_R) = \\sqrt{2} w_0.$$\n",
+    "an integral over a period": "With the period $T = 2\\pi/\\omega$ the mean vanishes:\n"
+    "$$\\int_0^T \\sin(\\omega t) \\, dt = 0$$\nand the ends are where\n"
+    "$$\\int_0^b (x - b^2) \\, dx = \\frac{b^2}{4}$$\nholds.\n",
     "two functions of one name": "The first beam bends by\n$$w(x) = a x^2$$\nand has at its end\n$$w(L) = a L^2$$\n"
     "with the slope\n$$w'(L) = 2 a L.$$\n",
     "rounded numbers": r"The sine is $$\sin 30^\circ + 0.1 = 0.5 + 0.1 = 0.6$$ and $$2 \cdot 0.33 = 0.7$$",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,8 @@ from symcheck.core.verdicts import SymcheckError
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
+
+OF = "function of "  # a phrase
 
 
 @dataclass(frozen=True)
@@ -24,14 +27,20 @@ class Known:
 NOTHING = Known()
 
 
-def known_of(given: Iterable[tuple[Expr, Expr]], others: Iterable[tuple[Expr, Expr]]) -> Known:
-    """What given equations say; the others only print functions at letters."""
+def known_of(
+    given: Iterable[tuple[Expr, Expr]], others: Iterable[tuple[Expr, Expr]], said: Iterable[tuple[str, str]] = ()
+) -> Known:
+    """What given equations say; the others only print functions at letters.
+
+    Of a function that is said at several letters, `said` tells which one stands for any value.
+    """
     from sympy.core.function import AppliedUndef
 
     given = [*given]
     functions: dict[Any, tuple[tuple[Symbol, ...], Expr]] = {}
     letters: dict[Symbol, Expr] = {}
     own: dict[Any, tuple[Expr, ...]] = {}
+    of = {_name(x): (*map(_name, phrase.removeprefix(OF).split(",")),) for x, phrase in said if phrase.startswith(OF)}
     both = [(*sides, sides in given) for sides in (*given, *others)]
     for head, value, is_given in (*both, *((right, left, is_given) for left, right, is_given in both)):
         if head.is_Symbol and is_given and head not in value.free_symbols:
@@ -39,13 +48,24 @@ def known_of(given: Iterable[tuple[Expr, Expr]], others: Iterable[tuple[Expr, Ex
         if isinstance(head, AppliedUndef) and _at_letters(head):
             if any(each.func == head.func for each in value.atoms(AppliedUndef)):
                 continue
+            if not {*head.args} <= value.free_symbols or of.get(str(head.func), names := _names(head)) != names:
+                continue  # its value at one place
             own.setdefault(head.func, head.args)
             if is_given:
                 functions.setdefault(head.func, (head.args, value))
     every = {each for left, right, _ in both for side in (left, right) for each in side.atoms(AppliedUndef)}
-    for each in sorted(filter(_at_letters, every), key=str):
+    for each in sorted(filter(_at_letters, every), key=lambda x: (of.get(str(x.func)) != _names(x), str(x))):
         own.setdefault(each.func, each.args)
     return Known(functions, letters, own)
+
+
+def _name(letter: str) -> str:
+    """A letter as SymPy names it."""
+    return re.sub(r"[\\{}\s]", "", letter)
+
+
+def _names(term: Any) -> tuple[str, ...]:
+    return tuple(str(x) for x in term.args)
 
 
 def _at_letters(term: Any) -> bool:

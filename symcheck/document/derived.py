@@ -10,10 +10,11 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import permutations
 
+from symcheck.document.applied import OF
 from symcheck.document.checks import ONE, REFERRING, Checks, Definition, Place, Question
 from symcheck.document.points import Found, compared, idle, is_source, slips, slips_of_source
 from symcheck.document.roles import OF_KNOWN, Roles
-from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, surveyed
+from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, Seen, surveyed
 from symcheck.document.work import Work
 from symcheck.document.written_out import entries
 from symcheck.question import Status
@@ -47,6 +48,8 @@ NEARLY = re.compile(
     re.IGNORECASE,
 )
 NEAR = re.compile(r"[A-Za-z].*\\(?:approx|simeq)(?![A-Za-z])")  # a sign of it, behind letters
+# a function at letters: `u(x, t)`
+_AT_LETTERS = re.compile(r"(\\?[A-Za-z]+(?:_\{?[^{}()]*\}?)?)\s*(?:\\left)?\(([^()]*?)(?:\\right)?\)")
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 AS_NUMBERS = {"vector": "scalar", "matrix": "scalar", IDENTITY_MATRIX: ONE}  # matrices of one row and one column
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
@@ -269,6 +272,7 @@ class Derived:
             for letter in seen.heads:
                 for chapter in (f.chapter, None):
                     self.anew.setdefault((chapter, letter), set()).add(f.scope[0])
+        self.functions = dict(_functions(checks.seen))
         words = [each.before for each in checks.formulas]
         self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
@@ -341,6 +345,8 @@ class Derived:
     def _question(self, each: Definition, sources: Sequence[Definition], kind: str) -> Question:
         seen = [self.checks.seen[x.number] for x in (each, *sources)]
         said = self.checks.said(*seen, factors=True)
+        own = {x: phrase for x, phrase in self.functions.items() if any(x in other.names for other in seen)}
+        said = tuple((dict(said) | own).items())
         where, numbers = tuple(x.link.latex for x in sources), tuple(x.number for x in sources)
         return Question(each.number, each.link.latex, kind, where, numbers, letters=said)
 
@@ -447,6 +453,24 @@ class Derived:
             for m in question.sources
             for beside in [(formulas[m].scope[0], formulas[k].scope[0]) in linked or self._is_once(m, k)]
         )
+
+
+def _functions(seen: Iterable[Seen]) -> Iterator[tuple[str, str]]:
+    """The functions that are said at several letters, each with the letters for which it is said for all values.
+
+    Elsewhere its value at a place is said.
+    """
+    said: dict[str, dict[str, bool]] = {}
+    for link in (link for each in seen for link in each.links):
+        if head := _AT_LETTERS.fullmatch(link.left):
+            letters = {x.strip() for x in head[2].split(",")}
+            if letters <= link.names[0] and not link.chained:
+                said.setdefault(head[1].strip(), {}).setdefault(head[2], letters <= link.names[1])
+    for letter, places in said.items():
+        every = {x.strip() for at in places for x in at.split(",")}
+        first = next((at for at, general in places.items() if general), "")
+        if len(places) > 1 and len(every) > 1 and first:
+            yield letter, f"{OF}{first}"
 
 
 def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Definition, ...]]:

@@ -167,7 +167,7 @@ def idle(relation: str, sources: tuple[str, ...], letters: Said) -> frozenset[in
         every = [_equations(text, letters) for text in (relation, *sources)]
     except SymcheckError:
         return frozenset()
-    known = _known(chain.from_iterable(every[1:]), every[0])
+    known = _known(chain.from_iterable(every[1:]), every[0], letters)
     asked, *each = ([_fitted(equation, known) for equation in own] for own in every)
     unknown = _unknown(chain(asked, *each))
     own = [{symbol for equation in every for symbol in equation.symbols} for every in (asked, *each)]
@@ -175,7 +175,7 @@ def idle(relation: str, sources: tuple[str, ...], letters: Said) -> frozenset[in
         found = {n for n, every in enumerate(each) if _hold(every, _with_further(({},) * POINTS, own[n + 1]))}
     rows = [(n, symbols, symbols) for n, symbols in enumerate(own, -1) if n not in found]
     for n, given in ((n, given) for n, given in enumerate(each) if n not in found):
-        rows += [(n, {*x.symbols}, {*x.plain[:1]}) for x in _further(given, unknown, known.own)]
+        rows += [(n, {*x.symbols}, {*x.plain[:1]}) for x in _further(given, unknown, known)]
     while True:
         count = Counter(symbol for _, symbols, _ in rows for symbol in symbols)
         left = [row for row in rows if row[0] < 0 or all(count[x] > 1 for x in row[2])]
@@ -209,7 +209,7 @@ def slips(relation: str, sources: tuple[str, ...], letters: Said) -> Iterator[st
         asked, own = _asked(relation, sources, letters)
         points = _points(sources, letters, _unknown(asked), own)
         given = (equation.printed for source in sources for equation in _equations(source, letters))
-        known = replace(known_of(given, ()), own=dict(own))
+        known = replace(known_of(given, (), letters), own=dict(own))
         reading = readings(plainly(Asked(relation, sources, (), letters)))[0]
     except (SymcheckError, *FAULTS):
         return
@@ -358,8 +358,8 @@ def _unknown(equations: Iterable[Equation]) -> frozenset[Expr]:
     return frozenset(term for each in equations for term in each.unknown)
 
 
-def _known(given: Iterable[Equation], others: Iterable[Equation]) -> Known:
-    return known_of((each.printed for each in given), (each.printed for each in others))
+def _known(given: Iterable[Equation], others: Iterable[Equation], letters: Said) -> Known:
+    return known_of((each.printed for each in given), (each.printed for each in others), letters)
 
 
 def _fitted(equation: Equation, known: Known) -> Equation:
@@ -375,22 +375,21 @@ def _fitted(equation: Equation, known: Known) -> Equation:
 def _asked(relation: str, sources: tuple[str, ...], letters: Said) -> tuple[list[Equation], Own]:
     """The equations of a relation, and at which letters functions are printed there and in the sources."""
     asked = _equations(relation, letters)
-    known = _known((equation for source in sources for equation in _equations(source, letters)), asked)
+    known = _known((equation for source in sources for equation in _equations(source, letters)), asked, letters)
     return [_fitted(equation, known) for equation in asked], tuple(known.own.items())
 
 
 def _all(sources: tuple[str, ...], letters: Said, unknown: frozenset[Expr], own: Own) -> list[Equation]:
     """The equations of sources, and what follows from them for what is unknown elsewhere."""
     printed = [equation for source in sources for equation in _equations(source, letters)]
-    known = replace(_known(printed, ()), own=dict(own))
+    known = replace(_known(printed, (), letters), own=dict(own))
     found = [_fitted(equation, known) for equation in printed]
-    return [*found, *_further(found, unknown | _unknown(found), known.own)]
+    return [*found, *_further(found, unknown | _unknown(found), known)]
 
 
-def _further(given: Sequence[Equation], unknown: Set[Expr], own: Mapping[Any, tuple[Expr, ...]]) -> Iterator[Equation]:
+def _further(given: Sequence[Equation], unknown: Set[Expr], known: Known) -> Iterator[Equation]:
     """Rates, values at places, and integrals among what is unknown, by equations that say what functions are."""
     yield from _rates(given, unknown)
-    known = replace(_known(given, ()), own=own)
     for term in sorted(unknown, key=str):
         if (value := valued(term, known)) is not None:
             yield _equation((lettered(term, known)[0], value))
