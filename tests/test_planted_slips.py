@@ -346,6 +346,12 @@ $$\frac{\partial \mathcal{L}}{\partial q}
         "-",
         2,
     ),
+    "a rate of a rate": Planted(
+        "The charges move as\n$$\\dot x = -\\mu y, \\qquad \\dot y = \\mu x$$\nso that\n$$\\ddot x = -SLIP x$$\n",
+        "\\mu^2",
+        "\\mu",
+        4,
+    ),
     "arguments without brackets": Planted(
         "The rod bends as\n$$w(x) = b \\frac{\\sinh n(L - x)}{\\sinh n L}$$\nwith the slope\n"
         "$$w'(x) = SLIP b n \\frac{\\cosh n(L - x)}{\\sinh n L}.$$\n",
@@ -397,6 +403,8 @@ SOUND = {
     "an integral over a period": "With the period $T = 2\\pi/\\omega$ the mean vanishes:\n"
     "$$\\int_0^T \\sin(\\omega t) \\, dt = 0$$\nand the ends are where\n"
     "$$\\int_0^b (x - b^2) \\, dx = \\frac{b^2}{4}$$\nholds.\n",
+    "a rate of what is made of another letter": "The level falls as\n$$\\dot x = a x - b y$$\nwhere\n$$y = k x^2$$\n"
+    "so that\n$$\\ddot x = a \\dot x - 2 b k x \\dot x.$$\n",
     "two functions of one name": "The first beam bends by\n$$w(x) = a x^2$$\nand has at its end\n$$w(L) = a L^2$$\n"
     "with the slope\n$$w'(L) = 2 a L.$$\n",
     "rounded numbers": r"The sine is $$\sin 30^\circ + 0.1 = 0.5 + 0.1 = 0.6$$ and $$2 \cdot 0.33 = 0.7$$",

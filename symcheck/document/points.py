@@ -50,6 +50,7 @@ SMALL = 1e-9  # what is left of an equation that holds
 EQUAL = 1e-6  # relative difference of sides that are equal at such a point
 DIFFERENCE = 1e-6  # for derivatives
 MOST_RATES = 12  # that are worked out: equations of motion of three letters have six
+TIME = "t"  # the letter by which rates are those of all that moves, and no partial ones
 RANK = 1e-5  # relative size of what is no more than noise
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Own = tuple[tuple[Any, tuple[Any, ...]], ...]  # functions, each with the letters behind it for which it stands alone
@@ -397,24 +398,40 @@ def _further(given: Sequence[Equation], unknown: Set[Expr], known: Known) -> Ite
 
 def _rates(given: Sequence[Equation], unknown: Set[Expr]) -> Iterator[Equation]:
     """The rates of change among what is unknown, by equations that say what is differentiated."""
-    from sympy import Derivative, Symbol
+    from sympy import Derivative, Function, Symbol
     from sympy.core.function import AppliedUndef
 
     solved = {side: other for each in given for side, other in (each.plain, each.plain[::-1]) if side.is_Symbol}
     functions = {_letter(x): x for x in unknown if isinstance(x, AppliedUndef)}
     open_ = {_letter(x): x for x in sorted(unknown, key=str) if isinstance(x, Derivative)}
     done = set[Symbol]()
-    while left := [(x, rate) for x, rate in open_.items() if x not in done and _letter(rate.expr) in solved]:
-        for name, rate in left[: MOST_RATES - len(done)]:
+
+    def known(rate: Any) -> tuple[Expr, Sequence[Symbol]] | None:
+        """What it is a rate of, or what a lower rate is, and by which letters that is differentiated."""
+        for n in range(len(rate.variables)):
+            of = Derivative(rate.expr, *rate.variables[:n]) if n else rate.expr
+            if _letter(of) in solved:
+                return solved[_letter(of)], rate.variables[n:]
+        return None
+
+    def varying(symbol: Symbol, by: Symbol, asked: Set[Symbol] = frozenset()) -> Any:
+        """A letter as a function of another one; of time also what equations make of functions. None if it is none."""
+        of = open_.get(symbol, functions.get(symbol))
+        if of is not None or str(by) != TIME or symbol not in solved or symbol in asked:
+            return of if of is not None and by in of.free_symbols else None
+        inside = solved[symbol].free_symbols
+        moves = by in inside or any(varying(x, by, {*asked, symbol}) is not None for x in inside)
+        return Function(str(symbol), real=True)(by) if moves else None
+
+    while left := [(x, said) for x, rate in open_.items() if x not in done and (said := known(rate)) is not None]:
+        for name, (side, variables) in left[: MOST_RATES - len(done)]:
             done.add(name)
-            side = solved[_letter(rate.expr)]
-            if not all(by.is_Symbol for by in rate.variables):
+            if not all(by.is_Symbol for by in variables):
                 continue
-            for by in rate.variables:
+            for by in variables:
                 total = side.diff(by)
                 for symbol in sorted(side.free_symbols - {by}, key=str):
-                    of = open_.get(symbol, functions.get(symbol))
-                    if of is not None and by in of.free_symbols:
+                    if (of := varying(symbol, by)) is not None:
                         open_.setdefault(_letter(of.diff(by)), of.diff(by))
                         total += side.diff(symbol) * _letter(of.diff(by))
                 side = total
