@@ -383,3 +383,12 @@ def test_arguments_end_where_other_formulas_say(tmp_path: Path) -> None:
         encoding="utf-8",
     )
     assert look(tmp_path / "paper.md").read == (True, True, True, True, False)
+
+
+def test_bold_capitals_beside_functions_of_vectors_are_matrices(tmp_path: Path) -> None:
+    (tmp_path / "paper.md").write_text(
+        r"$$\hat{\mathbf{S}}_t = \mathbf{G}(\mathbf{x}_{t-1}, \mathbf{u}_t) \mathbf{S}_{t-1}"
+        r" \mathbf{G}^T(\mathbf{x}_{t-1}, \mathbf{u}_t) + \mathbf{V}_t$$",
+        encoding="utf-8",
+    )
+    assert look(tmp_path / "paper.md").read == (True,)

@@ -18,7 +18,7 @@ from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.lowering import AND_OTHER, SHAPES_DIFFER
-from symcheck.reading.names import DIMENSIONLESS, INTEGRATED, KINDS_OPEN, LABEL_DOUBT
+from symcheck.reading.names import DIMENSIONLESS, INTEGRATED, KINDS_OPEN, LABEL_DOUBT, MANY_READINGS
 from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
@@ -351,7 +351,9 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str], says: Map
         found = {
             r.letter: "vector" for r in seen.roles if r.kind == "scalar" and _HATTED.match(shown(r.letter))
         } | found
-    if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
+    if (
+        KINDS_OPEN in seen.reason or MANY_READINGS in seen.reason
+    ):  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
     for letter, by in _INTEGRATED.findall(seen.reason):
