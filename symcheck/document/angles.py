@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from symcheck.document.macros import tokens
 from symcheck.document.survey import Link, Seen
+from symcheck.question.prepare import VARIABLES
 from symcheck.reading.parser import ANGLES, OFTEN_ANGLES
 
 OPEN_ARGUMENT = "belong to the argument of"  # in the reason why something is not read
@@ -80,7 +81,8 @@ def _bracketed(latex: str, factors: Set[str]) -> str:
         while end < len(toks) and _LETTER.fullmatch(toks[end]):
             ends.append(end := _scripted(toks, end + 1, "_"))
         behind = toks[end] if end < len(toks) else ""
-        if len(ends) > 1 and "".join(toks[begin : ends[0]]) in factors and behind in _ENDING:
+        last = toks[ends[-2]] if len(ends) > 1 else ""
+        if last and last not in VARIABLES and "".join(toks[begin : ends[0]]) in factors and behind in _ENDING:
             new += [*toks[k:begin], "(", *toks[begin:end], ")"]
             k = end
     return " ".join(new) if len(new) > len(toks) else latex
