@@ -374,3 +374,21 @@ def test_deep_formulas_are_refused_and_the_others_read(tmp_path: Path) -> None:
     found = look(file)
     assert found.read == (False, False, False, False, True)
     assert found.findings == ()
+
+
+def test_arguments_end_where_other_formulas_say(tmp_path: Path) -> None:
+    (tmp_path / "paper.md").write_text(
+        r"The beam is $$w = b \sinh n(L - x)$$ and $$v = b \sinh n L$$ and $$u = c \cos\beta (1 - k^2)$$ and"
+        r" $$s = \cos\beta$$ but $$y = \sin\alpha (x - 1)$$",
+        encoding="utf-8",
+    )
+    assert look(tmp_path / "paper.md").read == (True, True, True, True, False)
+
+
+def test_bold_capitals_beside_functions_of_vectors_are_matrices(tmp_path: Path) -> None:
+    (tmp_path / "paper.md").write_text(
+        r"$$\hat{\mathbf{S}}_t = \mathbf{G}(\mathbf{x}_{t-1}, \mathbf{u}_t) \mathbf{S}_{t-1}"
+        r" \mathbf{G}^T(\mathbf{x}_{t-1}, \mathbf{u}_t) + \mathbf{V}_t$$",
+        encoding="utf-8",
+    )
+    assert look(tmp_path / "paper.md").read == (True,)

@@ -302,6 +302,70 @@ $$\frac{\partial \mathcal{L}}{\partial q}
     "what one formula in a sentence gives": Planted(
         "The equation $(u - 13) (u - 7) - 16 = 0$ gives $u^2 - 20 u + SLIP = 0$, as we know.\n", "75", "65", 1
     ),
+    "a slope at the end": Planted(
+        "A cable sags by\n$$y(x) = \\frac{q x (L - x)}{2 H}$$\nso that its slope at the support is\n"
+        "$$y'(0) = \\frac{q L}{SLIP H}$$\n",
+        "2",
+        "3",
+        4,
+    ),
+    "a slope at a letter, which stands in the function too": Planted(
+        "Oil flows down a wire with the velocity\n$$v(z) = k (b^2 - z^2)$$\nand the stress is\n"
+        "$$-\\eta v'(b) = SLIP \\eta k b$$\n",
+        "2",
+        "",
+        4,
+    ),
+    "a density and its integral": Planted(
+        "The layer has the density\n$$n(x) = \\frac{N}{SLIP \\sqrt{\\pi}} e^{-x^2/s^2}$$\n"
+        "where $s > 0$. In all there are\n"
+        "$$\\int_{-\\infty}^{\\infty} n(x) \\, dx = N$$\nmolecules with the spread\n"
+        "$$\\frac{1}{N} \\int_{-\\infty}^{\\infty} x^2 n(x) \\, dx = \\frac{s^2}{2}.$$\n",
+        "s",
+        "2 s",
+        2,
+    ),
+    "an integral over a letter that stands without brackets": Planted(
+        "The load of the ring is\n$$p = 3 - 2 \\cos^2\\theta$$\nwith the mean\n"
+        "$$\\frac{1}{2\\pi} \\int_0^{2\\pi} p \\, d\\theta = SLIP.$$\n",
+        "2",
+        "1",
+        2,  # or line 4, with which it is told
+    ),
+    "a function and its partial derivatives": Planted(
+        "A string moves as\n$$y(x, t) = a \\sin(k x) \\cos(c k t)$$\nwhich fulfils\n"
+        "$$\\frac{\\partial^2 y}{\\partial t^2} = SLIP \\frac{\\partial^2 y}{\\partial x^2}$$\n",
+        "c^2",
+        "c",
+        4,
+    ),
+    "a sum with its value": Planted(
+        "The numbers have the sums\n$$\\sum_{j=1}^N (2 j - 1) = N^2, \\qquad "
+        "\\sum_{j=1}^N j^3 = \\frac{N^2 (N SLIP 1)^2}{4}.$$\n",
+        "+",
+        "-",
+        2,
+    ),
+    "a rate of a rate": Planted(
+        "The charges move as\n$$\\dot x = -\\mu y, \\qquad \\dot y = \\mu x$$\nso that\n$$\\ddot x = -SLIP x$$\n",
+        "\\mu^2",
+        "\\mu",
+        4,
+    ),
+    "arguments without brackets": Planted(
+        "The rod bends as\n$$w(x) = b \\frac{\\sinh n(L - x)}{\\sinh n L}$$\nwith the slope\n"
+        "$$w'(x) = SLIP b n \\frac{\\cosh n(L - x)}{\\sinh n L}.$$\n",
+        "-",
+        "",
+        4,
+    ),
+    "a number named by two letters": Planted(
+        "With the Reynolds number\n$$\\mathrm{Re} = \\frac{\\rho v d}{\\eta}$$\nand the friction\n"
+        "$$f = \\frac{64}{\\mathrm{Re}}$$\nwe have\n$$f = \\frac{64 \\eta}{\\rho v SLIP}.$$\n",
+        "d",
+        "d^2",
+        6,
+    ),
 }
 
 
@@ -325,6 +389,24 @@ def test_a_slip_is_told_and_the_right_text_is_not_accused(name: str, tmp_path: P
 
 
 SOUND = {
+    "a trial solution": "The motion is\n$$\\ddot x + 2 b \\dot x + c x = 0$$\nWe insert\n$$x(t) = A e^{\\lambda t}$$\n"
+    "and find\n$$\\lambda^2 + 2 b \\lambda + c = 0.$$\n",
+    "a rate by a letter of the function": "The pressure is\n$$P(v) = \\frac{R T}{v - b} - \\frac{a}{v^2}$$\n"
+    "and varies with the temperature as\n$$\\frac{\\partial P}{\\partial T} = \\frac{R}{v - b}.$$\n",
+    "a constant that an integral says": "The wave is\n$$\\psi(x) = A e^{-x^2/2}$$\nIts norm is\n"
+    "$$\\int_{-\\infty}^{\\infty} \\psi(x)^2 \\, dx = 1,$$\nwhich says what $A$ is.\n",
+    "a value at a letter": "The front has the curvature\n"
+    "$$R(z) = z \\left(1 + \\left(\\frac{z_R}{z}\\right)^2\\right)$$\n"
+    "and at $z_R$ it is\n$$R(z_R) = 2 z_R.$$\nThe width is\n"
+    "$$w(z) = w_0 \\sqrt{1 + \\left(\\frac{z}{z_R}\\right)^2}$$\n"
+    "and there\n$$w(z_R) = \\sqrt{2} w_0.$$\n",
+    "an integral over a period": "With the period $T = 2\\pi/\\omega$ the mean vanishes:\n"
+    "$$\\int_0^T \\sin(\\omega t) \\, dt = 0$$\nand the ends are where\n"
+    "$$\\int_0^b (x - b^2) \\, dx = \\frac{b^2}{4}$$\nholds.\n",
+    "a rate of what is made of another letter": "The level falls as\n$$\\dot x = a x - b y$$\nwhere\n$$y = k x^2$$\n"
+    "so that\n$$\\ddot x = a \\dot x - 2 b k x \\dot x.$$\n",
+    "two functions of one name": "The first beam bends by\n$$w(x) = a x^2$$\nand has at its end\n$$w(L) = a L^2$$\n"
+    "with the slope\n$$w'(L) = 2 a L.$$\n",
     "rounded numbers": r"The sine is $$\sin 30^\circ + 0.1 = 0.5 + 0.1 = 0.6$$ and $$2 \cdot 0.33 = 0.7$$",
     "a length beside its vector": "With\n$$\\mathbf{r} = [x, y, 0]$$\nand\n$$r^2 = x^2 + y^2$$\nwe get\n$$r = 2 x$$\n",
     "another case": "The speed\n$$v = \\sqrt{\\frac{m}{r}}$$\nFor $E = 0$ it becomes\n$$v = \\sqrt{\\frac{2 m}{r}}$$",

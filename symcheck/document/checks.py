@@ -49,6 +49,8 @@ GIVING = re.compile(
 NAMED = re.compile(r"\bidentit\w+\W*$", re.IGNORECASE)  # what stands behind it at once is an identity
 # words before a formula that say that it holds for all values of its letters
 IDENTITY = re.compile(r"\b(identit\w+|for (?:all|every|any|each)|trigonometric|expand\w*|simplif\w*)\b", re.IGNORECASE)
+# a sum, product or integral with its bounds, whose value is said
+EVALUATED = re.compile(r"\\(?:sum|prod|int)(?:\s*\\limits)?\s*_")
 INDEFINITE = re.compile(r"\\int(?!\s*[_^])")  # an integral whose derivative is known
 AGAIN = re.compile(
     r"\b(recall\w*|again|as before|as above|repeat\w*|remember)\b", re.IGNORECASE
@@ -405,7 +407,8 @@ class Checks:
         fewer = link.names[1] < link.names[0]
         if kind == "identity":
             worded = IDENTITY.search(self.formulas[k].before)
-            if not (worded or INDEFINITE.match(link.left)) or max(link.sizes) < SMALLEST:
+            summed = EVALUATED.match(link.left) and self.seen[k].is_of_same_letters(link)
+            if not (worded or summed or INDEFINITE.match(link.left)) or max(link.sizes) < SMALLEST:
                 return None
         elif not link.names[1] or min(link.sizes) < SMALLEST:
             return None

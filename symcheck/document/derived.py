@@ -10,10 +10,11 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import permutations
 
+from symcheck.document.applied import OF
 from symcheck.document.checks import ONE, REFERRING, Checks, Definition, Place, Question
 from symcheck.document.points import Found, compared, idle, is_source, slips, slips_of_source
 from symcheck.document.roles import OF_KNOWN, Roles
-from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, surveyed
+from symcheck.document.survey import IDENTITY_MATRIX, SMALLEST, Seen, surveyed
 from symcheck.document.work import Work
 from symcheck.document.written_out import entries
 from symcheck.question import Status
@@ -47,6 +48,8 @@ NEARLY = re.compile(
     re.IGNORECASE,
 )
 NEAR = re.compile(r"[A-Za-z].*\\(?:approx|simeq)(?![A-Za-z])")  # a sign of it, behind letters
+# a function at letters: `u(x, t)`
+_AT_LETTERS = re.compile(r"(\\?[A-Za-z]+(?:_\{?[^{}()]*\}?)?)\s*(?:\\left)?\(([^()]*?)(?:\\right)?\)")
 WRITTEN_OUT = re.compile(r"\\begin|\\times")  # what numbers do not have
 AS_NUMBERS = {"vector": "scalar", "matrix": "scalar", IDENTITY_MATRIX: ONE}  # matrices of one row and one column
 ATTEMPT = 0.4  # seconds for one set; of the proofs in tried documents none took half as long
@@ -79,7 +82,7 @@ def sought(sets: Derived, numbers: Iterable[int], work: Work, until: float = mat
     """
 
     def outcomes(questions: Mapping[int, list[tuple[Question, ...]]]) -> tuple[Outcomes, int]:
-        tasks = [*dict.fromkeys(each for every in questions.values() for each in every if each)]
+        tasks = sorted(dict.fromkeys(each for every in questions.values() for each in every if each), key=_cost)
         found = work.all(outcome, tasks, FOLLOWING, lambda reason: NOTHING, until)
         compared_ = {k: [found.get(each, NOTHING) for each in every] for k, every in questions.items()}
         return compared_, len(tasks) - len(found)
@@ -90,6 +93,12 @@ def sought(sets: Derived, numbers: Iterable[int], work: Work, until: float = mat
     for k, every in behind.items():
         own[k] = [replace(x, holding=y.holding, failing=y.failing) for x, y in zip(own[k], every, strict=True)]
     return own, left + more
+
+
+def _cost(questions: tuple[Question, ...]) -> tuple[int, int]:
+    """How long it takes to compare a relation: what stands written out in components takes ten times as long."""
+    lists = {x for each in questions for x, phrase in each.letters if phrase in AS_NUMBERS}
+    return len(lists), len(questions)
 
 
 def with_proofs(own: Outcomes, work: Work, until: float = math.inf) -> tuple[Outcomes, int]:
@@ -103,7 +112,11 @@ def with_proofs(own: Outcomes, work: Work, until: float = math.inf) -> tuple[Out
 def outcome(questions: tuple[Question, ...]) -> Outcome:
     """How a relation compares with different sources, the smallest sets first."""
     compared_ = [*_compared(questions)]
-    holding = tuple(_with_what_it_takes(question, points) for question, points in compared_ if points and points.holds)
+    holding = tuple(
+        dict.fromkeys(
+            _with_what_it_takes(question, points) for question, points in compared_ if points and points.holds
+        )
+    )
     failing = dict.fromkeys(
         _with_what_it_takes(question, points)
         for question, points in compared_
@@ -259,6 +272,7 @@ class Derived:
             for letter in seen.heads:
                 for chapter in (f.chapter, None):
                     self.anew.setdefault((chapter, letter), set()).add(f.scope[0])
+        self.functions = dict(_functions(checks.seen))
         words = [each.before for each in checks.formulas]
         self.named = [{*checks.named(k, " ".join(words[k : k + AROUND]))[1]} for k in range(len(words))]
         self.usable = {k: [*self._usable(k)] for k in range(len(checks.formulas))}
@@ -279,7 +293,8 @@ class Derived:
             return
         for link in seen.links:
             if (formula.display or max(link.sizes) >= SMALLEST) and not link.is_assignment:
-                yield Definition(k, link)
+                left, right = (names & (seen.names | link.bound) for names in link.names)  # and no numbers
+                yield Definition(k, replace(link, names=(left, right)))
 
     def questions(self, k: int, later: bool = False) -> list[tuple[Question, ...]]:
         """For each equation of a formula those that ask whether it follows, from one set after the other.
@@ -330,6 +345,8 @@ class Derived:
     def _question(self, each: Definition, sources: Sequence[Definition], kind: str) -> Question:
         seen = [self.checks.seen[x.number] for x in (each, *sources)]
         said = self.checks.said(*seen, factors=True)
+        own = {x: phrase for x, phrase in self.functions.items() if any(x in other.names for other in seen)}
+        said = tuple((dict(said) | own).items())
         where, numbers = tuple(x.link.latex for x in sources), tuple(x.number for x in sources)
         return Question(each.number, each.link.latex, kind, where, numbers, letters=said)
 
@@ -438,11 +455,35 @@ class Derived:
         )
 
 
+def _functions(seen: Iterable[Seen]) -> Iterator[tuple[str, str]]:
+    """The functions that are said at several letters, each with the letters for which it is said for all values.
+
+    Elsewhere its value at a place is said.
+    """
+    said: dict[str, dict[str, bool]] = {}
+    for link in (link for each in seen for link in each.links):
+        if head := _AT_LETTERS.fullmatch(link.left):
+            letters = {x.strip() for x in head[2].split(",")}
+            if letters <= link.names[0] and not link.chained:
+                said.setdefault(head[1].strip(), {}).setdefault(head[2], letters <= link.names[1])
+    for letter, places in said.items():
+        every = {x.strip() for at in places for x in at.split(",")}
+        first = next((at for at, general in places.items() if general), "")
+        if len(places) > 1 and len(every) > 1 and first:
+            yield letter, f"{OF}{first}"
+
+
 def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Definition, ...]]:
     """Sets of equations in which, with the relation, no letter stands once: what stands once cannot be eliminated.
 
-    A letter on both sides of the relation may drop out there, or be eliminated like others.
+    A letter on both sides of the relation may drop out there, or be eliminated like others. One that may have any value
+    may stand once; so may what else a function is made of whose derivatives or integrals the relation is about.
     """
+
+    def any_value(each: Definition) -> frozenset[str]:
+        function = relation.link.operates and each.link.head and (each.link.bound or each.link.head in relation.names)
+        return each.names - {each.link.head} if function else each.link.bound
+
     found: dict[tuple[Definition, ...], None] = {}
     done = set[frozenset[Definition]]()
     with_name: dict[str, list[Definition]] = {}
@@ -454,7 +495,8 @@ def _closed(relation: Definition, pool: Sequence[Definition]) -> list[tuple[Defi
         if len(found) >= most or len(done) > MOST_STEPS:
             return
         count = Counter(name for names in (*own, *(each.names for each in chosen)) for name in names)
-        alone = sorted(name for name, times in count.items() if times == 1)
+        free = relation.link.bound.union(*map(any_value, chosen))
+        alone = sorted(name for name, times in count.items() if times == 1 and name not in free)
         if not alone:
             found.update({chosen: None} if chosen else {})
             return

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import cache
 
+from symcheck.document.angles import OPEN_ARGUMENT, argument_rules
 from symcheck.document.macros import bare, tokens, written
 from symcheck.document.printed import Printed
 from symcheck.document.rewriting import Rule, rewritten
@@ -17,11 +18,13 @@ from symcheck.reading.evidence import spellings
 from symcheck.reading.faces import face, is_styled
 from symcheck.reading.guesses import PRINTED
 from symcheck.reading.lowering import AND_OTHER, SHAPES_DIFFER
-from symcheck.reading.names import KINDS_OPEN, LABEL_DOUBT
+from symcheck.reading.names import DIMENSIONLESS, INTEGRATED, KINDS_OPEN, LABEL_DOUBT, MANY_READINGS
 from symcheck.reading.side_by_side import ONE_NAME
 
 _LABEL = re.compile(r"(_\{?[^^]*)?\^\{?([a-z]+|[A-Z]|\\[a-z]+)\}?$")  # letters above a name, perhaps with others below
 _NAME = re.compile(rf"{ONE_NAME} (\w+), or a product")  # a doubt
+_INTEGRATED = re.compile(rf"(\S+): {INTEGRATED} (\S+): a constant")  # or a function of it
+_NO_FUNCTION = re.compile(rf"({'|'.join(DIMENSIONLESS)}) without an argument")  # a number, then
 _VALUES = frozenset({"vector", "matrix"})  # what a function here may give, of which letters elsewhere are the values
 _INDICES = frozenset("ijklmn") | {r"\mu", r"\nu"}
 _CHANGE = re.compile(r"(\\delta|\\Delta) (?=[A-Za-z\\])")  # before a name
@@ -233,9 +236,15 @@ def rules(formulas: Sequence[Printed], seen: Sequence[Seen], every: Sequence[Let
 
     These are labels in different type below a name, where both types are used, and nowhere beside each other; the
     frame at the left of vectors, if there is one frame alone, and they stand without it, too; derivatives by what is
-    written out elsewhere; and operators that are said to be sums of derivatives.
+    written out elsewhere; operators that are said to be sums of derivatives; and arguments without brackets.
     """
-    return [*_rules_of_names(seen, every), *partial_rules(formulas, seen, _lists(seen, every)), *_operators(formulas)]
+    unread = [f.latex for f, each in zip(formulas, seen, strict=True) if OPEN_ARGUMENT in each.reason]
+    return [
+        *_rules_of_names(seen, every),
+        *partial_rules(formulas, seen, _lists(seen, every)),
+        *_operators(formulas),
+        *argument_rules((f.latex for f in formulas), unread),
+    ]
 
 
 def _operators(formulas: Sequence[Printed]) -> list[str]:
@@ -322,10 +331,11 @@ def _runs(seen: Sequence[Seen]) -> dict[str, re.Pattern[str]]:
     return {run: re.compile(r"(?<![A-Za-z\\\[])" + r"\s*".join(run) + "(?![A-Za-z])") for run in every}
 
 
-def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
+def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str], says: Mapping[str, Set[str]]) -> Said:
     """What the document says of the letters of a formula that is not read, where it is not what is guessed there.
 
-    Letters of formulas that are read are factors, and no parts of a name.
+    Letters of formulas that are read are factors, and no parts of a name. `says` are the letters by which others say
+    what a letter is.
     """
     own = {shown(role.letter) for role in seen.roles}
     phrases = {role.letter: known[role.letter].phrase for role in seen.roles if role.letter in known}
@@ -341,9 +351,16 @@ def elsewhere(seen: Seen, known: Mapping[str, Letter], read: Set[str]) -> Said:
         found = {
             r.letter: "vector" for r in seen.roles if r.kind == "scalar" and _HATTED.match(shown(r.letter))
         } | found
-    if KINDS_OPEN in seen.reason:  # bold capitals are matrices, then, for want of better knowledge
+    if (
+        KINDS_OPEN in seen.reason or MANY_READINGS in seen.reason
+    ):  # bold capitals are matrices, then, for want of better knowledge
         bold = (r for r in seen.roles if r.phrase == "matrix" and is_styled(r.letter, capital=True))
         found = {r.letter: "matrix" for r in bold if r.letter not in told} | found
+    for letter, by in _INTEGRATED.findall(seen.reason):
+        if by in says.get(letter, ()):
+            found[letter] = f"depends on {by}"
+    if number := _NO_FUNCTION.match(seen.reason):
+        found[rf"\mathrm{{{number[1]}}}"] = "scalar"
     if any(ONE_NAME in reason for reason in (seen.reason, *seen.parts)):
         found = {r.letter: "scalar" for r in seen.roles if r.letter in read and r.kind == "scalar"} | found
     if LABEL_DOUBT in seen.reason:

@@ -15,6 +15,7 @@ from symcheck.audit.library import executor
 from symcheck.core.counts import number_of
 from symcheck.core.terms import JSON
 from symcheck.dimensions import INCONSISTENT
+from symcheck.document.angles import in_brackets
 from symcheck.document.checks import SEARCH, SECONDS, Checks, Place, Question, confirmed, decided, fails
 from symcheck.document.derived import LATER, Derived, blamed, sought, with_proofs
 from symcheck.document.letters import Letter, elsewhere, factors, in_doubt, in_one_face, letters, of_vectors
@@ -202,7 +203,7 @@ def _looked(file: str, printed: Source, work: Work, started: float) -> Look:
     seen, every = known(printed.formulas, work)
     if (formulas := in_one_face(printed.formulas, seen, every)) != [*printed.formulas]:
         seen, every = known(formulas, work)
-    seen = with_units(formulas, seen, printed.units)
+    seen = in_brackets((each.latex for each in formulas), with_units(formulas, seen, printed.units))
     checks = Checks(formulas, seen, every)
     alone, suspicious, lines = [*checks.alone()], [*checks.suspicious()], checks.derivations()
     answers = work.all(decided, [*dict.fromkeys((*alone, *suspicious, *lines.questions))], SECONDS, undecided)
@@ -336,8 +337,9 @@ def known(formulas: Sequence[Printed], work: Work) -> tuple[list[Seen], list[Let
     every = letters(formulas, seen)
     by_letter = {each.letter: each for each in every}
     read = factors(formulas, seen)
+    says = {x: link.names[1] for each in seen for x, link in each.heads.items()}
     open_ = {
-        f.latex: (f.latex, elsewhere(each, by_letter, read))
+        f.latex: (f.latex, elsewhere(each, by_letter, read, says))
         for f, each in zip(formulas, seen, strict=True)
         if each.reason
     }

@@ -16,7 +16,7 @@ from symcheck.reading.guesses import ECCENTRICITY, PRINTED, Guess
 from symcheck.reading.inference import Inference, inferred
 from symcheck.reading.names import KINDS_OPEN
 from symcheck.reading.tex import tokenize
-from symcheck.reading.tree import Chain, Derivative, Implies, Integral, Name, children, walk
+from symcheck.reading.tree import Call, Chain, Derivative, Implies, Integral, Name, children, walk
 
 UNSAID = "write it out"  # ends the reason why a derivative has no value as long as nothing says what its function is
 READING = 1.0  # seconds for the reading of one formula; hardly one of the corpora takes a tenth
@@ -61,6 +61,8 @@ class Link:
     chained: bool  # does it stand behind another one?
     head: str = ""  # the letter that it may define
     place: int = 0  # among all relations of the formula
+    bound: frozenset[str] = frozenset()  # letters at which a function is said, or by which is integrated: of any value
+    operates: bool = False  # does it hold derivatives or integrals?
 
     @property
     def latex(self) -> str:
@@ -225,7 +227,11 @@ def _links(tree: Tree) -> Iterator[Link]:
             sides = to_latex(left), to_latex(right)
             chained = before is left
             head = "" if chained else next(iter(definitions([" = ".join(sides)])[0]), "")
-            yield Link(*sides, names, (_size(left), _size(right)), chained, head, place)
+            bound = {x for side in (left, right) for _, part in walk(side) for x in _bound(part)}
+            bound |= names[0] - {head} if head and isinstance(left, Call) else set()
+            operates = any(isinstance(part, Derivative | Integral) for side in (left, right) for _, part in walk(side))
+            sizes = _size(left), _size(right)
+            yield Link(*sides, names, sizes, chained, head, place, frozenset(bound), operates)
         before = right
 
 
@@ -289,9 +295,13 @@ def _names(tree: Tree) -> Iterator[str]:
     """The letters of a side, but for those by which it is differentiated alone, and those that an integral binds."""
     if isinstance(tree, Name):
         yield tree.letter
-    bound = {*_names(tree.variable)} if isinstance(tree, Integral) else set()
+    bound = {*_bound(tree)}
     for part in (tree.body,) if isinstance(tree, Derivative) else children(tree):
         yield from (name for name in _names(part) if name not in bound)
+
+
+def _bound(tree: Tree) -> Iterator[str]:
+    return _names(tree.variable) if isinstance(tree, Integral) else iter(())
 
 
 def _size(tree: Tree) -> int:

@@ -347,7 +347,10 @@ def definitions(
             others.append(equation)
             continue
         name, arguments = head
-        if name in found or name in spellings(parts[1]) or not _is_for_all(name, arguments, parts[1], formulas):
+        inside = spellings(parts[1])
+        if arguments:  # of which a label may have the name: R(z) and z_R
+            inside = frozenset(spelling(place) for place in occurrences(parts[1]) if place.role != "subscript")
+        if name in found or name in inside or not _is_for_all(name, arguments, parts[1], formulas):
             others.append(equation)
         else:
             found[name] = (parts[0], arguments or _varied(name, parts[1], formulas), parts[1])

@@ -425,7 +425,9 @@ def _doubted(text: str) -> Iterator[tuple[str, str]]:
     yield from ((factor, _FACTOR_OR_FUNCTION) for factor in _OF_PRODUCT.findall(text))
     if " ) = " in text and not _RATES.search(text):
         for value, by, rest in _OF_ONE.findall(text):
-            if re.search(rf"(?<![\\A-Za-z]){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")):
+            if re.search(
+                rf"(?<![\\A-Za-z])(?<!_ )(?<!_ {{ ){re.escape(value)} (?![_^(]|\\left \()", _TEXT.sub("", rest + " ")
+            ):
                 yield value, f"is {value} what {value}({by}) is? write {value}({by}), or name the constant otherwise"
     if r"\Delta ^ " in text or r"\Delta _ " in text:
         for below in _RAISED_CHANGE.findall(text):

@@ -18,7 +18,7 @@ from symcheck.reading.complex_letters import complexes
 from symcheck.reading.evidence import Evidence, gathered, spelling
 from symcheck.reading.faces import ACCENT, STYLED
 from symcheck.reading.guesses import COMPLEX, CONSTANT, Guess, in_doubt, options, variable_name
-from symcheck.reading.names import KINDS_OPEN
+from symcheck.reading.names import KINDS_OPEN, MANY_READINGS
 from symcheck.reading.notation import Letter, Notation, is_value
 from symcheck.reading.occurrences import Occurrence, occurrences
 from symcheck.reading.relatives import Relatives, relatives
@@ -348,7 +348,7 @@ def _inferred(
         kinds = not habits and all(
             g.letter.kind in ("vector", "matrix") for o in every for g in o[1:] + o[: len(o) > 1]
         )
-        why = KINDS_OPEN if kinds else f"{count} readings are possible"
+        why = KINDS_OPEN if kinds else f"{count} {MANY_READINGS}"
         doubt = f"{why}; say what these are: {several}"
         chosen = tuple(in_doubt(o[0], doubt) if len(o) > 1 and not o[0].letter.doubt else o[0] for o in every)
         return [Inference(chosen, tuple(h[0] for h in habits), (doubt,))]

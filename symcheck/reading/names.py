@@ -57,6 +57,7 @@ DEGREES = "degrees of a scale, or a frame? write the unit beside its number"
 _EXPECTED = frozenset({"E", r"\mathbb{E}", r"\text{E}"})  # letters of expectations
 KINDS_OPEN = "too many of these may be vectors or matrices"
 STATES = "a state, of which nothing is calculated"
+MANY_READINGS = "readings are possible"
 INTEGRATED = "all that is integrated by"
 INDEX_IN_NAME = "an index of a name is not summed over"
 LABEL_DOUBT = "a power, or a label?"
