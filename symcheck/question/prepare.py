@@ -25,7 +25,7 @@ from symcheck.question.places import INDICES, is_at_one_place, is_one_place, run
 from symcheck.question.running import refuse_tied, refuse_tied_bodies, written_in_functions, written_under
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.complex_letters import with_products_under_lines
-from symcheck.reading.differentials import differential, slope, total
+from symcheck.reading.differentials import Uneven, differential, slope, total
 from symcheck.reading.evidence import canonical, spelling, spellings
 from symcheck.reading.inference import SIZES, Inference, inferred
 from symcheck.reading.lexer import SPACES
@@ -62,6 +62,11 @@ PAIR = re.compile(
 )
 # a double sign that is no label
 _SIGNS = re.compile(r"(?<!_)(?<!_\{)\\(pm|mp)(?![A-Za-z])\s*")
+# what the prime of a function of several letters is: f'(x, a) = \partial f/\partial x
+_PRIME_SAID = re.compile(
+    r"^(?P<of>\\?[A-Za-z]+)'\((?P<at>[^()]*)\)="
+    r"(?P<slope>\\frac\{\\partial ?(?P=of)(?:\((?P=at)\))?\}\{\\partial ?(?P<by>\\?[A-Za-z]+)\})$"
+)
 OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
@@ -169,6 +174,42 @@ def with_scopes(asked: Asked) -> Asked:
         return asked
     stated = to_latex(replace(tree, parts=rest) if len(rest) > 1 or tree.qualifiers else rest[0])
     return replace(asked, relation=stated, given=(*asked.given, *(to_latex(s) for s in scopes if isinstance(s, Chain))))
+
+
+def with_primes(asked: Asked) -> Asked:
+    """The question with partial derivatives for the primes of functions of several letters, where it is said so."""
+    for text in asked.where:
+        said = _PRIME_SAID.match(text)
+        if said is None or said["by"] not in said["at"].split(","):
+            continue
+        primed = re.compile(rf"(?<![A-Za-z\\]){re.escape(said['of'])}'\({re.escape(said['at'])}\)")
+        slope_ = said["slope"].replace("\\", r"\\")
+        rest = [each for each in asked.where if each != text]
+        relation, *where = [primed.sub(slope_, each) for each in (asked.relation, *rest)]
+        asked = replace(asked, relation=relation, where=tuple(where))
+    return asked
+
+
+def with_differentials(asked: Asked) -> Asked:
+    r"""The question with letters for the differentials that are said to be some, where addends differ in their number.
+
+    Such a relation is about numbers, if it is about anything; elsewhere they are what all differentials are.
+    """
+    signs = [letter for letter, phrase in asked.letters if phrase == "differential" and letter.startswith("d")]
+    if not signs:
+        return asked
+    asked = replace(asked, letters=tuple(each for each in asked.letters if each[0] not in signs))
+    try:
+        readings(asked)
+    except Uneven:
+        for letter in (each for each in signs if each != "d"):
+            there = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}(?![A-Za-z])")
+            name = f"d_{{{letter[1:]}}}".replace("\\", r"\\")
+            relation, *where = [there.sub(name, each) for each in (asked.relation, *asked.where)]
+            asked = replace(asked, relation=relation, where=tuple(where))
+    except SymcheckError:
+        pass
+    return asked
 
 
 def _is_scope(part: Tree) -> bool:
