@@ -682,6 +682,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return _by_induction(base, reading, cases)
     if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
         return shown
+    if any(map(known_integrals.is_beyond_primitives, reading.problems)):
+        shown = _with_known_integrals(reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is not Status.UNDECIDED:
+            return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     meant: Callable[[], bool] | None = None  # whether a slip explains it, asked once for all components
     for problem in reading.problems:
@@ -758,8 +762,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             )
     if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
         return shown
-    if status is Status.UNDECIDED and any(values := [known_integrals.with_values(each) for each in reading.problems]):
-        shown = _with_values(values, reading, asked, wanted, claimed)
+    if status is Status.UNDECIDED:
+        shown = _with_known_integrals(reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
     if status is Status.UNDECIDED and (shown := _with_bases(reading, asked, wanted, claimed)) is not None:
@@ -993,6 +997,12 @@ def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
 def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
     """The answer with the values of endless sums in their places, if what shows these values is proved."""
     return _with_values([series.with_values(problem) for problem in reading.problems], reading, asked, wanted, claimed)
+
+
+def _with_known_integrals(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with the values of integrals that everybody knows."""
+    values = [known_integrals.with_values(each) for each in reading.problems]
+    return _with_values(values, reading, asked, wanted, claimed)
 
 
 def _with_values(
