@@ -1,9 +1,10 @@
 """Integrals that everybody knows, for what no proof by an antiderivative reaches: of the Cauchy and Weibull densities.
 
 An integrand is, for all t between the ends, C/((t - m)^2 + s^2), or a sum of c t^u exp(-a t^v - b t^-v), or one of
-multiples of whole powers of a + b cos(m t) + c sin(m t), with what does not depend on t. That it is that is proved, and
-that s, a, v, u + 1 and a^2 - b^2 - c^2 are positive, or b in the place of u + 1. What is left to trust is the arctangent as an antiderivative with its limits, the substitution that makes Euler's integral of t^v, and
-Laplace's integrals: with r^2 = a^2 - b^2 - c^2 the means of the powers k and -k - 1 over a turn are r^k P_k(a/r) and
+multiples of whole powers of a + b cos(m t) + c sin(m t), with what does not depend on t. That it is that is proved,
+and that s, a, v, u + 1 and a^2 - b^2 - c^2 are positive, or b in the place of u + 1. What is left to trust is the
+arctangent as an antiderivative with its limits, the substitution that makes Euler's integral of t^v, and Laplace's
+integrals: with r^2 = a^2 - b^2 - c^2 the means of the powers k and -k - 1 over a turn are r^k P_k(a/r) and
 r^(-k - 1) P_k(a/r), where P_k are Legendre polynomials. Where c is 0 they are those over half a turn from a multiple of
 it on, too. From 0 on, t^(w - 1) exp(-a t - b/t) has the integral 2 (b/a)^(w/2) K_w(2 sqrt(a b)) (DLMF 10.32.10), where
 the modified Bessel function K_w is an elementary one for each half of an odd number w (DLMF 10.49.12).
