@@ -31,6 +31,7 @@ from symcheck.question import (
     generating,
     growth,
     indices,
+    interchange,
     jets,
     known_integrals,
     named,
@@ -60,7 +61,7 @@ from symcheck.question.factors import with_factors_outside
 from symcheck.question.fields import in_fields
 from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
-from symcheck.question.hypergeometric import added_up
+from symcheck.question.hypergeometric import Summation, added_up, without_gammas, worked_out
 from symcheck.question.initial_values import transformed
 from symcheck.question.inverses import refuted as refuted_in_exponents
 from symcheck.question.inverses import with_exponents
@@ -131,6 +132,7 @@ UP_TO = "a whole number (a sum or product runs up to it)"
 SYMMETRIC = 1.0  # seconds for proofs of what is refuted, for symmetric matrices; most are found in a tenth
 MOST_SYMMETRIC = 4  # matrices of which each alone is taken to be symmetric, if not all can be
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
+UNTOLD = Verdict.UNDECIDED, None, ()
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
@@ -682,6 +684,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return _by_induction(base, reading, cases)
     if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
         return shown
+    if (shown := _by_coefficients(base, reading)) is not None and shown.verdict is not Status.UNDECIDED:
+        return shown
     if any(map(known_integrals.is_beyond_primitives, reading.problems)):
         shown = _with_known_integrals(reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
@@ -978,20 +982,60 @@ def _by_steps(base: Answer, reading: Reading) -> Answer | None:
 
 def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
     """The answer that sums of what depends on their ends are what is claimed, by how neighbouring ones differ."""
-    cases, made = list[Problem](), list[Certificate]()
+    found = [added_up(problem, _whole_letters(reading)) for problem in reading.problems]
+    for of_any in (False, True):
+        shown = [each and _telescoped(each, of_any) for each in found]
+        if all(shown):
+            cases = [case for each in shown if each for case in each]
+            answer = _proved_in_cases(base, reading, *map(list, zip(*cases, strict=True)))
+            if answer.verdict is not Status.UNDECIDED:
+                return answer
+    return None
+
+
+def _telescoped(found: Summation, of_any: bool) -> list[tuple[Problem, Certificate]] | None:
+    """The steps with their certificates; with letters for powers, whatever their bases are, if that is asked for."""
+    cases = list[tuple[Problem, Certificate]]()
+    for several in (lambda: found.first, found.step):
+        for step in several() or (None,):
+            if step is None or (shown := _shown_of_whole(step, {*found.whole}, of_any)) is None:
+                return None
+            cases.append(shown)
+    return cases
+
+
+def _shown_of_whole(step: Problem, whole: set[str], of_any: bool) -> tuple[Problem, Certificate] | None:
+    """A claim about whole letters with its certificate, if it is proved."""
+    with suppress(Unknown):
+        if of_any:
+            step = without_gammas(with_whole_powers(replace(step, claim=worked_out(step.claim)), whole))
+        turned = with_half_turns(step, whole) if of_any else None
+        for stated in (step, turned):
+            verdict, certificate_, _ = decided_one(stated) if stated is not None else UNTOLD
+            if certificate_ is not None and verdict is Verdict.PROVED and stated is not None:
+                return stated, certificate_
+    return None
+
+
+def _by_coefficients(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that sums of sequences are equal, as the coefficients of their members are."""
+    cases = list[tuple[Problem, Certificate]]()
     for problem in reading.problems:
-        if (found := added_up(problem, _whole_letters(reading))) is None:
+        if (found := interchange.coefficients(problem)) is None:
             return None
-        for several in (lambda found=found: found.first, found.step):
-            for step in several() or (None,):
-                if step is None:
-                    return None
-                verdict, certificate_, _ = decided_one(step)
-                if certificate_ is None or verdict is not Verdict.PROVED:
-                    return None
-                cases.append(step)
-                made.append(certificate_)
-    return _proved_in_cases(base, reading, cases, made)
+        whole = {found.letter, *_whole_letters(reading)}
+        for between, later in found.of:
+            sums = [added_up(later, whole)] if interchange.has_sum(later) else []
+            ways = [partial(_telescoped, each) for each in sums if each is not None]
+            shown = next(filter(None, (way(of_any) for of_any in (False, True) for way in ways)), None)
+            if shown is None:
+                alone = (_shown_of_whole(between, whole, of_any) for of_any in (False, True))
+                one = next(filter(None, alone), None)
+                shown = [one] if one else None
+            if shown is None:
+                return None
+            cases += shown
+    return _proved_in_cases(base, reading, *map(list, zip(*cases, strict=True)))
 
 
 def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
