@@ -39,6 +39,7 @@ def relates(problem: Problem, reading: Reading) -> bool:
     known = spellings(*context) | {
         x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)
     }
+    known |= {x.skew for x in notation.letters if x.skew and x.latex in known}
     integrated = any(part.tag == "integral" for part in jets.parts(problem.claim))
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)
