@@ -94,6 +94,7 @@ from symcheck.question.prepare import (
     unlowered,
     with_differentials,
     with_each_sign,
+    with_entries,
     with_numbers,
     with_primes,
     with_scopes,
@@ -276,7 +277,7 @@ def _answered(
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
-        asked = with_differentials(with_primes(with_scopes(with_each_sign(asked))))
+        asked = with_entries(with_differentials(with_primes(with_scopes(with_each_sign(asked)))))
         if (of_named := _of_named(asked, by_others)) is not None:
             return replace(of_named, seconds=time.perf_counter() - started)
         if (of_powers := _of_power_series(asked, kummer)) is not None:
