@@ -40,6 +40,27 @@ def test_sums_with_another_coefficient_are_not_proved_to_be_equal(relation: str)
     assert decide(relation, given=N).verdict != "proved"
 
 
+SERIES = r"g(x) = \sum_{k=0}^\infty b_k x^k"
+
+
+@pytest.mark.parametrize(
+    ("verdict", "relation"),
+    [
+        ("proved", r"g(3x) = \sum_{k=0}^\infty 3^k b_k x^k"),
+        ("refuted", r"g(3x) = \sum_{k=0}^\infty 3 b_k x^k"),
+        ("proved", r"g(-x) = \sum_{k=0}^\infty (-1)^k b_k x^k"),
+        ("refuted", r"g(-x) = -\sum_{k=0}^\infty (-1)^k b_k x^k"),
+        ("proved", r"g(x^3) = \sum_{k=0}^\infty b_k x^{3k}"),
+        ("refuted", r"g(x^3) = \sum_{k=0}^\infty b_k x^{k+3}"),
+        ("undecided", r"g(3x) = 2 g(x)"),  # an equation for the coefficients
+        ("undecided", r"\sum_{k=0}^\infty b_k x^k = \sum_{k=0}^\infty k b_k x^k"),  # and so is this
+        ("undecided", r"g(x) = \sum_{k=0}^\infty a_k x^k"),
+    ],
+)
+def test_a_value_of_a_series_is_the_series_with_the_same_coefficients(verdict: str, relation: str) -> None:
+    assert decide(relation, SERIES).verdict == verdict
+
+
 def test_nothing_is_compared_where_something_is_said_of_a_sequence() -> None:
     u = node("call", "u", (0,), "k")
     claim = node("=", node("sum", u, "k", 0, "n"), node("sum", node("*", "k", u), "k", 0, "n"))

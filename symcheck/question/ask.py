@@ -112,6 +112,7 @@ from symcheck.question.whole_powers import with_whole_powers
 from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
+from symcheck.reading.tree import BigSum, Call, Chain, Name, walk
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
@@ -773,6 +774,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             return shown
     if status is Status.UNDECIDED and (shown := _with_bases(reading, asked, wanted, claimed)) is not None:
         return shown
+    if status is Status.UNDECIDED and (shown := _refuted_of_series(base, reading)) is not None:
+        return shown
     if status is Status.UNDECIDED and (shown := _by_squares(base, reading)) is not None:
         return shown
     if status is Status.UNDECIDED and (shown := _of_primitives(base, reading, asked, wanted, claimed)) is not None:
@@ -781,6 +784,32 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _refuted_of_series(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that a value of a function, which is said to be a series, is not the series that is printed.
+
+    A relation with derivatives, or with series on both sides, may be an equation for the coefficients.
+    """
+    match reading.tree:
+        case Chain((left, right), ("=",)):
+            calls = [side for side in (left, right) if isinstance(side, Call)]
+            printed = [side for side in (left, right) if any(isinstance(part, BigSum) for _, part in walk(side))]
+        case _:
+            return None
+    heads = [call.function for call in calls if isinstance(call.function, Name) and not call.function.primes]
+    known = {name for name, (_, own, _) in reading.source[2].items() if own}
+    if len(heads) != 1 or len(printed) != 1 or printed[0] in calls or heads[0].letter not in known:
+        return None
+    for problem in reading.problems:
+        for chosen, there in interchange.with_one_member(problem):
+            verdict, made, _ = decided_one(there)
+            if made is not None and verdict is Verdict.REFUTED:
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                point = {**chosen} | {x: term(value) for x, value in made["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
+    return None
 
 
 def _by_squares(base: Answer, reading: Reading) -> Answer | None:

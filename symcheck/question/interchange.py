@@ -1,26 +1,28 @@
 """Sums of sequences of which nothing is said, by the coefficients of their members, double sums in the other order.
 
 With all members of a sequence u on both sides, one sum over j of c(j) u(j) is another one if c(j) is the same for each
-j. A finite sum over i of one over j, of what has u(j) for a factor, is the sum over j of u(j) times one over i: with
-j from a to b, or from i to b, or from a to i. What is left to trust is that finite sums may be taken in any order, and
-that a binomial coefficient is 0 where its lower number is above the upper one.
+j, with an end or without. A finite sum over i of one over j, of what has u(j) for a factor, is the sum over j of u(j)
+times one over i: with j from a to b, or from i to b, or from a to i. What is left to trust is that finite sums may be
+taken in any order, and that a binomial coefficient is 0 where its lower number is above the upper one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from symcheck.core.calculus import domain, functions, letters, nodes, substituted
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, Call, End, Node, Term, node
+from symcheck.core.terms import INFINITY, Binder, Call, End, Node, T, Term, mapped, node
+from symcheck.question.hypergeometric import worked_out
 from symcheck.question.prepare import DEFINED
 from symcheck.question.series import FAULTS
 from symcheck.reading import to_sympy
 
 LETTER = "place"  # of a member in its sequence
+MEMBERS = 4  # the first ones of a sequence, each tried alone: most false series have another addend at one of them
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ def coefficients(problem: Problem) -> Coefficients | None:
         kept = [each for each in problem.hypotheses if each[0] != DEFINED]
         first = ("place", (node(">=", place, low),))
         valued = (DEFINED, tuple(each for each in domain(same, divisors=True) if letters(each)))
-        beside = ("end", (node("<=", place, high),))
+        beside = ("end", () if isinstance(high, End) else (node("<=", place, high),))
         found.append(
             tuple(  # type: ignore[arg-type]
                 replace(problem, claim=same, hypotheses=tuple((name, fs) for name, fs in given if fs))
@@ -115,13 +117,13 @@ def _parts(term: Term, factor: Term) -> Iterator[_Part]:
 def _of_sum(total: Binder) -> Iterator[_Part]:
     """The same of a finite sum of members, or of sums of them."""
     i, (low, high) = total.letter, total.outside
-    if isinstance(low, End) or isinstance(high, End):
+    if isinstance(low, End):
         raise _OtherForm
     for factor, inner in _addends(total.body, 1):
         match inner:
             case Call(function=name, orders=(0,), terms=(at,)) if at == i:
                 yield _Part(name, i, low, high, factor)
-            case Binder(tag="sum"):
+            case Binder(tag="sum") if not isinstance(high, End):
                 for part in _of_sum(inner):
                     yield _turned(part, factor, i, low, high)
             case _:
@@ -160,9 +162,9 @@ def _times(*factors: Term) -> Term:
 def _turned(part: _Part, factor: Term, i: str, low: Term, high: Term) -> _Part:
     """A sum over i, from one end to the other, of sums over another letter, as one over that letter of sums over i."""
     k, body = part.k, _times(factor, part.coefficient)
-    ends = letters(part.low) | letters(part.high) if not isinstance(part.high, End) else {i}
-    if i == k or k in letters(low) | letters(high):
+    if isinstance(part.high, End) or i == k or k in letters(low) | letters(high):
         raise _OtherForm
+    ends = letters(part.low) | letters(part.high)
     if i not in ends:
         last = k if part.high == high and _is_binomial(body, k, i) else high
         return part._replace(coefficient=node("sum", body, i, low, last))
@@ -184,6 +186,36 @@ def _is_binomial(body: Term, n: str, k: str) -> bool:
             with suppress(*FAULTS):
                 return [to_sympy(each) for each in (top, *printed)] == [to_sympy(each) for each in expected]
     return False
+
+
+def with_one_member(problem: Problem) -> Iterator[tuple[Mapping[str, str], Problem]]:
+    """The problem with sequences of which one member is 1 and all others are 0, in sums without an end, and these."""
+    claim = problem.claim
+    said = [*(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
+    unknown = functions(claim)
+    if len(unknown) != 1 or any(functions(tree) for tree in said):
+        return
+    (name,) = unknown
+    for m in range(MEMBERS):
+        with suppress(_OtherForm):
+            there = worked_out(_with_member(claim, name, m))
+            yield {f"{name}_n": f"1 for n = {m}, 0 for others"}, replace(problem, claim=there)
+
+
+def _with_member(tree: T, name: str, m: int) -> T:
+    """The same where a sequence has the member m alone, which is 1: of each sum one addend is left."""
+    if not isinstance(tree, Node) or name not in functions(tree):
+        return tree
+    match tree:
+        case Binder(tag="sum", outside=(int(low), high)) if high == INFINITY:
+            ((factor, inner),) = list(_addends(tree.body, 1))[:2]
+            match inner:
+                case Call(function=own, orders=(0,), terms=(at,)) if own == name and at == tree.letter:
+                    return substituted(factor, {tree.letter: m}) if m >= low else 0  # type: ignore[return-value]
+            raise _OtherForm
+        case Call() | Binder():
+            raise _OtherForm
+    return mapped(tree, lambda part: _with_member(part, name, m))  # type: ignore[return-value]
 
 
 def has_sum(problem: Problem) -> bool:
