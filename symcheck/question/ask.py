@@ -32,6 +32,7 @@ from symcheck.question import (
     growth,
     indices,
     interchange,
+    iterated,
     jets,
     known_integrals,
     named,
@@ -688,6 +689,10 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return shown
     if (shown := _by_coefficients(base, reading)) is not None and shown.verdict is not Status.UNDECIDED:
         return shown
+    if any(values := [iterated.with_values(problem) for problem in reading.problems]):
+        shown = _with_values(values, reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is not Status.UNDECIDED:
+            return shown
     if any(map(known_integrals.is_beyond_primitives, reading.problems)):
         shown = _with_known_integrals(reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
