@@ -35,7 +35,7 @@ def test_integrals_of_integrals_are_decided_by_their_values(
 @pytest.mark.parametrize(
     "relation",
     [
-        r"\int_0^1 \int_0^1 \frac{x^2 - y^2}{(x^2 + y^2)^2} \, dx \, dy = \frac{\pi}{4}",  # it is that with the other sign
+        r"\int_0^1 \int_0^1 \frac{x^2 - y^2}{(x^2 + y^2)^2} \, dx \, dy = \frac{\pi}{4}",  # minus that
         r"\int_{-1}^1 \int_0^1 \frac{y}{x^2} \, dy \, dx = -1",  # it has no value at 0
     ],
 )

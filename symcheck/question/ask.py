@@ -15,11 +15,13 @@ from math import factorial
 from symcheck.checker import check
 from symcheck.core.calculus import Unknown, functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
+from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import JSON, End, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity, proof_of
+from symcheck.proof.algebra.knowledge import ORDERS, larger_first
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
@@ -38,6 +40,7 @@ from symcheck.question import (
     named,
     orders,
     power_series,
+    principal,
     series,
     special,
     squares,
@@ -689,6 +692,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return shown
     if (shown := _by_coefficients(base, reading)) is not None and shown.verdict is not Status.UNDECIDED:
         return shown
+    if (shown := _with_angles(reading, asked, wanted, claimed)) is not None:
+        return shown
     if any(values := [iterated.with_values(problem) for problem in reading.problems]):
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
@@ -1078,6 +1083,20 @@ def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> A
     return _with_values([series.with_values(problem) for problem in reading.problems], reading, asked, wanted, claimed)
 
 
+def _with_angles(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with what positive numbers in polar form say of their angles; proved of any numbers, or refuted."""
+    values = [principal.with_angles(problem) for problem in reading.problems]
+    for k, each in enumerate(values):
+        general = each and principal.in_general(each.problem)
+        if each and general and decided_one(general)[0] is Verdict.PROVED:
+            values[k] = replace(each, problem=general)
+    shown = _with_values(values, reading, asked, wanted, claimed)
+    if shown is None or shown.verdict is Status.UNDECIDED:
+        return None
+    false = shown.verdict is Status.REFUTED
+    return None if false and any(_says_otherwise(each, reading, None) for each in reading.problems) else shown
+
+
 def _with_known_integrals(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
     """The answer with the values of integrals that everybody knows."""
     values = [known_integrals.with_values(each) for each in reading.problems]
@@ -1251,11 +1270,23 @@ def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> l
     """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
     asked = reading.source[0]
     values, said = made["point"]["values"], dict(asked.letters).keys() | from_zero(asked.given)
-    usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
+    usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said and not _is_below_one(problem, x))
     whole = all(isinstance(value := values[x], int) and value > 0 for x in usual)
     if whole and len({str(values[x]) for x in usual}) == len(usual):
         return []
     return usual if _refuted_at_whole_numbers(problem, usual, SIZES, distinct=whole)[0] is None else []
+
+
+def _is_below_one(problem: Problem, x: str) -> bool:
+    """Is it said that a letter is less than 1, so that it is no whole number above 0?"""
+    for formula in (part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)):
+        match formula.outside:
+            case (small, large) if formula.tag in ORDERS:
+                small, large = larger_first(formula).outside[::-1]
+                number = number_of(large) if small == x else None
+                if number is not None and (number < 1 or (number == 1 and len(formula.tag) == 1)):
+                    return True
+    return False
 
 
 def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSON]) -> list[str]:
