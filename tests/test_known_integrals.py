@@ -101,6 +101,40 @@ def test_an_integral_with_an_essential_singularity_is_proved_and_its_slip_refute
     assert decide(wrong, given=given).verdict == "refuted"
 
 
+WAVES = [
+    (
+        r"\int_{-\infty}^\infty \sin(x^2)\,dx = \sqrt{\frac{\pi}{2}}",
+        r"\int_{-\infty}^\infty \sin(x^2)\,dx = \sqrt{\pi}",
+        "",
+    ),
+    (r"\int_0^\infty \frac{\sin x}{x}\,dx = \frac\pi2", r"\int_0^\infty \frac{\sin x}{x}\,dx = \pi", ""),
+    (
+        r"\int_0^\infty \frac{\cos(bt)}{\sqrt t}\,dt = \sqrt{\frac{\pi}{2b}}",
+        r"\int_0^\infty \frac{\cos(bt)}{\sqrt t}\,dt = \sqrt{\frac{\pi}{b}}",
+        "b > 0",
+    ),
+]
+
+
+@pytest.mark.parametrize("case", every(2, WAVES), ids=lambda case: case[0])
+def test_an_integral_of_a_wave_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
+    right, wrong, given = case
+    assert decide(right, given=given).verdict == "proved"
+    assert decide(wrong, given=given).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("relation", "given"),
+    [
+        (r"\int_0^\infty \sin(bt)\,dt = \frac1b", "b > 0"),  # these have no value
+        (r"\int_0^\infty t\sin(bt)\,dt = \frac{1}{b^2}", "b > 0"),
+        (r"\int_0^\infty \frac{\cos x}{x}\,dx = 0", ""),
+    ],
+)
+def test_a_wave_that_does_not_decay_is_neither_proved_nor_refuted(relation: str, given: str) -> None:
+    assert decide(relation, given=given).verdict == "undecided"
+
+
 @pytest.mark.parametrize("case", every(2, TURNS), ids=lambda case: case[0])
 def test_an_integral_over_turns_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
     right, wrong, given = case

@@ -7,7 +7,9 @@ arctangent as an antiderivative with its limits, the substitution that makes Eul
 integrals: with r^2 = a^2 - b^2 - c^2 the means of the powers k and -k - 1 over a turn are r^k P_k(a/r) and
 r^(-k - 1) P_k(a/r), where P_k are Legendre polynomials. Where c is 0 they are those over half a turn from a multiple of
 it on, too. From 0 on, t^(w - 1) exp(-a t - b/t) has the integral 2 (b/a)^(w/2) K_w(2 sqrt(a b)) (DLMF 10.32.10), where
-the modified Bessel function K_w is an elementary one for each half of an odd number w (DLMF 10.49.12).
+the modified Bessel function K_w is an elementary one for each half of an odd number w (DLMF 10.49.12). Those of
+t^(z - 1) cos t and t^(z - 1) sin t are Gamma(z) cos(pi z/2) for 0 < z < 1 and Gamma(z) sin(pi z/2) for -1 < z < 1,
+where it is pi/2 at z = 0 (DLMF 5.9.6, 5.9.7); they converge, though not absolutely.
 """
 
 from __future__ import annotations
@@ -65,14 +67,19 @@ def with_values(problem: Problem) -> Series | None:
 
 
 def is_beyond_primitives(problem: Problem) -> bool:
-    """Does a letter stand below the line in the exponent of an integrand to infinity, as no other proof allows?"""
-    return any(
-        part.tag == "exp"
-        and any(each.tag == "/" and integral.letter in letters(each.outside[1]) for each in nodes(part))
-        for integral in nodes(problem.claim)
-        if isinstance(integral, Binder) and integral.tag == "integral" and integral.outside[1] == INFINITY
-        for part in nodes(integral.body)
-    )
+    """Is there an integrand to infinity that no other proof allows?
+
+    With the letter below the line in an exponent, or with its sine or cosine and nothing that decays exponentially.
+    """
+    for integral in nodes(problem.claim):
+        if isinstance(integral, Binder) and integral.tag == "integral" and integral.outside[1] == INFINITY:
+            x = integral.letter
+            own = [part for part in nodes(integral.body) if x in letters(part)]
+            tags = {part.tag for part in own}
+            inside = (each for part in own if part.tag == "exp" for each in nodes(part) if each.tag == "/")
+            if ({"sin", "cos"} & tags and "exp" not in tags) or any(x in letters(each.outside[1]) for each in inside):
+                return True
+    return False
 
 
 def _of_roots(claim: Formula) -> Iterator[Applied[Term]]:
@@ -111,9 +118,48 @@ def _known(body: Term, t: str, low: Term, high: Term) -> Iterator[Known]:
     """The value of an integral, if it is in the table."""
     from sympy import PolynomialError
 
-    for way in (_arctangent, _exponential, _turned):
+    for way in (_arctangent, _exponential, _turned, _waving):
         with suppress(*FAULTS, PolynomialError):
             yield way(body, t, low, high)
+
+
+def _waving(body: Term, t: str, low: Term, high: Term) -> Known:
+    """The integral of a power times the sine or cosine of a multiple of a power, from 0 or over the whole line."""
+    import sympy
+
+    expr, x, back = _positive(body, t)
+    c, rest = sympy.powsimp(expr).as_independent(x, as_Add=False)
+    factors = sympy.Mul.make_args(rest)
+    waves = [factor for factor in factors if isinstance(factor, sympy.sin | sympy.cos)]
+    if high != INFINITY or low not in (0, MINUS_INFINITY) or len(waves) != 1:
+        raise SymcheckError("no integral of one wave to infinity")
+    base, u = sympy.powsimp(sympy.Mul(*(factor for factor in factors if factor not in waves))).as_base_exp()
+    a, power = waves[0].args[0].as_independent(x, as_Add=False)
+    place, v = power.as_base_exp()
+    u = sympy.Integer(0) if base == 1 else u
+    if base not in (1, x) or place != x or u.has(x) or v.has(x):
+        raise SymcheckError("no powers")
+    whole = low == MINUS_INFINITY
+    if whole and not (u.is_Integer and v.is_Integer and u >= 0 and v > 0 and u % 2 == v % 2 == 0):
+        raise SymcheckError("no even integrand")
+    sine, z = isinstance(waves[0], sympy.sin), sympy.cancel((u + 1) / v)
+    if z == 0 and sine:
+        mean = sympy.pi / 2
+    else:
+        mean = sympy.gamma(z) * waves[0].func(sympy.pi * z / 2)
+    value = from_sympy(((2 if whole else 1) * c / v * a**-z * mean).subs(back))
+    c_, u_, a_, v_, z_ = (from_sympy(each.subs(back)) for each in (c, u, a, v, z))
+    inside = node("sin" if sine else "cos", node("*", a_, _raised(t, v_)))
+    needed = [node(">", a_, 0), node(">", v_, 0), node("<", -1 if sine else 0, z_), node("<", z_, 1)]
+    return value, node("*", c_, _raised(t, u_), inside), needed
+
+
+def _raised(t: str, power: Term) -> Term:
+    """A power, with a whole exponent as one of any number."""
+    if not isinstance(power, int):
+        return node("pow", t, power)
+    whole = node("^", t, abs(power)) if power else 1
+    return whole if power >= 0 else node("/", 1, whole)
 
 
 def _turned(body: Term, t: str, low: Term, high: Term) -> Known:
