@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 
 from symcheck import decide
+from symcheck.core.problems import Problem
+from symcheck.core.terms import node
+from symcheck.question.principal import in_general, in_turn
 
 TURN = r"-\pi < \alpha \le \pi"
 NOME = (r"w = e^{i\sigma}", r"w = e^{-b/a}")
@@ -45,3 +48,17 @@ def test_another_exponent_is_not_proved(
 def test_a_letter_below_one_is_not_asked_to_be_whole() -> None:
     assert decide(r"\sqrt{1 - m} = 1 - m", (), "0 < m < 1").verdict == "refuted"
     assert decide(r"\sqrt{2 - m} = m^2", (), "0 < m < 2").verdict != "proved"
+
+
+def test_a_letter_stands_for_an_integral_only_where_nothing_in_it_is_bound_elsewhere() -> None:
+    inner = node("integral", node("*", "x", "t"), "t", 0, 1)
+    free, under = (Problem("p", node("=", each, "y")) for each in (inner, node("diff", inner, "x", 1, "x")))
+    assert isinstance(in_general(free).claim[1], str)
+    assert in_general(under).claim == under.claim
+
+
+def test_equations_for_one_letter_are_not_lost() -> None:
+    said = [node("=", "x", 0), node("=", "x", "w"), node("=", "y", node("*", 2, "x"))]
+    known, rest = in_turn(said)
+    assert known == {"x": 0, "y": node("*", 2, 0)}
+    assert rest == (node("=", 0, "w"),)

@@ -76,9 +76,7 @@ def coefficients(problem: Problem) -> Coefficients | None:
         if len(ranges) != 1:
             return None
         ((low, high),) = ranges
-        left, right = (
-            [substituted(part.coefficient, {part.k: place}) for part in side if place not in part.k] for side in own
-        )
+        left, right = ([substituted(part.coefficient, {part.k: place}) for part in side] for side in own)
         same = node("=", *(node("+", *side) if len(side) > 1 else side[0] if side else 0 for side in (left, right)))
         kept = [each for each in problem.hypotheses if each[0] != DEFINED]
         first = ("place", (node(">=", place, low),))

@@ -143,10 +143,7 @@ def _waving(body: Term, t: str, low: Term, high: Term) -> Known:
     if whole and not (u.is_Integer and v.is_Integer and u >= 0 and v > 0 and u % 2 == v % 2 == 0):
         raise SymcheckError("no even integrand")
     sine, z = isinstance(waves[0], sympy.sin), sympy.cancel((u + 1) / v)
-    if z == 0 and sine:
-        mean = sympy.pi / 2
-    else:
-        mean = sympy.gamma(z) * waves[0].func(sympy.pi * z / 2)
+    mean = sympy.pi / 2 if z == 0 and sine else sympy.gamma(z) * waves[0].func(sympy.pi * z / 2)
     value = from_sympy(((2 if whole else 1) * c / v * a**-z * mean).subs(back))
     c_, u_, a_, v_, z_ = (from_sympy(each.subs(back)) for each in (c, u, a, v, z))
     inside = node("sin" if sine else "cos", node("*", a_, _raised(t, v_)))

@@ -8,7 +8,7 @@ exponentials are positive and no two real numbers have the same.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 
@@ -37,9 +37,8 @@ def with_angles(problem: Problem) -> Series | None:
             sides = [node("<", angle, turn), node("<", node("-", turn), angle)]
             sides += [node(">", each, 0) for each in (size, whole) if not _is_exponential(each)]
             needed = tuple(replace(plain, claim=each, hypotheses=tuple(kept)) for each in sides)
-            known = {f[1]: f[2] for f in said if isinstance(f[1], str)}
-            rest = (name, tuple(f for f in said if f[1] not in known))
-            given = [(other, tuple(substituted(f, known) for f in fs)) for other, fs in (*kept, rest) if fs]
+            known, rest = in_turn(said)
+            given = [(other, tuple(substituted(f, known) for f in fs)) for other, fs in (*kept, (name, rest)) if fs]
             there = replace(plain, claim=substituted(plain.claim, known), hypotheses=tuple(given))
             return Series(there, needed)
     return None
@@ -54,7 +53,8 @@ def in_general(problem: Problem) -> Problem:
     def put(tree: T) -> T:
         if isinstance(tree, Binder) and tree.tag in ("integral", "sum", "product"):
             return names.setdefault(tree, fresh(f"value_{len(names)}", taken))  # type: ignore[return-value]
-        return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
+        plain = isinstance(tree, Node) and not tree.bound  # inside of others they may depend on what is bound there
+        return mapped(tree, put) if plain else tree  # type: ignore[return-value, arg-type, unused-ignore]
 
     given = tuple((name, tuple(map(put, fs))) for name, fs in problem.hypotheses)
     definitions = tuple((x, put(t)) for x, t in problem.definitions)
@@ -63,6 +63,18 @@ def in_general(problem: Problem) -> Problem:
 
 def _is_exponential(term: Term) -> bool:
     return term == 1 or (isinstance(term, Node) and term.tag == "exp")
+
+
+def in_turn(equations: Iterable[Formula]) -> tuple[dict[str, Term], tuple[Formula, ...]]:
+    """The letters that equations are solved for, each without the others, and the equations that say more of them."""
+    known, rest = dict[str, Term](), list[Formula]()
+    for equation in equations:
+        head, value = substituted(equation, known).outside
+        if isinstance(head, str) and head not in letters(value):
+            known = {x: substituted(t, {head: value}) for x, t in known.items()} | {head: value}
+        else:
+            rest.append(node("=", head, value))
+    return known, tuple(rest)
 
 
 def _polar(equation: Formula) -> Iterator[tuple[Term, Term, Term]]:
