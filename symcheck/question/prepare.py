@@ -67,9 +67,11 @@ _PRIME_SAID = re.compile(
     r"^(?P<of>\\?[A-Za-z]+)'\((?P<at>[^()]*)\)="
     r"(?P<slope>\\frac\{\\partial ?(?P=of)(?:\((?P=at)\))?\}\{\\partial ?(?P<by>\\?[A-Za-z]+)\})$"
 )
-# an entry of a matrix or vector at any place, and a subscript of single letters
+# an entry of a matrix or vector at any place
 _ENTRY = re.compile(r"^(?P<of>\\[A-Za-z]+\{[A-Za-z]\}|[A-Za-z])_\{?(?P<row>[a-z])(?P<column>[a-z])?\}?$")
+# a subscript of single letters
 _BELOW = re.compile(r"_(?:\{[a-z]{1,3}\}|[a-z](?![A-Za-z]))")
+# a letter in a face of vectors
 _FACE = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathrm)\s*\{([A-Za-z])\}")
 MOST_ENTRIES = 4  # rows and columns that are written out
 OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
