@@ -73,6 +73,68 @@ TURNS = [
 ]
 
 
+WALD = r"\sqrt{\frac{\lambda}{2\pi x^3}}\exp\left(-\frac{\lambda(x-\mu)^2}{2\mu^2 x}\right)"
+BOTH = [
+    (rf"\int_0^\infty {WALD}\,dx = 1", rf"\int_0^\infty x^2 {WALD}\,dx = \mu", r"\lambda > 0, \mu > 0"),
+    (
+        rf"\int_0^\infty (x-\mu)^2 {WALD}\,dx = \frac{{\mu^3}}{{\lambda}}",
+        rf"\int_0^\infty (x-\mu)^2 {WALD}\,dx = \frac{{\mu^2}}{{\lambda}}",
+        r"\lambda > 0, \mu > 0",
+    ),
+    (
+        r"\int_0^\infty e^{-px^2-q/x^2}\,dx = \frac12\sqrt{\frac{\pi}{p}}e^{-2\sqrt{pq}}",
+        r"\int_0^\infty e^{-px^2-q/x^2}\,dx = \frac12\sqrt{\frac{\pi}{p}}e^{-\sqrt{pq}}",
+        "p > 0, q > 0",
+    ),
+    (
+        r"\int_0^\infty \frac{b}{\sqrt{2\pi t^3}}e^{-b^2/(2t)}e^{-rt}\,dt = e^{-b\sqrt{2r}}",
+        r"\int_0^\infty \frac{b}{\sqrt{2\pi t^3}}e^{-b^2/(2t)}e^{-rt}\,dt = e^{-b\sqrt{r}}",
+        "b > 0, r > 0",
+    ),
+]
+
+
+@pytest.mark.parametrize("case", every(2, BOTH), ids=lambda case: case[0])
+def test_an_integral_with_an_essential_singularity_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
+    right, wrong, given = case
+    assert decide(right, given=given).verdict == "proved"
+    assert decide(wrong, given=given).verdict == "refuted"
+
+
+WAVES = [
+    (
+        r"\int_{-\infty}^\infty \sin(x^2)\,dx = \sqrt{\frac{\pi}{2}}",
+        r"\int_{-\infty}^\infty \sin(x^2)\,dx = \sqrt{\pi}",
+        "",
+    ),
+    (r"\int_0^\infty \frac{\sin x}{x}\,dx = \frac\pi2", r"\int_0^\infty \frac{\sin x}{x}\,dx = \pi", ""),
+    (
+        r"\int_0^\infty \frac{\cos(bt)}{\sqrt t}\,dt = \sqrt{\frac{\pi}{2b}}",
+        r"\int_0^\infty \frac{\cos(bt)}{\sqrt t}\,dt = \sqrt{\frac{\pi}{b}}",
+        "b > 0",
+    ),
+]
+
+
+@pytest.mark.parametrize("case", every(2, WAVES), ids=lambda case: case[0])
+def test_an_integral_of_a_wave_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
+    right, wrong, given = case
+    assert decide(right, given=given).verdict == "proved"
+    assert decide(wrong, given=given).verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("relation", "given"),
+    [
+        (r"\int_0^\infty \sin(bt)\,dt = \frac1b", "b > 0"),  # these have no value
+        (r"\int_0^\infty t\sin(bt)\,dt = \frac{1}{b^2}", "b > 0"),
+        (r"\int_0^\infty \frac{\cos x}{x}\,dx = 0", ""),
+    ],
+)
+def test_a_wave_that_does_not_decay_is_neither_proved_nor_refuted(relation: str, given: str) -> None:
+    assert decide(relation, given=given).verdict == "undecided"
+
+
 @pytest.mark.parametrize("case", every(2, TURNS), ids=lambda case: case[0])
 def test_an_integral_over_turns_is_proved_and_its_slip_refuted(case: tuple[str, str, str]) -> None:
     right, wrong, given = case
@@ -95,6 +157,8 @@ def test_a_known_integral_is_proved_and_its_slip_refuted(case: tuple[str, str, s
         (r"\int_0^\infty e^{x^k}\,dx = \Gamma\left(1+\frac1k\right)", "k > 0"),
         (rf"\int_{{-\infty}}^{{x_0}} {CAUCHY}\,dt = \frac12", r"\gamma < 0"),
         (r"\int_{-\infty}^{\infty} \left(\sqrt{x} - \sqrt{x} + \frac{1}{1+x^2}\right) dx = \pi", ""),  # no value
+        (r"\int_0^\infty e^{-px^2-q/x^2}\,dx = \frac12\sqrt{\frac{\pi}{p}}e^{-2\sqrt{pq}}", "p > 0"),
+        (r"\int_0^\infty e^{-px-q/x^2}\,dx = \frac12\sqrt{\frac{\pi}{p}}e^{-2\sqrt{pq}}", "p > 0, q > 0"),
         (r"\int_0^{2\pi}\frac{dx}{4+5\cos x} = \frac{2\pi}{3}", ""),  # it diverges
         (r"\int_0^{\pi}\frac{dx}{3+2\sin x} = \frac{\pi}{\sqrt{5}}", ""),  # no half turns of a sine are alike
         (r"\int_{\pi/2}^{3\pi/2}\frac{dx}{2+\cos x} = \frac{\pi}{\sqrt{3}}", ""),  # nor those from elsewhere

@@ -224,6 +224,7 @@ def exactly(x: Interval) -> int:
     return x.low >> PLACES
 
 
+@lru_cache(256)  # of its own: the cells of one integral push all others out of the other cache
 def integral(body: Term, x: str, start: Interval, end: Interval, at: Place) -> Interval:
     """Cell by cell h f(m) + h^3 f''/24: the second derivative is enclosed over the whole cell, m is its middle.
 

@@ -32,7 +32,7 @@ SECONDS = 2.0  # for one integral: those that SymPy finds at all it finds in one
 def hinted(problem: Problem) -> Problem:
     """The problem with hints for the integrals and sums to numbers or letters, the outer ones before those in them."""
     trees = [problem.claim, *(f for _, fs in problem.hypotheses for f in fs), *(t for _, t in problem.definitions)]
-    found = dict.fromkeys(each for tree in trees for each in _binders(tree))
+    found = dict.fromkeys(each for tree in trees for each in outermost(tree))
     hints = [hint for each in found for hint in _hints(each)[1]]
     hints += [hint for pair in permutations(found, 2) for hint in (*_scaled(*pair), *_moved(*pair))]
     hints += _claimed(problem.claim)
@@ -64,14 +64,19 @@ def _letter_of(end: Term) -> tuple[str, int]:
     return "", 0
 
 
-def _binders(tree: Term) -> Iterator[Binder]:
+def outermost(tree: Term) -> Iterator[Binder]:
     """Those that stand under no other."""
     if not isinstance(tree, Node):
         return
     if isinstance(tree, Binder) and tree.tag in THEOREMS:
         yield tree
     for part in tree.outside:
-        yield from _binders(part)
+        yield from outermost(part)
+
+
+def value_of(binder: Binder) -> Term:
+    """What an integral or sum is by antiderivatives; itself if that is not found."""
+    return _hints(binder)[0]
 
 
 def _is_finite(binder: Binder) -> bool:

@@ -15,11 +15,13 @@ from math import factorial
 from symcheck.checker import check
 from symcheck.core.calculus import Unknown, functions, letters, nodes, substituted
 from symcheck.core.certificates import Certificate
+from symcheck.core.formulas import conjuncts
 from symcheck.core.problems import Outcome, Problem
 from symcheck.core.terms import JSON, End, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.proof import certificate, identity, proof_of
+from symcheck.proof.algebra.knowledge import ORDERS, larger_first
 from symcheck.proof.algebra.polynomial import Unsupported, number_of
 from symcheck.proof.rules.compute import Point
 from symcheck.proof.search.decide import UNSETTLED
@@ -33,12 +35,15 @@ from symcheck.question import (
     generating,
     growth,
     indices,
+    interchange,
+    iterated,
     jets,
     known_integrals,
     named,
     orders,
     orthogonal,
     power_series,
+    principal,
     series,
     special,
     squares,
@@ -64,7 +69,7 @@ from symcheck.question.factors import with_factors_outside
 from symcheck.question.fields import in_fields
 from symcheck.question.floors import Whole, with_whole_numbers
 from symcheck.question.general import in_general
-from symcheck.question.hypergeometric import added_up
+from symcheck.question.hypergeometric import Summation, added_up, without_gammas, worked_out
 from symcheck.question.initial_values import transformed
 from symcheck.question.inverses import refuted as refuted_in_exponents
 from symcheck.question.inverses import with_exponents
@@ -95,8 +100,11 @@ from symcheck.question.prepare import (
     readings,
     sizes,
     unlowered,
+    with_differentials,
     with_each_sign,
+    with_entries,
     with_numbers,
+    with_primes,
     with_scopes,
     with_whole_ends,
     worded,
@@ -112,6 +120,7 @@ from symcheck.question.whole_powers import inlined, with_whole_powers
 from symcheck.reading import Tree, tex, with_brackets
 from symcheck.reading.inference import NUMBERS, VECTORS, Inference
 from symcheck.reading.notation import SAID
+from symcheck.reading.tree import BigSum, Call, Chain, Name, walk
 
 LIMIT = 6.0  # seconds for one component of a relation; nearly all that are found at all are found in one
 DIGITS = 4.0  # seconds for a counterexample by digits: a false relation mostly fails at the first points
@@ -133,6 +142,7 @@ UP_TO = "a whole number (a sum or product runs up to it)"
 SYMMETRIC = 1.0  # seconds for proofs of what is refuted, for symmetric matrices; most are found in a tenth
 MOST_SYMMETRIC = 4  # matrices of which each alone is taken to be symmetric, if not all can be
 CROSS = "is \\times a product of numbers, or of vectors? say what the letters beside it are"
+UNTOLD = Verdict.UNDECIDED, None, ()
 _SYMBOL = re.compile(r"\\delta_\{?[i-n]{2}\}?|\\(?:var)?epsilon_\{?[i-n]{3}\}?")  # with the usual letters of indices
 WHOLE = (1, 2, 0, 3, -1)  # tried for a letter: most false formulas fail for one of them
 ENOUGH = (2, 3, 5)  # values that settle an identity between polynomials of the degrees that are printed: at most two
@@ -276,7 +286,7 @@ def _answered(
         spelled = dict(zip((*asked.where, *asked.given), (*printed.where, *printed.given), strict=True))
         if reason := spelled_function((printed.relation, *printed.where, *printed.given)):
             return Answer(Status.AMBIGUOUS, reason=reason)
-        asked = with_scopes(with_each_sign(asked))
+        asked = with_entries(with_differentials(with_primes(with_scopes(with_each_sign(asked)))))
         if (of_named := _of_named(asked, by_others)) is not None:
             return replace(of_named, seconds=time.perf_counter() - started)
         if (of_powers := _of_power_series(asked, kummer)) is not None:
@@ -757,6 +767,18 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         return _by_induction(base, reading, cases)
     if (shown := _by_ratios(base, reading) or _by_series(reading, asked, wanted, claimed)) is not None:
         return shown
+    if (shown := _by_coefficients(base, reading)) is not None and shown.verdict is not Status.UNDECIDED:
+        return shown
+    if (shown := _with_angles(reading, asked, wanted, claimed)) is not None:
+        return shown
+    if any(values := [iterated.with_values(problem) for problem in reading.problems]):
+        shown = _with_values(values, reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is not Status.UNDECIDED:
+            return shown
+    if any(map(known_integrals.is_beyond_primitives, reading.problems)):
+        shown = _with_known_integrals(reading, asked, wanted, claimed)
+        if shown is not None and shown.verdict is not Status.UNDECIDED:
+            return shown
     certificates, status, reasons, used = [], Status.PROVED, list[str](), list[str]()
     meant: Callable[[], bool] | None = None  # whether a slip explains it, asked once for all components
     for problem in reading.problems:
@@ -833,11 +855,13 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             )
     if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
         return shown
-    if status is Status.UNDECIDED and any(values := [known_integrals.with_values(each) for each in reading.problems]):
-        shown = _with_values(values, reading, asked, wanted, claimed)
+    if status is Status.UNDECIDED:
+        shown = _with_known_integrals(reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
     if status is Status.UNDECIDED and (shown := _with_bases(reading, asked, wanted, claimed)) is not None:
+        return shown
+    if status is Status.UNDECIDED and (shown := _refuted_of_series(base, reading)) is not None:
         return shown
     if status is Status.UNDECIDED and (shown := _by_squares(base, reading)) is not None:
         return shown
@@ -849,6 +873,32 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
     return replace(
         base, verdict=status, certificate=tuple(certificates), used=tuple(dict.fromkeys(used)), reason=reason
     )
+
+
+def _refuted_of_series(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that a value of a function, which is said to be a series, is not the series that is printed.
+
+    A relation with derivatives, or with series on both sides, may be an equation for the coefficients.
+    """
+    match reading.tree:
+        case Chain((left, right), ("=",)):
+            calls = [side for side in (left, right) if isinstance(side, Call)]
+            printed = [side for side in (left, right) if any(isinstance(part, BigSum) for _, part in walk(side))]
+        case _:
+            return None
+    heads = [call.function for call in calls if isinstance(call.function, Name) and not call.function.primes]
+    known = {name for name, (_, own, _) in reading.source[2].items() if own}
+    if len(heads) != 1 or len(printed) != 1 or printed[0] in calls or heads[0].letter not in known:
+        return None
+    for problem in reading.problems:
+        for chosen, there in interchange.with_one_member(problem):
+            verdict, made, _ = decided_one(there)
+            if made is not None and verdict is Verdict.REFUTED:
+                if reason := _doubt_of_points(reading):
+                    return replace(base, verdict=Status.AMBIGUOUS, reason=reason)
+                point = {**chosen} | {x: term(value) for x, value in made["point"]["values"].items()}
+                return replace(base, verdict=Status.REFUTED, counterexample=point, certificate=(made,))
+    return None
 
 
 def _by_squares(base: Answer, reading: Reading) -> Answer | None:
@@ -1059,25 +1109,85 @@ def _by_steps(base: Answer, reading: Reading) -> Answer | None:
 
 def _by_ratios(base: Answer, reading: Reading) -> Answer | None:
     """The answer that sums of what depends on their ends are what is claimed, by how neighbouring ones differ."""
-    cases, made = list[Problem](), list[Certificate]()
+    found = [added_up(problem, _whole_letters(reading)) for problem in reading.problems]
+    for of_any in (False, True):
+        shown = [each and _telescoped(each, of_any) for each in found]
+        if all(shown):
+            cases = [case for each in shown if each for case in each]
+            answer = _proved_in_cases(base, reading, *map(list, zip(*cases, strict=True)))
+            if answer.verdict is not Status.UNDECIDED:
+                return answer
+    return None
+
+
+def _telescoped(found: Summation, of_any: bool) -> list[tuple[Problem, Certificate]] | None:
+    """The steps with their certificates; with letters for powers, whatever their bases are, if that is asked for."""
+    cases = list[tuple[Problem, Certificate]]()
+    for several in (lambda: found.first, found.step):
+        for step in several() or (None,):
+            if step is None or (shown := _shown_of_whole(step, {*found.whole}, of_any)) is None:
+                return None
+            cases.append(shown)
+    return cases
+
+
+def _shown_of_whole(step: Problem, whole: set[str], of_any: bool) -> tuple[Problem, Certificate] | None:
+    """A claim about whole letters with its certificate, if it is proved."""
+    with suppress(Unknown):
+        if of_any:
+            step = without_gammas(with_whole_powers(replace(step, claim=worked_out(step.claim)), whole))
+        turned = with_half_turns(step, whole) if of_any else None
+        for stated in (step, turned):
+            verdict, certificate_, _ = decided_one(stated) if stated is not None else UNTOLD
+            if certificate_ is not None and verdict is Verdict.PROVED and stated is not None:
+                return stated, certificate_
+    return None
+
+
+def _by_coefficients(base: Answer, reading: Reading) -> Answer | None:
+    """The answer that sums of sequences are equal, as the coefficients of their members are."""
+    cases = list[tuple[Problem, Certificate]]()
     for problem in reading.problems:
-        if (found := added_up(problem, _whole_letters(reading))) is None:
+        if (found := interchange.coefficients(problem)) is None:
             return None
-        for several in (lambda found=found: found.first, found.step):
-            for step in several() or (None,):
-                if step is None:
-                    return None
-                verdict, certificate_, _ = decided_one(step)
-                if certificate_ is None or verdict is not Verdict.PROVED:
-                    return None
-                cases.append(step)
-                made.append(certificate_)
-    return _proved_in_cases(base, reading, cases, made)
+        whole = {found.letter, *_whole_letters(reading)}
+        for between, later in found.of:
+            sums = [added_up(later, whole)] if interchange.has_sum(later) else []
+            ways = [partial(_telescoped, each) for each in sums if each is not None]
+            shown = next(filter(None, (way(of_any) for of_any in (False, True) for way in ways)), None)
+            if shown is None:
+                alone = (_shown_of_whole(between, whole, of_any) for of_any in (False, True))
+                one = next(filter(None, alone), None)
+                shown = [one] if one else None
+            if shown is None:
+                return None
+            cases += shown
+    return _proved_in_cases(base, reading, *map(list, zip(*cases, strict=True)))
 
 
 def _by_series(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
     """The answer with the values of endless sums in their places, if what shows these values is proved."""
     return _with_values([series.with_values(problem) for problem in reading.problems], reading, asked, wanted, claimed)
+
+
+def _with_angles(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with what positive numbers in polar form say of their angles; proved of any numbers, or refuted."""
+    values = [principal.with_angles(problem) for problem in reading.problems]
+    for k, each in enumerate(values):
+        general = each and principal.in_general(each.problem)
+        if each and general and decided_one(general)[0] is Verdict.PROVED:
+            values[k] = replace(each, problem=general)
+    shown = _with_values(values, reading, asked, wanted, claimed)
+    if shown is None or shown.verdict is Status.UNDECIDED:
+        return None
+    false = shown.verdict is Status.REFUTED
+    return None if false and any(_says_otherwise(each, reading, None) for each in reading.problems) else shown
+
+
+def _with_known_integrals(reading: Reading, asked: Asked, wanted: bool, claimed: bool) -> Answer | None:
+    """The answer with the values of integrals that everybody knows."""
+    values = [known_integrals.with_values(each) for each in reading.problems]
+    return _with_values(values, reading, asked, wanted, claimed)
 
 
 def _with_values(
@@ -1247,11 +1357,23 @@ def _holds_for_whole(reading: Reading, problem: Problem, made: Certificate) -> l
     """The letters that usually are whole numbers, if it fails at others and not at some whole ones above 0."""
     asked = reading.source[0]
     values, said = made["point"]["values"], dict(asked.letters).keys() | from_zero(asked.given)
-    usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said)
+    usual = sorted(x for x in USUALLY_WHOLE if x in values and x not in said and not _is_below_one(problem, x))
     whole = all(isinstance(value := values[x], int) and value > 0 for x in usual)
     if whole and len({str(values[x]) for x in usual}) == len(usual):
         return []
     return usual if _refuted_at_whole_numbers(problem, usual, SIZES, distinct=whole)[0] is None else []
+
+
+def _is_below_one(problem: Problem, x: str) -> bool:
+    """Is it said that a letter is less than 1, so that it is no whole number above 0?"""
+    for formula in (part for _, fs in problem.hypotheses for f in fs for part in conjuncts(f)):
+        match formula.outside:
+            case (small, large) if formula.tag in ORDERS:
+                small, large = larger_first(formula).outside[::-1]
+                number = number_of(large) if small == x else None
+                if number is not None and (number < 1 or (number == 1 and len(formula.tag) == 1)):
+                    return True
+    return False
 
 
 def _holds_for_positive(reading: Reading, problem: Problem, at: Mapping[str, JSON]) -> list[str]:

@@ -21,6 +21,7 @@ from symcheck.reading.tree import Chain, Limiting, MatrixOf, Mul, Name, Neg, Num
 EQUATION = "it says how letters depend on each other of which nothing else is said: an equation or a condition"
 FACTORS = frozenset({"-", "*", "/", "^", "sqrt", "pi"})  # what a product of letters is made of
 ALGEBRAIC = FACTORS | {"+"}
+PARTS = (r"^ { \Re }", r"^ { \Im }")  # the real and the imaginary part of a complex letter
 Atom = tuple[str, ...]  # a letter, or an unknown function with its orders
 
 
@@ -39,6 +40,8 @@ def relates(problem: Problem, reading: Reading) -> bool:
     known = spellings(*context) | {
         x.latex for x in notation.letters if len(x.latex) > 1 and mentioned(x.latex, context)
     }
+    known |= {x.skew for x in notation.letters if x.skew and x.latex in known}
+    known |= {x.latex for x in notation.letters if x.latex.endswith(PARTS) and x.latex.partition(" ^ ")[0] in known}
     integrated = any(part.tag == "integral" for part in jets.parts(problem.claim))
     with suppress(Unknown, Unsupported):
         problem = jets.expanded(problem)

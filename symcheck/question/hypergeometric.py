@@ -41,10 +41,13 @@ class Summation:
         The claim at the first numbers; some of them only tell false claims early.
     step
         How what is claimed, addends and ends differ at neighbouring numbers; None where no rational function is found.
+    whole
+        The letters of the sum, which are whole numbers.
     """
 
     first: tuple[Problem, ...]
     step: Callable[[], tuple[Problem, ...] | None]
+    whole: frozenset[str]
 
 
 def added_up(problem: Problem, whole: Iterable[str]) -> Summation | None:
@@ -79,7 +82,7 @@ def added_up(problem: Problem, whole: Iterable[str]) -> Summation | None:
             return (*vanishing, *_steps(problem, s, first + len(vanishing)))
         return None
 
-    return Summation(tuple(_at(problem, s, first + more) for more in range(TRIED)), step)
+    return Summation(tuple(_at(problem, s, first + more) for more in range(TRIED)), step, frozenset({n, total.letter}))
 
 
 class _Sum:
@@ -250,6 +253,15 @@ def not_zero(condition: Formula) -> Iterator[Formula]:
             yield condition
 
 
+def without_gammas(problem: Problem) -> Problem:
+    """The problem without what is said of gamma functions, which are positive where they have a value."""
+    found = (
+        (name, tuple(f for f in fs if not any(part.tag == "gamma" for part in nodes(f))))
+        for name, fs in problem.hypotheses
+    )
+    return replace(problem, hypotheses=tuple((name, fs) for name, fs in found if fs))
+
+
 def _tidy(tree: T) -> T:
     """The same with the arguments of gamma functions expanded, so that those a whole number apart are seen to be."""
     from sympy import expand
@@ -261,9 +273,13 @@ def _tidy(tree: T) -> T:
 
 
 def worked_out(tree: T) -> T:
-    """The same with factorials for the gamma function of whole numbers."""
+    """The same with factorials for the gamma function of whole numbers, and powers with whole exponents as such."""
     if not isinstance(tree, Node):
         return tree
+    match tree:
+        case Node(tag="pow", outside=(base, int(exponent))):
+            power = node("^", worked_out(base), abs(exponent)) if exponent else 1
+            return power if exponent >= 0 else node("/", 1, power)  # type: ignore[return-value]
     if tree.tag == "gamma" and (n := number_of(tree.outside[0])) is not None and n in range(1, MOST):
         return factorial(int(n) - 1)  # type: ignore[return-value]
     return mapped(tree, worked_out)  # type: ignore[return-value]

@@ -1,24 +1,29 @@
 """Integrals that everybody knows, for what no proof by an antiderivative reaches: of the Cauchy and Weibull densities.
 
-An integrand is, for all t between the ends, C/((t - m)^2 + s^2), or a sum of c t^u exp(-a t^v), or one of multiples of
-whole powers of a + b cos(m t) + c sin(m t), with what does not depend on t. That it is that is proved, and that s, a,
-v, u + 1 and a^2 - b^2 - c^2 are positive. What is left to trust is the arctangent as an antiderivative with its limits,
-the substitution that makes Euler's integral of t^v, and Laplace's integrals: with r^2 = a^2 - b^2 - c^2 the means of
-the powers k and -k - 1 over a turn are r^k P_k(a/r) and r^(-k - 1) P_k(a/r), where P_k are Legendre polynomials. Where
-c is 0 they are those over half a turn from a multiple of it on, too.
+An integrand is, for all t between the ends, C/((t - m)^2 + s^2), or a sum of c t^u exp(-a t^v - b t^-v), or one of
+multiples of whole powers of a + b cos(m t) + c sin(m t), with what does not depend on t. That it is that is proved,
+and that s, a, v, u + 1 and a^2 - b^2 - c^2 are positive, or b in the place of u + 1. What is left to trust is the
+arctangent as an antiderivative with its limits, the substitution that makes Euler's integral of t^v, and Laplace's
+integrals: with r^2 = a^2 - b^2 - c^2 the means of the powers k and -k - 1 over a turn are r^k P_k(a/r) and
+r^(-k - 1) P_k(a/r), where P_k are Legendre polynomials. Where c is 0 they are those over half a turn from a multiple of
+it on, too. From 0 on, t^(w - 1) exp(-a t - b/t) has the integral 2 (b/a)^(w/2) K_w(2 sqrt(a b)) (DLMF 10.32.10), where
+the modified Bessel function K_w is an elementary one for each half of an odd number w (DLMF 10.49.12). Those of
+t^(z - 1) cos t and t^(z - 1) sin t are Gamma(z) cos(pi z/2) for 0 < z < 1 and Gamma(z) sin(pi z/2) for -1 < z < 1,
+where it is pi/2 at z = 0 (DLMF 5.9.6, 5.9.7); they converge, though not absolutely.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symcheck.core.calculus import domain, fresh, functions, letters, nodes, substituted
-from symcheck.core.problems import Problem
+from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Formula, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
+from symcheck.question.prepare import rooted
 from symcheck.question.series import FAULTS, Series
 from symcheck.reading import from_sympy, to_sympy
 
@@ -48,14 +53,60 @@ def with_values(problem: Problem) -> Series | None:
         given = (*problem.hypotheses, ("between", tuple(between))) if between else problem.hypotheses
         sides += [replace(problem, claim=each) for each in needed]
         valued = [each for each in domain(body, divisors=True) if t in letters(each) and not _is_turned(form, t)]
-        sides += [replace(problem, claim=each, hypotheses=given) for each in (*valued, node("=", body, form))]
+        same = node("=", body, rooted(form))
+        sides += [replace(problem, claim=each, hypotheses=given) for each in valued]
+        sides.append(replace(problem, claim=same, hypotheses=given, hints=(*problem.hints, *_of_roots(same))))
 
     def put(tree: T) -> T:
         if tree in values:
             return values[tree]  # type: ignore[return-value]
         return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 
-    return Series(replace(problem, claim=put(problem.claim)), tuple(sides))
+    claim = put(problem.claim)
+    return Series(replace(problem, claim=claim, hints=(*problem.hints, *_of_roots(claim))), tuple(sides))
+
+
+def is_beyond_primitives(problem: Problem) -> bool:
+    """Is there an integrand to infinity that no other proof allows?
+
+    With the letter below the line in an exponent, or with its sine or cosine and nothing that decays exponentially.
+    """
+    for integral in nodes(problem.claim):
+        if isinstance(integral, Binder) and integral.tag == "integral" and integral.outside[1] == INFINITY:
+            x = integral.letter
+            own = [part for part in nodes(integral.body) if x in letters(part)]
+            tags = {part.tag for part in own}
+            inside = (each for part in own if part.tag == "exp" for each in nodes(part) if each.tag == "/")
+            if ({"sin", "cos"} & tags and "exp" not in tags) or any(x in letters(each.outside[1]) for each in inside):
+                return True
+    return False
+
+
+def _of_roots(claim: Formula) -> Iterator[Applied[Term]]:
+    """That roots of products and quotients are those of their factors, which are positive in what is integrated."""
+    for root in dict.fromkeys(part for part in nodes(claim) if part.tag == "sqrt"):
+        if (apart := _root_of(root.outside[0])) != root:
+            yield Applied("equal_squares", (root, apart), ())
+    for part in dict.fromkeys(part for part in nodes(claim) if part.tag == "exp"):
+        if (other := _with_roots_apart(part)) != part:
+            yield Applied("congruence", (part, other), ())
+
+
+def _with_roots_apart(tree: T) -> T:
+    if not isinstance(tree, Node):
+        return tree
+    return _root_of(tree.outside[0]) if tree.tag == "sqrt" else mapped(tree, _with_roots_apart)  # type: ignore[return-value]
+
+
+def _root_of(term: Term) -> Term:
+    match term:
+        case Node(tag="*" | "/" as tag, outside=parts):
+            return node(tag, *map(_root_of, parts))
+        case Node(tag="^", outside=(base, int(n))) if n > 1:
+            return node("*", node("^", base, n // 2), node("sqrt", base)) if n % 2 else node("^", base, n // 2)
+        case 1:
+            return 1
+    return node("sqrt", term)
 
 
 def _is_turned(form: Term, t: str) -> bool:
@@ -67,9 +118,45 @@ def _known(body: Term, t: str, low: Term, high: Term) -> Iterator[Known]:
     """The value of an integral, if it is in the table."""
     from sympy import PolynomialError
 
-    for way in (_arctangent, _exponential, _turned):
+    for way in (_arctangent, _exponential, _turned, _waving):
         with suppress(*FAULTS, PolynomialError):
             yield way(body, t, low, high)
+
+
+def _waving(body: Term, t: str, low: Term, high: Term) -> Known:
+    """The integral of a power times the sine or cosine of a multiple of a power, from 0 or over the whole line."""
+    import sympy
+
+    expr, x, back = _positive(body, t)
+    c, rest = sympy.powsimp(expr).as_independent(x, as_Add=False)
+    factors = sympy.Mul.make_args(rest)
+    waves = [factor for factor in factors if isinstance(factor, sympy.sin | sympy.cos)]
+    if high != INFINITY or low not in (0, MINUS_INFINITY) or len(waves) != 1:
+        raise SymcheckError("no integral of one wave to infinity")
+    base, u = sympy.powsimp(sympy.Mul(*(factor for factor in factors if factor not in waves))).as_base_exp()
+    a, power = waves[0].args[0].as_independent(x, as_Add=False)
+    place, v = power.as_base_exp()
+    u = sympy.Integer(0) if base == 1 else u
+    if base not in (1, x) or place != x or u.has(x) or v.has(x):
+        raise SymcheckError("no powers")
+    whole = low == MINUS_INFINITY
+    if whole and not (u.is_Integer and v.is_Integer and u >= 0 and v > 0 and u % 2 == v % 2 == 0):
+        raise SymcheckError("no even integrand")
+    sine, z = isinstance(waves[0], sympy.sin), sympy.cancel((u + 1) / v)
+    mean = sympy.pi / 2 if z == 0 and sine else sympy.gamma(z) * waves[0].func(sympy.pi * z / 2)
+    value = from_sympy(((2 if whole else 1) * c / v * a**-z * mean).subs(back))
+    c_, u_, a_, v_, z_ = (from_sympy(each.subs(back)) for each in (c, u, a, v, z))
+    inside = node("sin" if sine else "cos", node("*", a_, _raised(t, v_)))
+    needed = [node(">", a_, 0), node(">", v_, 0), node("<", -1 if sine else 0, z_), node("<", z_, 1)]
+    return value, node("*", c_, _raised(t, u_), inside), needed
+
+
+def _raised(t: str, power: Term) -> Term:
+    """A power, with a whole exponent as one of any number."""
+    if not isinstance(power, int):
+        return node("pow", t, power)
+    whole = node("^", t, abs(power)) if power else 1
+    return whole if power >= 0 else node("/", 1, whole)
 
 
 def _turned(body: Term, t: str, low: Term, high: Term) -> Known:
@@ -190,7 +277,16 @@ def _of_powers(body: Term, t: str, high: Term) -> Known:
     expr, x, back = _positive(body, t)
     values, forms, positive = list[Term](), list[Term](), list[Formula]()
     for addend in sympy.Add.make_args(sympy.expand(expr)):
-        c, u, a, v = (from_sympy(sympy.simplify(each).subs(back)) for each in _parts(addend, x))
+        parts = _parts(addend, x)
+        if parts[-1] != 0:
+            if high != INFINITY:
+                raise SymcheckError("no antiderivative in exponentials")
+            whole, form, needed = _of_both_powers(*parts, t, back)
+            values.append(whole)
+            forms.append(form)
+            positive += needed
+            continue
+        c, u, a, v = (from_sympy(sympy.simplify(each).subs(back)) for each in parts[:-1])
         rate, power = node("*", a, node("pow", t, v)), node("+", u, 1)
         forms.append(node("*", c, node("pow", t, u), node("exp", node("-", rate))))
         positive += [node(">", each, 0) for each in (a, v, power)]
@@ -208,6 +304,29 @@ def _of_powers(body: Term, t: str, high: Term) -> Known:
         raise SymcheckError("many addends")
     value, form = (each[0] if len(each) == 1 else node("+", *each) for each in (values, forms))
     return value, form, list(dict.fromkeys(positive))
+
+
+def _of_both_powers(
+    c: Expr, u: Expr, a: Expr, v: Expr, b: Expr, t: str, back: Mapping[Symbol, Symbol]
+) -> tuple[Term, Term, list[Formula]]:
+    """The same for c t^u exp(-a t^v - b t^-v) from 0 to infinity, where (u + 1)/v is half of an odd number."""
+    import sympy
+
+    w = sympy.cancel((u + 1) / v)
+    n = abs(w) - sympy.Rational(1, 2)
+    if not (n.is_Integer and n <= MOST):
+        raise SymcheckError("no elementary Bessel function")
+    z = 2 * sympy.sqrt(a * b)
+    terms = (
+        sympy.factorial(n + k) / (sympy.factorial(k) * sympy.factorial(n - k) * (2 * z) ** k) for k in range(int(n) + 1)
+    )
+    bessel = sympy.sqrt(sympy.pi / (2 * z)) * sympy.exp(-z) * sympy.Add(*terms)
+    value = sympy.powsimp(sympy.expand(sympy.powdenest(2 * c / v * (b / a) ** (w / 2) * bessel)))
+    whole, c_, u_, a_, v_, b_ = (from_sympy(each.subs(back)) for each in (value, c, u, a, v, b))
+    power = node("pow", t, v_)
+    rate = node("+", node("*", a_, power), node("/", b_, power))
+    form = node("*", c_, node("pow", t, u_), node("exp", node("-", rate)))
+    return whole, form, [node(">", each, 0) for each in (a_, v_, b_)]
 
 
 def _scaled(body: Term, t: str, high: Term, base: Term) -> Known | None:
@@ -230,22 +349,29 @@ def _scaled(body: Term, t: str, high: Term, base: Term) -> Known | None:
     return node("*", size, whole), substituted(form, {w: base}), [node(">", size, 0), same, *positive]
 
 
-def _parts(addend: Expr, x: Symbol) -> tuple[Expr, Expr, Expr, Expr]:
-    """(c, u, a, v) with c x^u exp(-a x^v)."""
+def _parts(addend: Expr, x: Symbol) -> tuple[Expr, Expr, Expr, Expr, Expr]:
+    """(c, u, a, v, b) with c x^u exp(-a x^v - b x^-v); a alone is not 0 where there is one exponential."""
     import sympy
 
     number, rest = addend.as_coeff_Mul()
     logarithm = sympy.expand(sympy.expand_log(sympy.log(rest), force=True))
-    c, u, exponent = sympy.Integer(0), sympy.Integer(0), sympy.Integer(0)
+    c, u = sympy.Integer(0), sympy.Integer(0)
+    rates: dict[Expr, Expr] = {}
     for part in sympy.Add.make_args(logarithm):
         if not part.has(x):
             c += part
         elif not (rate := part / sympy.log(x)).has(x):
             u += rate
         else:
-            exponent += part
-    a, power = sympy.powsimp(sympy.expand_power_base(exponent, force=True)).as_independent(x, as_Add=False)
-    base, v = power.as_base_exp()
-    if base != x or v.has(x):
-        raise SymcheckError("no exponential of a power")
-    return number * sympy.exp(c), u, -a, v
+            a, power = sympy.powsimp(sympy.expand_power_base(part, force=True)).as_independent(x, as_Add=False)
+            base, v = power.as_base_exp()
+            if base != x or v.has(x):
+                raise SymcheckError("no exponential of a power")
+            rates[v] = rates.get(v, 0) - a
+    if len(rates) == 1:
+        ((v, a),) = rates.items()
+        return number * sympy.exp(c), u, a, v, sympy.Integer(0)
+    if len(rates) == 2 and sympy.expand(sum(rates)) == 0:
+        v = next(v for v in rates if not v.could_extract_minus_sign())
+        return number * sympy.exp(c), u, sympy.factor(rates[v]), v, sympy.factor(rates[sympy.expand(-v)])
+    raise SymcheckError("no exponential of a power")

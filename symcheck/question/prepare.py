@@ -25,7 +25,7 @@ from symcheck.question.places import INDICES, is_at_one_place, is_one_place, run
 from symcheck.question.running import refuse_tied, refuse_tied_bodies, written_in_functions, written_under
 from symcheck.reading import Notation, Tree, algebraic, read, tex, to_latex
 from symcheck.reading.complex_letters import with_products_under_lines
-from symcheck.reading.differentials import differential, slope, total
+from symcheck.reading.differentials import Uneven, differential, slope, total
 from symcheck.reading.evidence import canonical, spelling, spellings
 from symcheck.reading.inference import SIZES, Inference, inferred
 from symcheck.reading.lexer import SPACES
@@ -66,6 +66,18 @@ PAIR = re.compile(
 )
 # a double sign that is no label
 _SIGNS = re.compile(r"(?<!_)(?<!_\{)\\(pm|mp)(?![A-Za-z])\s*")
+# what the prime of a function of several letters is: f'(x, a) = \partial f/\partial x
+_PRIME_SAID = re.compile(
+    r"^(?P<of>\\?[A-Za-z]+)'\((?P<at>[^()]*)\)="
+    r"(?P<slope>\\frac\{\\partial ?(?P=of)(?:\((?P=at)\))?\}\{\\partial ?(?P<by>\\?[A-Za-z]+)\})$"
+)
+# an entry of a matrix or vector at any place
+_ENTRY = re.compile(r"^(?P<of>\\[A-Za-z]+\{[A-Za-z]\}|[A-Za-z])_\{?(?P<row>[a-z])(?P<column>[a-z])?\}?$")
+# a subscript of single letters
+_BELOW = re.compile(r"_(?:\{[a-z]{1,3}\}|[a-z](?![A-Za-z]))")
+# a letter in a face of vectors
+_FACE = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec|mathrm)\s*\{([A-Za-z])\}")
+MOST_ENTRIES = 4  # rows and columns that are written out
 OTHERS = ((4,), (1,))  # sizes of vectors and matrices where none of the usual ones makes sense
 LONGEST = 20_000  # characters; the longest display of the corpora has a tenth of it
 VARIABLES = ("x", "t")  # usual ones, for all of whose values identities hold
@@ -191,6 +203,82 @@ def with_scopes(asked: Asked) -> Asked:
         return asked
     stated = to_latex(replace(tree, parts=rest) if len(rest) > 1 or tree.qualifiers else rest[0])
     return replace(asked, relation=stated, given=(*asked.given, *(to_latex(s) for s in scopes if isinstance(s, Chain))))
+
+
+def with_primes(asked: Asked) -> Asked:
+    """The question with partial derivatives for the primes of functions of several letters, where it is said so."""
+    for text in asked.where:
+        said = _PRIME_SAID.match(text)
+        if said is None or said["by"] not in said["at"].split(","):
+            continue
+        primed = re.compile(rf"(?<![A-Za-z\\]){re.escape(said['of'])}'\({re.escape(said['at'])}\)")
+        slope_ = said["slope"].replace("\\", r"\\")
+        rest = [each for each in asked.where if each != text]
+        relation, *where = [primed.sub(slope_, each) for each in (asked.relation, *rest)]
+        asked = replace(asked, relation=relation, where=tuple(where))
+    return asked
+
+
+def with_entries(asked: Asked) -> Asked:
+    r"""The question with matrices for their entries at any place, as `A_{jk} = x_j y_k`, where it is said how many.
+
+    The letters of the places stand in subscripts alone, and of no sum.
+    """
+    texts = (asked.relation, *asked.where)
+    faces = {x for text in texts for x in _FACE.findall(text)}  # may be the same vector as the plain letter, or not
+    known = {x: size for x, size in declared_sizes(asked).items() if x not in faces}
+    if not known:
+        return asked
+    relation, *where = [_with_entries(text, known) for text in texts]
+    return replace(asked, relation=relation, where=tuple(where))
+
+
+def _with_entries(equation: str, known: Mapping[str, tuple[int | str, int | str]]) -> str:
+    both = sides(equation)
+    head = _ENTRY.match(both[0]) if both else None
+    if head is None or both is None or head["of"] not in known:
+        return equation
+    places = [x for x in (head["row"], head["column"]) if x]
+    numbers = [n for n in known[head["of"]] if n != 1][: len(places)]
+    if len({*places}) < len(places) or len(numbers) < len(places) or not {*places} <= INDICES:
+        return equation
+    if any(not isinstance(n, int) or n > MOST_ENTRIES for n in numbers) or head["of"] in both[1]:
+        return equation
+    below = [match[0] for match in _BELOW.finditer(both[1])]
+    beside = _BELOW.sub("", both[1])
+    if not below or any(re.search(rf"(?<![A-Za-z\\]){x}(?![A-Za-z])", beside) for x in places):
+        return equation
+
+    def at(*place: int) -> str:
+        by = dict(zip(places, map(str, place), strict=True))
+        return _BELOW.sub(lambda match: "".join(by.get(c, c) for c in match[0]), both[1])
+
+    rows, columns = (range(1, int(n) + 1) for n in (*numbers, 1)[:2])
+    entries = [[at(*(j, k)[: len(places)]) for k in columns] for j in rows]
+    written = r"\\".join("&".join(row) for row in entries)
+    return rf"{head['of']}=\begin{{pmatrix}}{written}\end{{pmatrix}}"
+
+
+def with_differentials(asked: Asked) -> Asked:
+    r"""The question with letters for the differentials that are said to be some, where addends differ in their number.
+
+    Such a relation is about numbers, if it is about anything; elsewhere they are what all differentials are.
+    """
+    signs = [letter for letter, phrase in asked.letters if phrase == "differential" and letter.startswith("d")]
+    if not signs:
+        return asked
+    asked = replace(asked, letters=tuple(each for each in asked.letters if each[0] not in signs))
+    try:
+        readings(asked)
+    except Uneven:
+        for letter in (each for each in signs if each != "d"):
+            there = re.compile(rf"(?<![A-Za-z\\]){re.escape(letter)}(?![A-Za-z])")
+            name = f"d_{{{letter[1:]}}}".replace("\\", r"\\")
+            relation, *where = [there.sub(name, each) for each in (asked.relation, *asked.where)]
+            asked = replace(asked, relation=relation, where=tuple(where))
+    except SymcheckError:
+        pass
+    return asked
 
 
 def _is_scope(part: Tree) -> bool:

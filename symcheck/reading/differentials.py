@@ -27,6 +27,10 @@ from symcheck.reading.tree import (
 )
 
 
+class Uneven(SymcheckError):
+    """Addends differ in the number of their differentials."""
+
+
 def differential(x: str) -> str:
     """The variable for the differential of a variable."""
     return f"d_{x}"
@@ -47,15 +51,13 @@ def slope(term: Term, x: str) -> Term:
 
 
 def refuse_uneven(tree: Tree) -> None:
-    """SymcheckError where addends differ in the number of their differentials, or where these are multiplied."""
+    """Uneven where addends differ in the number of their differentials; NoForm where these are multiplied."""
     if not any(isinstance(part, Total) for _, part in walk(tree)):
         return
     members = tree.members if isinstance(tree, Chain) else (tree,)
     degrees = {degree(member) for member in members if member != Number("0")}
     if len(degrees) > 1:
-        raise SymcheckError(
-            f"{to_latex(tree)}: the sign of a differential, or a letter d? its sides differ in its number"
-        )
+        raise Uneven(f"{to_latex(tree)}: the sign of a differential, or a letter d? its sides differ in its number")
 
 
 def degree(tree: Tree) -> int:
@@ -83,4 +85,4 @@ def degree(tree: Tree) -> int:
             degrees = [degree(term) for term in terms if term != Number("0")]
             if len({*degrees}) == 1:
                 return degrees[0]
-    raise SymcheckError(f"{to_latex(tree)}: the sign of a differential, or a letter d? say what it is")
+    raise Uneven(f"{to_latex(tree)}: the sign of a differential, or a letter d? say what it is")

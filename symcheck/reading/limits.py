@@ -6,12 +6,16 @@ If D vanishes at a to the order k, N/D tends to L exactly if the derivatives of 
 from __future__ import annotations
 
 import re
-from typing import TypeGuard
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, TypeGuard
 
 from symcheck.core.calculus import letters, substituted
 from symcheck.core.terms import Formula, Node, Term, node
 from symcheck.core.verdicts import NoForm, SymcheckError
 from symcheck.reading.sympy_bridge import from_sympy, to_sympy
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
 
 # x \to a, from one side perhaps
 _TENDS = re.compile(r"^_\{\s*(.+?)\s*\\(?:to|rightarrow|longrightarrow)(?![A-Za-z])\s*(.+?)\s*\}$")
@@ -51,6 +55,11 @@ def equated(body: Term, x: str, place: Term | None, value: Term) -> list[Formula
 def limit(body: Term, x: str, place: Term | None) -> tuple[Term, list[Formula]]:
     """To what a term tends as a letter goes to a place, or to infinity, and that there is this limit."""
     if _is_power(body, x):
+        plain = _without_roots(body, x) if place is None else body
+        if x not in letters(plain):
+            return plain, []
+        if plain != body:
+            return limit(plain, x, place)
         base, exponent = body.outside
         inner, there = limit(node("*", exponent, node("log", base)), x, place)
         return node("exp", inner), there
@@ -66,6 +75,74 @@ def limit(body: Term, x: str, place: Term | None) -> tuple[Term, list[Formula]]:
 def _is_power(term: Term, x: str) -> TypeGuard[Node]:
     """Whether it is a power whose exponent moves: e to the exponent times the logarithm of its base."""
     return isinstance(term, Node) and term.tag == "pow" and x in letters(term.outside[1])
+
+
+def _without_roots(body: Term, x: str) -> Term:
+    """A root of growing order without what has a limit: of a power it is constant, of a polynomial it is 1."""
+    if not _is_power(body, x):
+        return body
+    import sympy
+
+    letter = sympy.Symbol(x, real=True)
+    base, exponent = body.outside
+    try:
+        order = sympy.cancel(to_sympy(exponent) * letter)
+        if not order.is_Rational or order == 0:
+            return body
+        kept, rest = list[Term](), list[Term]()
+        for inner, power, sized in _powers(base, 1, sized=False):
+            rate = sympy.cancel(to_sympy(power) / letter)
+            if not rate.is_Rational or rate == 0:
+                if sized and not (to_sympy(power).is_Rational and _grows(to_sympy(inner) ** 2, letter)):
+                    inner, sized = node("sqrt", node("^", inner, 2)), False
+                if not sized:
+                    rest.append(inner if power == 1 else node("pow", inner, power))
+                continue
+            number = to_sympy(inner)
+            if not (number.is_Rational and number.is_positive):
+                if not (sized or (rate.is_Integer and rate % 2 == 0)):
+                    return body
+                inner = node("sqrt", node("^", inner, 2))
+            steps = rate * order
+            kept.append(inner if steps == 1 else node("pow", inner, from_sympy(steps)))
+        left = _product(*rest)
+        if left != 1 and not _grows(to_sympy(left), letter):
+            kept.append(node("pow", left, exponent))
+    except (SymcheckError, *FAULTS):
+        return body
+    return _product(*kept)
+
+
+def _powers(term: Term, power: Term, *, sized: bool) -> Iterator[tuple[Term, Term, bool]]:
+    """The factors of a term as bases with exponents, and whether their absolute values are meant."""
+    match term:
+        case Node(tag="sqrt", outside=(Node(tag="^", outside=(inner, 2)),)):
+            yield from _powers(inner, power, sized=True)
+        case Node(tag="*", outside=factors):
+            for factor in factors:
+                yield from _powers(factor, power, sized=sized)
+        case Node(tag="/", outside=(top, bottom)):
+            yield from _powers(top, power, sized=sized)
+            yield from _powers(bottom, node("*", -1, power), sized=sized)
+        case Node(tag="pow", outside=(base, exponent)):
+            raised = exponent if power == 1 else node("*", power, exponent)
+            match base:
+                case Node(tag="sqrt", outside=(Node(tag="^", outside=(inner, 2)),)):
+                    yield inner, raised, True
+                case _:
+                    yield base, raised, sized
+        case _:
+            yield term, power, sized
+
+
+def _grows(expr: Expr, letter: Symbol) -> bool:
+    """Is it a rational function that is positive from some number on, as the quotient of its first coefficients is?"""
+    import sympy
+
+    if not (expr.has(letter) and expr.is_rational_function(letter)):
+        return False
+    top, bottom = (sympy.Poly(part, letter) for part in sympy.fraction(sympy.cancel(expr)))
+    return bool((top.LC() / bottom.LC()).is_positive)
 
 
 def turns(body: Term, x: str, at: Term) -> bool:

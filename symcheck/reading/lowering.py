@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import lru_cache, partial
@@ -1596,6 +1596,7 @@ class Lowering:
             name = body.function if isinstance(body, Call) else body
             letter = self.notation.find(name.letter, len(name.subscripts)) if isinstance(name, Name) else None
             own -= {letter.stem} if letter else set()
+        own -= self.of_argument(tree, by, own)
         if not own:
             return None
         alone = _alone(term, by, f"{by}_alone")
@@ -1610,6 +1611,15 @@ class Lowering:
             raise Unsaid(f"{to_latex(tree)}: is {min(own)} held constant, or not? write a total derivative, or what is")
         self.met = written  # what is defined stands in its definition
         return alone
+
+    def of_argument(self, tree: Tree, by: str, among: Collection[str]) -> set[str]:
+        """The functions that stand in what a function of the letter and of others is, and are none of its arguments."""
+        body = tree.body if isinstance(tree, Derivative) else tree
+        name = body.function if isinstance(body, Call) else body
+        own = self.defined.get(name.letter, ((), None))[0] if isinstance(name, Name) else ()
+        letters_ = [self.notation.find(x.letter, len(x.subscripts)) for x in own if isinstance(x, Name)]
+        stems = [letter.stem for letter in letters_ if letter is not None]
+        return {*among} - {*stems} if len(stems) > 1 and by in stems else set()
 
     def refuse_unsaid(self, term: Term, by: str, tree: Tree, *, held: bool = False) -> None:
         """SymcheckError where it is not said whether a letter depends on a variable; `held`: arguments are constant."""

@@ -8,12 +8,13 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, islice
+from math import isqrt
 from typing import Any
 
 from symcheck.checker.enclosures import between
-from symcheck.core.calculus import Unknown, domain, letters
+from symcheck.core.calculus import Unknown, domain, letters, nodes
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Node, Term, node
+from symcheck.core.terms import Connective, Formula, Node, Term, mapped, node
 from symcheck.proof.algebra.forms import number_term
 from symcheck.proof.algebra.knowledge import ORDERS, formulas_of, larger_first, ring_of, stated
 from symcheck.proof.algebra.polynomial import Unsupported, constant, subterms, unfold
@@ -39,6 +40,8 @@ TRIES_OF_MANY = (
     20  # a false statement about many letters fails nearly everywhere, or in a corner that is not met at random
 )
 CORNERS = 8  # points: where vectors are units and matrices turns, what is given mostly holds at one of the first few
+RATIONAL = ("+", "*", "-", "/", "^")
+ENTIRE = ("+", "*", "-", "^", "sin", "cos", "exp", "pi")  # what has a value for all numbers
 TRIES = 80  # points, each with a proof by digits, some seconds in all: the papers need 36
 
 
@@ -144,27 +147,81 @@ def refute_at_first(problem: Problem, points: Iterable[Mapping[str, Term]]) -> P
     definitions = dict(problem.definitions)
     hypotheses = tuple((name, tuple(unfold(f, definitions) for f in formulas)) for name, formulas in problem.hypotheses)
     plain = replace(problem, claim=unfold(problem.claim, definitions), definitions=(), hypotheses=hypotheses)
-    first = next((point for point in points if refute_at(plain, point) is not None), None)
-    return None if first is None else refute_at(problem, first)
+    for point in points:
+        if (found := refute_at(plain, point)) is not None:
+            return refute_at(problem, point) if definitions else found
+    return None
 
 
 def refute_at(problem: Problem, chosen: Mapping[str, Term]) -> Point | None:
     """The same at one point."""
     try:
         numbers = Numbers.of(problem, chosen)
-        if numbers is None or any(numbers.truth(f) is False for _, f in stated(problem) if not _is_long(f)):
+        if numbers is None:
             return None
-        if numbers.truth(problem.claim) is not False:
+        at = _There(numbers)
+        if any(at.truth(f) is False for _, f in stated(problem) if not _is_long(f)):
+            return None
+        if at.truth(problem.claim) is not False:
             return None
         sources = [source for source, _ in numbers.sources.values()]
         given = [(ref, f) for ref, f in stated(problem) if ref not in sources]
         conditions = domain(*(unfold(f, dict(problem.definitions)) for f in formulas_of(problem)))
-        if not all(numbers.closed(f) and _holds(f, numbers) for f in [*conditions, *(f for _, f in given)]):
+        if not all(numbers.closed(f) and _holds(at.formula(f), numbers) for f in [*conditions, *(f for _, f in given)]):
             return None
         values = {name: unfold(number, dict(problem.definitions)) for name, number in numbers.letters.items()}
         return Point(values, enclosed=tuple(_shown(problem.claim, numbers)))
     except (Unknown, Unsupported, RecursionError):
         return None
+
+
+class _There:
+    """Formulas at a point, with what is rational there worked out: of long ones little is left."""
+
+    def __init__(self, numbers: Numbers) -> None:
+        self.numbers, self.known = numbers, dict[Term, Term]()
+
+    def truth(self, formula: Formula) -> bool | None:
+        """Whether a formula is true there, by digits."""
+        return self.numbers.truth(self.formula(formula))
+
+    def formula(self, formula: Formula) -> Formula:
+        """A formula with numbers for its letters; one with bound letters as it is."""
+        if any(isinstance(part, Node) and part.bound for part in subterms(formula)):
+            return formula
+        if isinstance(formula, Connective):
+            return node(formula.tag, *map(self.formula, formula.formulas))
+        return node(formula.tag, *map(self.number, formula.outside))
+
+    def number(self, term: Term) -> Term:
+        """A term with numbers for its letters, those that are rational worked out, and products with zero.
+
+        What may have no value is left as it is.
+        """
+        if isinstance(term, int):
+            return term
+        if term not in self.known:
+            whole = mapped(term, self.number) if isinstance(term, Node) else self.numbers.number(term)
+            self.known[term] = _worked_out(whole) if isinstance(whole, Node) else whole
+        return self.known[term]
+
+
+def _worked_out(term: Node) -> Term:
+    new: Term = term
+    match term:
+        case Node(tag="*", outside=parts) if 0 in parts and all(part.tag in ENTIRE for part in nodes(term)):
+            return 0
+        case Node(tag="+" | "*" as tag, outside=parts) if (unit := int(tag == "*")) in parts:
+            rest = [part for part in parts if part != unit]
+            new = node(tag, *rest) if len(rest) > 1 else rest[0] if rest else unit
+        case Node(tag="/", outside=(top, 1)):
+            return top
+        case Node(tag="sqrt", outside=(int(square),)) if square >= 0 and isqrt(square) ** 2 == square:
+            return isqrt(square)
+    if isinstance(new, Node) and new.tag in RATIONAL:
+        with suppress(Unsupported):
+            return number_term(constant(new))
+    return new
 
 
 def _is_long(formula: Formula) -> bool:
