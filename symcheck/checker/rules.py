@@ -81,7 +81,7 @@ class Prover:
             nonzero = [value for value in self.algebra.divisors if value not in around]
         self.prove(goal, proof)
         met, self.algebra.divisors = self.algebra.divisors, self.around.pop()
-        cleared = {*nonzero, *(value for value, term in met.items() if self.is_known(value, term))}
+        cleared = {*nonzero, *(v for v, term in met.items() if self.is_known(v) or self.sign(term or 0) == 2)}
         around.update({value: term for value, term in met.items() if value not in cleared and not around.get(value)})
         self.facts, self.depth = facts, depth
 
@@ -322,21 +322,18 @@ class Prover:
         """No denominator that was met may be zero."""
         for divisor, term in [*self.algebra.divisors.items()]:
             if term is None or not exact(term):
-                shown = self.is_known(divisor, term) or divisor in self.nonzero or self.sign(term or 0) == 2
+                shown = self.is_known(divisor) or divisor in self.nonzero or self.sign(term or 0) == 2
                 shown = shown or self.not_zero_at_point(term or 0)
                 shown = shown or (term is not None and rational(divisor) is not None)  # the same number everywhere
                 require(shown, "a denominator may be zero: {}", term or "under a binder")
 
-    def is_known(self, divisor: int, term: Term | None = None) -> bool:
-        """Whether a fact that is in force says that a value is not zero, or is the root of what is positive."""
+    def is_known(self, divisor: int) -> bool:
+        """Whether a fact that is in force says that a value is not zero."""
         known = [(name, gap) for name, (formula, gap) in self.facts.items() if gap and formula.tag in ("!=", *STRICT)]
         by = next((name for name, gap in known if gap == divisor), None)
         if by is None and known and divisor:
             below = inverse(divisor)
             by = next((name for name, gap in known if rational(gap * below)), None)
-        if by is None and isinstance(term, Value) and term.tag == "sqrt":
-            inner = self.value(term.terms[0]) % PRIME
-            by = next((n for n, (fact, gap) in self.facts.items() if gap == inner and fact.tag in STRICT), None)
         self.used |= {by} if by else set()
         return by is not None
 
