@@ -39,6 +39,7 @@ def test_probabilities_of_events_are_decided(relation: str, given: tuple[str, ..
     [
         (r"P(A \cup B) = P(A) + P(B)", "ambiguous", "A, B exclude one another"),
         (r"P(A \cap B) = P(A) P(B)", "ambiguous", "A, B are independent"),
+        (r"P(A|B) = P(B|A)", "ambiguous", "A, B are equally likely"),
         (r"P(A|B) = \frac{3}{10}", "undecided", "an equation or a condition"),
         (r"P(A \cup B) = p", "undecided", "definition"),
         (r"P(x|y) = P(y|x)", "undecided", "no algebraic form"),

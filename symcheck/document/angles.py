@@ -13,7 +13,9 @@ from symcheck.question.prepare import VARIABLES
 from symcheck.reading.parser import ANGLES, OFTEN_ANGLES
 
 OPEN_ARGUMENT = "belong to the argument of"  # in the reason why something is not read
+# a function of angles or of real numbers
 _FUNCTION = re.compile(r"\\(?:(?:arc)?(?:sin|cos|tan)|(?:cot|sec|csc)|(?:sin|cos|tan|cot)h)")
+# one letter
 _LETTER = re.compile(
     r"[A-Za-z]|\\(?:ell|alpha|beta|gamma|delta|(?:var)?(?:epsilon|theta|rho|sigma|phi)|zeta|eta|kappa|lambda|mu|nu|xi|"
     r"tau|chi|psi|omega|Omega|Theta|Phi|Psi)"

@@ -27,7 +27,10 @@ def with_sums_of_powers(asked: Asked) -> Asked | None:
         sums = [part for tree in trees for part in nodes(tree) if isinstance(part, BigSum)]
         taken = {token for text in (asked.relation, *asked.where, *asked.given) for token in tex.texts(text)}
         named = Named(next(x for x in LETTERS if x not in taken))
-        (count,) = {_count(each) for each in sums}
+        counts = {_count(each) for each in sums}
+        if len(counts) != 1:
+            return None
+        (count,) = counts
         relation, *others = (to_latex(_put(tree, count, named)) for tree in trees)
         where, given = tuple(others[: len(asked.where)]), others[len(asked.where) :]
         conditions = (f"{to_latex(count)} > 0", *(rf"{name} \ge 0" for _, name in named.even()))

@@ -73,6 +73,8 @@ _BASIS = re.compile(
     r"(?:\\(?:hat|widehat)\{)?\\(?:mathbf|boldsymbol|bm|pmb|vec)\{(?:\\?[ijk](?:math)?|e(?=\}+_))\}+(?:_\{?\w\}?)?"
 )
 _TYPED = re.compile(r"\\text\{([A-Za-z])\d+\}")  # a letter with digits behind it on the line: "v1"
+# letters that mostly are complex numbers
+_COMPLEX = frozenset({"z", "w", r"\zeta"})
 _BARRED = re.compile(r"\\(?:bar|overline)\{")  # a letter with a line above it
 _SKEW = re.compile(r"\[\\(?:tilde|widetilde)|\\lfloor")  # a matrix that is often made of a vector
 # an expectation or transform before a bracket: "\mathbb{E}[x]", "E(x)"
@@ -288,6 +290,8 @@ def doubt_of_proofs(reading: Reading) -> str:
             if reading.source[2][part.letter][1]:
                 continue  # a function of one letter
             return f"the prime of {part.letter}: a derivative, by which letter? or another letter? say what it is"
+    if inference.remote and any(_may_be_mean(part) for _, part in walk(reading.tree)):
+        return "is the line above a power or product its conjugate, or a mean? say whether its letters are complex"
     begun = any(re.search(r"\b[EP]\[\d", text) for text in asked.where)  # a sequence with its first values
     if not begun and (applied := _APPLIED.search(asked.relation)) and applied[1] in factors - said:
         return f"{applied[1]} before square brackets: a factor, or an expectation or a transform of what is in them?"
@@ -389,6 +393,12 @@ def with_arguments_above(tree: Tree) -> Tree:
     """The same with arguments of complex numbers in [0, 2 pi), as some have them."""
     new = with_children(tree, tuple(map(with_arguments_above, children(tree))))
     return replace(new, function=ABOVE) if isinstance(new, Call) and new.function in ("arg", "Arg") else new
+
+
+def _may_be_mean(tree: Tree) -> bool:
+    """Is there a line above something of other letters than those that are usual for complex numbers?"""
+    overlined = isinstance(tree, Call) and tree.function == "overlined"
+    return overlined and any(isinstance(x, Name) and x.letter.partition("_")[0] not in _COMPLEX for _, x in walk(tree))
 
 
 def is_overlined(tree: Tree) -> bool:

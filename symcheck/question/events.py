@@ -83,6 +83,11 @@ class Cases:
         sides = ((self.sum(_all([*map(_is, case)])), Mul(tuple(each[x] for x in sorted(case)))) for case in several)
         return tuple(to_latex(Chain(pair, ("=",))) for pair in sides)
 
+    def equal(self) -> tuple[str, ...]:
+        """That the events are equally likely."""
+        first, *others = (self.sum(_is(x)) for x in self.events)
+        return tuple(to_latex(Chain((first, other), ("=",))) for other in others)
+
     def put(self, tree: Tree) -> Tree:
         """The same with shares of the outcomes for probabilities."""
         if isinstance(tree, Call) and _is_probability(tree):
@@ -131,6 +136,8 @@ class Found:
         The events.
     joint
         Whether several of them are said to take place together, as nobody does of those that exclude one another.
+    single
+        Whether the probability of one of them alone is printed, as nobody does of several that are equally likely.
     law
         Whether all sides are made of probabilities alone, or something is given: others say what probabilities are.
     """
@@ -138,12 +145,14 @@ class Found:
     asked: Asked
     cases: Cases
     joint: bool
+    single: bool
     law: bool
 
     def stricter(self) -> Iterator[tuple[str, Asked]]:
         """The same of events that authors may mean without saying so, with what is to be said then."""
         ways = [("are independent", self.cases.independent())]
         ways += [] if self.joint else [("exclude one another", self.cases.exclusive())]
+        ways += [] if self.single else [("are equally likely", self.cases.equal())]
         for how, more in ways:
             yield f"{', '.join(self.cases.events)} {how}", replace(self.asked, given=(*self.asked.given, *more))
 
@@ -167,7 +176,8 @@ def in_cases(asked: Asked) -> Found | None:
         where, given = others[: len(asked.where)], others[len(asked.where) :]
         kept = tuple((x, phrase) for x, phrase in asked.letters if x not in {*events, *SIGNS})
         joint, law = any(map(_is_joint, calls[0])), _is_law(reading.tree) or any(calls[1:])
-        return Found(Asked(relation, tuple(where), (*given, *cases.conditions()), kept), cases, joint, law)
+        single = any(len(call.arguments) == 1 and isinstance(call.arguments[0], Name) for call in calls[0])
+        return Found(Asked(relation, tuple(where), (*given, *cases.conditions()), kept), cases, joint, single, law)
     return None
 
 

@@ -40,6 +40,7 @@ LETTERS = ("m", "k", "w", "u", "v")
 MOST = 3  # random variables: independent ones have 2^n pairs of values
 # what may be expected, or vary
 _SIGN = re.compile(r"(?<![A-Za-z])E(?![A-Za-z])|(?<![A-Za-z])[VvCc](?:ar|ov)(?![A-Za-z])|\\mathbb\s*\{?V")
+# a capital, as random variables mostly are
 _RANDOM = re.compile(r"[A-Z](?:_(?:\w|\{\w+\}))?")
 Moments = Callable[[Monomial], Tree]
 

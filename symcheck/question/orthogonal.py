@@ -13,6 +13,8 @@ from symcheck.reading import tex
 _DELTA = re.compile(r"\\delta_\{([i-np-s]),?([i-np-s])\}(?!\d)")
 # what a definition says of a letter with an index
 _HEAD = re.compile(r"(\\?[A-Za-z]+)_\{?([i-np-s])\}?(?![A-Za-z])")
+# an index of an entry, over which there may be a sum, and of no function
+_ENTRY = re.compile(r"_\{[i-np-s]+\}(?!\()|_[i-np-s](?!\()")
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,8 @@ def in_cases(asked: Asked) -> Cases | None:
     (match,) = found.values()
     m, n = match.groups()
     rest = _DELTA.sub("1", asked.relation)
-    if m == n or not (_has(rest, m) and _has(rest, n)):
+    told = _ENTRY.sub("", rest)
+    if m == n or not (_has(rest, m) and _has(rest, n)) or not (_has(told, m) or _has(told, n)):
         return None
     asked = with_instances(asked)
     given = dict.fromkeys(_renamed(text, n, m) for text in asked.given if not _has(text, m) or not _has(text, n))

@@ -34,9 +34,9 @@ def with_half_turns(problem: Problem, names: Iterable[str]) -> Problem | None:
 def _positive(problem: Problem) -> Iterator[Formula]:
     """Of numbers that are not negative, those from 1 on are positive, and so is the sum of two different ones."""
     stated = {formula for _, formulas in problem.hypotheses for each in formulas for formula in conjuncts(each)}
-    lowest = {x: low for formula in stated for x, low in _low(formula)}
-    yield from (node(">", x, 0) for x, low in sorted(lowest.items()) if low > 0)
-    for x, y in combinations(sorted(lowest), 2):
+    lowest = dict(sorted(pair for formula in stated for pair in _low(formula)))  # the greatest of several
+    yield from (node(">", x, 0) for x, low in lowest.items() if low > 0)
+    for x, y in combinations(lowest, 2):
         if {node("!=", x, y), node("!=", y, x)} & stated:
             yield node(">", node("+", x, y), 0)
 

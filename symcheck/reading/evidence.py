@@ -330,6 +330,7 @@ _RATE_OF_FIELD = re.compile(r"(?<![A-Za-z\\])([A-Za-z]|\\[a-z]+) _ (?:t(?![A-Za-
 _SLOPES = re.compile(r"(\\(?:phi|psi|Phi|Psi)) _ (?:\{ )?([xyzrt]|\\theta)(?: \}|(?! [,\w]))")
 # letters with a line below them, and what shows that they are vectors
 _LINED = re.compile(r"(\\underline \{ (?:\w|\\[A-Za-z]+)(?: \{ (?:\w|\\[a-z]+) \})? \})")
+# what stands beside vectors and tensors alone
 _OF_FIELDS = re.compile(
     r"\\underline \{ \\underline|\\(?:nabla|cdot|times|otimes|vec)(?![a-z])|\{ (?:d i v|r o t|g r a d) "
 )

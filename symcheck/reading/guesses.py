@@ -200,6 +200,7 @@ def _raises_quotient(place: Occurrence) -> bool:
     return alone and place.word in _TYPICAL and any(map(_QUOTIENT.fullmatch, place.arguments or ()))
 
 
+# a fraction without a sum in it
 _QUOTIENT = re.compile(r"\\[dt]?frac \{ [^+-]* \}")
 
 
@@ -386,6 +387,7 @@ def _in_kronecker_product(of: Evidence) -> bool:
     return of.spelling.isupper() and any(r"\otimes" in (place.before, place.after) for place in of.places)
 
 
+# accents above a letter
 _ACCENTED = re.compile(r"^(?:\\(?:bar|overline|hat|widehat|tilde|widetilde|check|breve)\{)+")
 _NAMED = re.compile(r"\\text\{(?:\w\w|[A-Z]\}_)")  # several upright letters, or one with an index
 NORMED = "a vector, or a number? say what it is"
@@ -918,6 +920,7 @@ def _of_vectors(of: Evidence, simple: Sequence[str]) -> Iterator[Guess]:
         yield Guess(_letter(of, kind="function", depends=depends, size=size), told, "it stands before its arguments")
 
 
+# a bold k
 _WAVE_VECTOR = re.compile(r"(?:\\hat\{)?\\(?:mathbf|boldsymbol|bm|vec)\{k\}+(?:_.*)?")
 _FIELDS = re.compile(r"\\(?:mathbf|boldsymbol|bm|vec)\{([EBHD])\}(?:_.*)?")  # letters of fields
 

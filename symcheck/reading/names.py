@@ -736,6 +736,7 @@ def _dimensionless(formula: str, said: Mapping[str, str]) -> dict[str, str]:
 _WITHIN = r"(?! ?(?:[\^_,)]|\\right))(?:(?!\||\\\||\\langle|\\rangle|[=&]|\\\\).)+"
 # products of states, perhaps with an operator between them, and states alone
 _PRODUCT_OF_STATES = re.compile(rf"\\langle {_WITHIN}(?:\|{_WITHIN})+\\rangle")
+# a state alone, at the right or at the left
 _STATE = re.compile(rf"\|{_WITHIN}\\rangle|\\langle {_WITHIN}\|")
 
 

@@ -41,6 +41,7 @@ _CHANGED = re.compile(
     rf"- \1 \^ (?:\{{ )?\2(?: - {_NUMBER})?(?: \}})? \}} "
     r"\{ (?:\\Delta|\\delta|h|k|\\tau)(?![A-Za-z])"
 )
+# a sum or product from 1 on, with its Greek index and its body
 _SUMMED_GREEK = re.compile(
     r"\\(?:sum|prod) _ \{ (\\[a-z]+) = 1 \} \^ (?:\S+|\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}) "
     r"((?:(?!\\\\|\\q?quad| = |\\sum|\\prod).)*)"

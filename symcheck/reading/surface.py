@@ -707,6 +707,7 @@ def _texts(parts: Sequence[Part]) -> Iterator[str]:
 
 
 _OPTIONS = re.compile(r"\[\s*[a-z]{3,}=[^\]]*\]\s*(?=\{)")  # of a command that is not there any more
+# a fraction in upright or bold digits
 _UPRIGHT_NUMBER = re.compile(r"\\(?:mathrm|mathbf|rm)\s*\{\s*(\d+\s*/\s*\d+)\s*\}")
 _SYMBOLS = re.compile(r"\\mbox\s*\{\s*\\boldmath\s*\$([^$]*)\$\s*\}")  # a bold letter in text
 # words, perhaps with formulas among them

@@ -13,16 +13,23 @@ _INDICES = rf"({_RUN}|\{{ {_RUN}(?: (?:, )?{_RUN})* \}})"
 _SYMBOL = r"([A-Za-z]|\\(?!frac|sqrt|left|right|sum|prod)[a-z]+(?: \{ (?:\w|\\[a-z]+) \})?)"
 # two factors with indices, the second one perhaps before its argument
 _PAIR = re.compile(rf"(?<![A-Za-z\\]){_SYMBOL} _ {_INDICES} (?=(?:\\[,;:!] )*{_SYMBOL} _ {_INDICES})")
+# both sides of an equation
 _EQUATION = re.compile(r"(?:^|& |\\\\ |quad )((?:(?!\\\\|quad|=).)*?) (?:& )?= (?:& )?((?:(?!\\\\|quad|=).)*)")
+# what says what is summed over
 _SUM = re.compile(r"\\(?:sum|prod|int)(?![a-z])")
+# indices below a letter
 _BELOW = re.compile(rf"_ {_INDICES}")
 # indices of tensors, which hardly name what stands above them as x, y and s do
 _SUMMED = frozenset("ijklmn") | {rf"\{x}" for x in ("alpha", "beta", "kappa", "lambda", "mu", "nu", "rho", "sigma")}
 _TOLD = "summed over {}, or not? write \\sum, or say what the letters are"
 _MOST = 3  # indices of one letter
 _LOW = r"(?: _ (?:\w|\{[^{}]*\}))?"
+# a capital with a dagger
 _ADJOINT = re.compile(r"(?<![A-Za-z\\])([A-Z])(?: _ (?:\w|\{[^{}]*\}))? \^ (?:\{ \\dagger \}|\\dagger)")
+# two capitals side by side
 _CAPITALS = re.compile(r"(?<![A-Za-z\\])[A-Z](?: _ (?:\w|\{[^{}]*\}))? (?:\\[,;:!] )*[A-Z](?![A-Za-z])")
+# a capital
+_CAPITAL = re.compile(r"(?<![A-Za-z\\])[A-Z](?![A-Za-z])")
 # an inverse between capitals, which a number would not be printed between
 _BETWEEN = re.compile(
     rf"(?<![A-Za-z\\])[A-Z]{_LOW} (?:\\[,;:!] )*[A-Z]{_LOW} \^ \{{ - 1 \}} (?:\\[,;:!] )*[A-Z](?![A-Za-z])"
@@ -31,6 +38,7 @@ _BETWEEN = re.compile(
 _OF_MATRICES = re.compile(r"\^ (?:T|\{ (?:- )?(?:T|\\top) \}|\\top)|m a t r i x|\\(?:mathbf|boldsymbol|bm) ")
 # inverses of capitals, and a capital beside one
 _INVERSE = re.compile(r"(?<![A-Za-z\\])([A-Z](?: _ (?:\w|\{[^{}]*\}))?) \^ \{ - 1 \}")
+# two inverses side by side
 _INVERSE_PAIR = re.compile(r"\^ \{ - 1 \} (?:\\[,;:!] )*[A-Z](?: _ (?:\w|\{[^{}]*\}))? \^ \{ - 1 \}")
 # an identity of so many rows as an entry
 _BLOCK = re.compile(
@@ -38,14 +46,22 @@ _BLOCK = re.compile(
 )
 
 
+# a letter with indices before a second derivative by letters with indices
 _DERIVED = re.compile(
     rf"_ {_INDICES} (?:(?!\\partial|[-+=]).)*\\partial (?:(?![-+=]).)*\\partial (?:[A-Za-z]|\\[a-z]+) _ {_INDICES}"
 )
+# a letter with the same index twice
 _TRACE = re.compile(rf"{_SYMBOL} _ \{{ ([i-n]) \2 \}}")
 
 
 def _runs(below: str) -> set[str]:
     return {text for text in below.split() if text not in "{},"}
+
+
+def _is_law(text: str) -> bool:
+    """Do the same capitals stand on both sides, so that it says nothing of what they are?"""
+    sides = [{*_CAPITAL.findall(side)} - {"I", "T"} for side in text.split(" = ")]
+    return len(sides) == 2 and sides[0] == sides[1]
 
 
 def unsaid_products(text: str) -> Iterator[tuple[str, str]]:
@@ -77,7 +93,8 @@ def unsaid_products(text: str) -> Iterator[tuple[str, str]]:
         yield from ((letter, "numbers, or matrices? say what they are") for letter in _ADJOINT.findall(text))
     inverse = {*_INVERSE.findall(text)} if "- 1 }" in text else set()
     between = bool(inverse) and _BETWEEN.search(text) is not None
-    if (between or len(inverse) > 1) and not _OF_MATRICES.search(text) and (between or _INVERSE_PAIR.search(text)):
+    paired = between or (len(inverse) > 1 and _INVERSE_PAIR.search(text))
+    if paired and not _OF_MATRICES.search(text) and not _is_law(text):
         yield from ((letter, "numbers, or matrices? say what they are") for letter in sorted(inverse))
     if "I _ " in text:
         yield from ((letter, "a block, or a number? say what it is") for letter in _BLOCK.findall(text))
