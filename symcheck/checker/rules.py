@@ -141,9 +141,9 @@ class Prover:
         match term:
             case Value(tag="^", terms=(base, int(n))) if n > 0 and n % 2 == 0:
                 level = 1 + self.is_known(self.value(base))
-            case Value(tag="sqrt", terms=(inner,)) if self.sign(inner) == 2:
-                return 2
-        value = self.value(term) if level < 2 else 0
+            case Value(tag="sqrt", terms=(inner,)) if known := self.sign(inner):
+                level = known if known == 2 else 2 * self.is_known(self.value(inner) % PRIME)
+        value = self.value(term) % PRIME if level < 2 else 0
         if level < 2 and exact(term) and (number := rational(value)) and number[0] >= 0:
             return 1 + (number[0] > 0)
         if level:
