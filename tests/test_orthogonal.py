@@ -18,7 +18,7 @@ SINES = r"\int_0^\pi \sin mx \sin nx\,dx"
         (rf"{SINES} = \frac{{\pi}}{{2}} \delta_{{mn}}", (), FROM_ONE, "proved"),
         (rf"{SINES} = \pi \delta_{{mn}}", (), FROM_ONE, "refuted"),
         (rf"{SINES} = \frac{{\pi}}{{2}} \delta_{{mn}}", (), r"m, n \in \mathbb{Z}", "ambiguous"),  # 0 for m = n = 0
-        (r"\delta_{mn} a_n = a_m", (), (), "ambiguous"),  # summed over n, or not
+        (r"\delta_{mn} a_n = a_m", (), (), "proved"),  # summed over n
     ],
 )
 def test_both_cases_of_the_delta_are_decided(relation: str, where: str, given: str, verdict: str) -> None:
