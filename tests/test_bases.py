@@ -41,6 +41,7 @@ POSITIVE = r"\beta > 0, \hbar > 0, \omega > 0"
         (r"Z = \frac{1}{2 \sinh(\beta \hbar \omega/2)}", LEVELS, POSITIVE, "proved"),
         (r"Z = \frac{1}{1 - e^{-xy}}", r"Z = \sum_{n=0}^{\infty} e^{-xyn}", "x > 0, y > 0", "proved"),
         (r"Z = \frac{1}{1 - e^{-xy}}", r"Z = \sum_{n=0}^{\infty} e^{-xyn}", "x > 0, y < 0", "undecided"),  # it diverges
+        (r"\sum_{n=0}^1 y e^{xyn} = y + e^{xy} y", (), (), "proved"),
     ],
 )
 def test_sums_of_exponentials_of_products_are_decided(relation: str, where: str, given: str, verdict: str) -> None:

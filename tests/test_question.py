@@ -1047,6 +1047,7 @@ WAVES = (
         (r"\frac{\partial\rho}{\partial t} = -\nabla\cdot\mathbf{J}", (), "undecided"),
         (r"\nabla\cdot\mathbf{J} = 0", (r"\nabla\times\mathbf{H} = \mathbf{J}",), "proved"),
         (r"\nabla\cdot\mathbf{v} = 0", (r"\nabla\cdot\mathbf{v} = \nabla\cdot\mathbf{u}",), "undecided"),
+        (r"\nabla\phi = x \nabla\psi + \nabla\phi", ("x^2 + y^2 = R^2",), "ambiguous"),  # on a surface alone
         (r"\nabla^2\mathbf{E} = \mu\epsilon\frac{\partial^2\mathbf{E}}{\partial t^2}", WAVES, "proved"),
         (r"\nabla^2\mathbf{E} = -\mu\epsilon\frac{\partial^2\mathbf{E}}{\partial t^2}", WAVES, "undecided"),
     ],

@@ -61,7 +61,7 @@ def with_base(problem: Problem) -> Based | None:
             claim, known = base.put(problem.claim), base.times <= positive
             given = [(label, [base.ordered(base.put(f), known=known) for f in fs]) for label, fs in problem.hypotheses]
             kept = tuple((label, tuple(f for f in fs if t not in letters(f))) for label, fs in given)
-            whole = all(t not in letters(f) for _, fs in given for f in fs)
+            whole = known and all(t not in letters(f) for _, fs in given for f in fs)  # e^0 alone may be all it is
             hypotheses = (*((label, fs) for label, fs in kept if fs), (BASE, (node(">", base.name, 0),)))
             if t not in letters(claim):
                 return Based(replace(problem, claim=claim, hypotheses=hypotheses), base.name, base.exponent, whole)

@@ -18,7 +18,8 @@ from itertools import chain, combinations, pairwise, product
 from symcheck.core.calculus import domain, functions, letters
 from symcheck.core.certificates import Certificate
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Formula, Term, node
+from symcheck.core.terms import Binder, Formula, Node, Term, node
+from symcheck.core.terms import Call as Applied
 from symcheck.core.verdicts import NoForm, SymcheckError, Verdict
 from symcheck.core.words import term
 from symcheck.question.answer import Answer, Status
@@ -60,10 +61,8 @@ def in_fields(asked: Asked, decide: Decide) -> Answer | None:
         if verdict is not Status.PROVED and stated.hypotheses:  # equations between fields hold everywhere
             more = _verdict(stated.differentiated().problems(), decide)
             verdict, made, names = more if more[0] is Status.PROVED else (verdict, made, names)
-        texts = [*(right for _, _, right in reading.source[2].values()), *reading.source[3], *reading.source[4]]
-        said = [read(text, reading.inference.notation) for text in texts]
         perhaps = stated.fields - varying  # what stands alone under an operator varies, and what is defined as it says
-        perhaps = perhaps.difference(reading.source[2], *map(_alone, (reading.tree, *said)))
+        perhaps = perhaps.difference(reading.source[2], *map(_alone, (reading.tree, *_said(reading).values())))
         others = [_Stated.of(reading, each) for each in _fewer(stated.fields, perhaps) if verdict is not Status.PROVED]
         answers = [_verdict(each.problems(), decide)[0] for each in others]
     except SymcheckError:
@@ -152,11 +151,8 @@ def _is_name(tree: Tree) -> bool:
 
 def _under_operators(reading: Reading) -> frozenset[str]:
     """The letters that are differentiated, and those that say what these are."""
-    notation, (_, _, defined, *others) = reading.inference.notation, reading.source
-    said = {name: read(right, notation) for name, (_, _, right) in defined.items()}
-    given = [read(text, notation) for texts in others for text in texts]
-    found = set[str]()
-    for part in (part for tree in (reading.tree, *said.values(), *given) for part in nodes(tree)):
+    said, found = _said(reading), set[str]()
+    for part in (part for tree in (reading.tree, *said.values()) for part in nodes(tree)):
         if isinstance(part, Call) and part.function in OPERATORS:
             found |= {each.letter for argument in part.arguments for each in nodes(argument) if isinstance(each, Name)}
         elif isinstance(part, Derivative):
@@ -174,6 +170,13 @@ def _under_operators(reading: Reading) -> frozenset[str]:
     bare -= raised - _alone(reading.tree)  # an exponent is a number, unless it is differentiated itself
     bare -= {name.removeprefix(NABLA).replace(" ", "") for name in _applied(reading.tree)}
     return frozenset(x for x in bare if _bold(x) != POSITION)
+
+
+def _said(reading: Reading) -> dict[str, Tree]:
+    """What is said beside a relation: what letters are, by these letters, and equations and conditions."""
+    _, _, defined, equations, conditions = reading.source
+    texts = {name: right for name, (_, _, right) in defined.items()} | {x: x for x in (*equations, *conditions)}
+    return {name: read(text, reading.inference.notation) for name, text in texts.items()}
 
 
 def _bold(latex: str) -> str:
@@ -235,10 +238,10 @@ class _Stated:
         return [Problem(f"question{n or ''}", claim, (), hypotheses) for n, claim in enumerate(self.claims)]
 
     def differentiated(self) -> _Stated:
-        """The same with the derivatives of the equations that are given."""
+        """The same with the derivatives of the equations between fields that are given; others may be of a surface."""
         variables = _Fields(self.reading, self.fields, COORDINATES).variables_
         hypotheses = [
-            (text, (*formulas, *(_rate(each, x) for each in formulas for x in variables if each.tag == "=")))
+            (text, (*formulas, *(_rate(each, x) for each in formulas for x in variables if _is_of_fields(each))))
             for text, formulas in self.hypotheses
         ]
         return replace(self, hypotheses=tuple(hypotheses))
@@ -445,6 +448,20 @@ def _joined(factors: tuple[Tree, ...]) -> Tree:
 def _stem(latex: str) -> str:
     """The letter without its type, as a name."""
     return "_".join(re.findall(r"[A-Za-z0-9]+", _bold(latex) or latex))
+
+
+def _is_of_fields(formula: Formula) -> bool:
+    """Is it an equation between fields, in which no coordinate stands alone?"""
+    return formula.tag == "=" and bool(functions(formula)) and not _has_coordinate(formula)
+
+
+def _has_coordinate(tree: Term) -> bool:
+    """Does a coordinate stand elsewhere than behind a field, and below a derivative?"""
+    if isinstance(tree, Binder) and tree.tag == "diff":
+        return _has_coordinate(tree.body)
+    if isinstance(tree, Node):
+        return not isinstance(tree, Applied) and any(map(_has_coordinate, tree.outside))
+    return tree in (*COORDINATES, TIME)
 
 
 def _rate(equation: Formula, by: str) -> Formula:
