@@ -248,6 +248,11 @@ def answered(
     return answer
 
 
+def _answer_to(one: Asked, *, wanted: bool = False, claimed: bool = False) -> Answer:
+    """The answer to a question that another one was made into."""
+    return answered(one.relation, one.where, one.given, dict(one.letters), wanted=wanted, claimed=claimed)
+
+
 # what an equation says a function of a known name is
 _SAID_OF_KNOWN = re.compile(r"\s*(\\operatorname\s*\{\s*erfc?\s*\}|\\Gamma|\\zeta)\s*(?:\\left\s*)?\([^()=]*\)\s*=")
 
@@ -324,16 +329,14 @@ def _answered(
         return Answer(Status.UNDECIDED, reason=reason, seconds=time.perf_counter() - started)
     open_ = all(answer.verdict is Status.UNDECIDED for _, answer in found)
     if open_ and found and asked and (ended := with_whole_ends(asked)) is not None:
-        at_whole = answered(ended.relation, ended.where, ended.given, dict(ended.letters), wanted=False)
+        at_whole = _answer_to(ended)
         if at_whole.verdict is Status.PROVED:
             ends = dict.fromkeys((text.split()[0] for text in ended.given[len(asked.given) :]), UP_TO)
             taken = at_whole.letters | {x: ends.get(x, said) for x, said in at_whole.letters.items()}
             return replace(at_whole, letters=taken, seconds=time.perf_counter() - started)
     shown_as_names = bool(found) and all(answer.verdict is Status.PROVED for _, answer in found)
     if found and asked and not shown_as_names and (sequences := with_sequences(asked)) is not None:
-        by_places = answered(
-            sequences.relation, sequences.where, sequences.given, dict(sequences.letters), wanted=wanted
-        )
+        by_places = _answer_to(sequences, wanted=wanted)
         if by_places.verdict not in (Status.PROVED, Status.REFUTED):
             by_places = replace(by_places, verdict=Status.UNDECIDED, certificate=())
         used = (*printed.where, *printed.given) if by_places.used else ()
@@ -369,11 +372,7 @@ def _answered(
 
 def _of_whole_numbers(asked: Asked, found: Whole) -> Answer:
     """The answer about a relation with letters for its floors and ceilings, which are whole numbers."""
-
-    def answer_to(one: Asked) -> Answer:
-        return answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
-
-    answer = answer_to(found.asked)
+    answer = _answer_to(found.asked)
     if answer.verdict is Status.REFUTED:
         answer = replace(answer, verdict=Status.UNDECIDED, counterexample={}, values=(), certificate=())
     if answer.verdict is Status.UNDECIDED and (false := _refuted_with_floors(found)) is not None:
@@ -381,7 +380,7 @@ def _of_whole_numbers(asked: Asked, found: Whole) -> Answer:
         if not (asked.where or asked.given or found.is_of_all()):
             answer = replace(answer, verdict=Status.UNDECIDED, counterexample={}, certificate=(), reason=EQUATION)
     elif answer.verdict is Status.UNDECIDED:
-        parts = [*map(answer_to, found.sharper())]
+        parts = [*map(_answer_to, found.sharper())]
         if parts and all(each.verdict is Status.PROVED for each in parts):
             certificates = tuple(made for each in parts for made in each.certificate)
             used = tuple(dict.fromkeys(text for each in parts for text in each.used))
@@ -396,8 +395,7 @@ def _of_named(asked: Asked, declared: Mapping[str, str]) -> Answer | None:
     """The answer with what functions are in the places of their names; None where a letter may mean another one."""
     if (found := named.written_out(asked, declared)) is None:
         return None
-    one = found.asked
-    answer = answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
+    answer = _answer_to(found.asked)
     known = found.sure or answer.verdict is Status.PROVED
     return replace(answer, letters=answer.letters | {**found.told}) if known else None
 
@@ -406,7 +404,7 @@ def _of_events(found: events.Found, asked: Asked) -> Answer:
     """The answer about probabilities of events; not refuted if it holds of those that exclude one another."""
     told = dict.fromkeys(found.cases.events, "an event (its probability is printed)")
     answer = _translated(found.asked, asked, told, found.cases.meant)
-    return _unless_special(answer, asked, found.stricter(), law=found.law)
+    return _unless_special(answer, found.stricter(), law=found.law)
 
 
 def _of_moments(found: expectations.Found, asked: Asked) -> Answer:
@@ -418,16 +416,13 @@ def _of_moments(found: expectations.Found, asked: Asked) -> Answer:
     answer = _translated(found.of_values, asked, told, {})
     if answer.verdict is not Status.REFUTED:
         return replace(proved, verdict=Status.UNDECIDED, counterexample={}, certificate=(), reason=UNSETTLED)
-    return _unless_special(answer, asked, found.special, law=found.law)
+    return _unless_special(answer, found.special, law=found.law)
 
 
 def _of_equal_and_different(found: orthogonal.Cases, asked: Asked) -> Answer:
     """The answer about a relation with Kronecker's delta, for equal letters and for different ones."""
     m, n = found.letters
-    equal, different = (
-        answered(one.relation, one.where, one.given, dict(one.letters), wanted=False)
-        for one in (found.equal, found.different)
-    )
+    equal, different = map(_answer_to, (found.equal, found.different))
     given = (*asked.where, *asked.given)
     used = tuple(text for text in dict.fromkeys((*equal.used, *different.used)) if text in given)
     whole = replace(different, reading=asked.relation, letters=equal.letters | different.letters, used=used)
@@ -444,7 +439,7 @@ def _of_equal_and_different(found: orthogonal.Cases, asked: Asked) -> Answer:
 
 def _translated(one: Asked, asked: Asked, told: Mapping[str, str], meant: Mapping[str, str]) -> Answer:
     """The answer to a question in other letters, in terms of the one that was asked."""
-    answer = answered(one.relation, one.where, one.given, dict(one.letters), wanted=False, claimed=True)
+    answer = _answer_to(one, claimed=True)
     letters_ = {x: what for x, what in answer.letters.items() if x in {*tex.texts(asked.relation)} - {*told, *meant}}
     point = {meant.get(x, x): value for x, value in answer.counterexample.items()}
     printed = dict(zip((*one.where, *one.given), (*asked.where, *asked.given), strict=False))
@@ -452,7 +447,7 @@ def _translated(one: Asked, asked: Asked, told: Mapping[str, str], meant: Mappin
     return replace(answer, reading=asked.relation, letters={**told} | letters_, counterexample=point, used=used)
 
 
-def _unless_special(answer: Answer, asked: Asked, special: Iterable[tuple[str, Asked]], *, law: bool) -> Answer:
+def _unless_special(answer: Answer, special: Iterable[tuple[str, Asked]], *, law: bool) -> Answer:
     """The answer; not that it is false if it holds in special cases, or says what something is."""
     if answer.verdict is not Status.REFUTED:
         return answer
@@ -460,7 +455,7 @@ def _unless_special(answer: Answer, asked: Asked, special: Iterable[tuple[str, A
     if not law:
         return replace(open_, verdict=Status.UNDECIDED, reason=EQUATION)
     for how, one in special:
-        if _translated(one, asked, {}, {}).verdict is not Status.REFUTED:
+        if _answer_to(one, claimed=True).verdict is not Status.REFUTED:
             return replace(open_, reason=f"it holds if {how}; say whether that is meant")
     return answer
 
@@ -775,7 +770,8 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
         shown = _with_values(values, reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
-    if any(map(known_integrals.is_beyond_primitives, reading.problems)):
+    beyond = any(map(known_integrals.is_beyond_primitives, reading.problems))
+    if beyond:
         shown = _with_known_integrals(reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown
@@ -855,7 +851,7 @@ def _decided(reading: Reading, asked: Asked, wanted: bool = True, claimed: bool 
             )
     if status is Status.UNDECIDED and (shown := _by_steps(base, reading)) is not None:
         return shown
-    if status is Status.UNDECIDED:
+    if status is Status.UNDECIDED and not beyond:
         shown = _with_known_integrals(reading, asked, wanted, claimed)
         if shown is not None and shown.verdict is not Status.UNDECIDED:
             return shown

@@ -9,9 +9,9 @@ from dataclasses import replace
 
 from symcheck.core.calculus import functions, nodes
 from symcheck.core.problems import Problem
-from symcheck.core.terms import Binder, End, Node, T, Term, mapped, node
+from symcheck.core.terms import Binder, End, Term, node
 from symcheck.question.antiderivatives import outermost, value_of
-from symcheck.question.series import Series
+from symcheck.question.series import Series, put
 from symcheck.question.whole_powers import inlined
 
 
@@ -25,17 +25,11 @@ def with_values(problem: Problem) -> Series | None:
     found = [part for part in dict.fromkeys(outermost(plain.claim)) if _is_iterated(part)]
     if not found or functions(plain.claim):
         return None
-    values = {part: value_of(part) for part in found}
+    values: dict[Term, Term] = {part: value_of(part) for part in found}
     if any(part.tag in ("integral", "sum") for part in nodes(*values.values())):
         return None
     sides = tuple(replace(plain, claim=node("=", part, value)) for part, value in values.items())
-
-    def put(tree: T) -> T:
-        if tree in values:
-            return values[tree]  # type: ignore[return-value]
-        return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
-
-    return Series(replace(plain, claim=put(plain.claim)), sides)
+    return Series(replace(plain, claim=put(plain.claim, values)), sides)
 
 
 def _is_iterated(part: Term) -> bool:

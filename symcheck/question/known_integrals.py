@@ -24,7 +24,7 @@ from symcheck.core.problems import Applied, Problem
 from symcheck.core.terms import INFINITY, MINUS_INFINITY, PI, Binder, Formula, Node, T, Term, mapped, node
 from symcheck.core.verdicts import SymcheckError
 from symcheck.question.prepare import rooted
-from symcheck.question.series import FAULTS, Series
+from symcheck.question.series import FAULTS, Series, put
 from symcheck.reading import from_sympy, to_sympy
 
 if TYPE_CHECKING:
@@ -56,13 +56,7 @@ def with_values(problem: Problem) -> Series | None:
         same = node("=", body, rooted(form))
         sides += [replace(problem, claim=each, hypotheses=given) for each in valued]
         sides.append(replace(problem, claim=same, hypotheses=given, hints=(*problem.hints, *_of_roots(same))))
-
-    def put(tree: T) -> T:
-        if tree in values:
-            return values[tree]  # type: ignore[return-value]
-        return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
-
-    claim = put(problem.claim)
+    claim = put(problem.claim, values)
     return Series(replace(problem, claim=claim, hints=(*problem.hints, *_of_roots(claim))), tuple(sides))
 
 

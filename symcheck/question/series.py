@@ -8,7 +8,7 @@ is left to trust is that such sums telescope, and the series in the table.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -81,13 +81,14 @@ def with_values(problem: Problem) -> Series | None:
             return None
         given = (*problem.hypotheses, ("place", (node(">=", total.letter, low),)))
         sides += [replace(problem, claim=_as_said(claim, given), hypotheses=given) for claim in more]
+    return Series(replace(problem, claim=put(problem.claim, values)), tuple(sides))
 
-    def put(tree: T) -> T:
-        if tree in values:
-            return values[tree]  # type: ignore[return-value]
-        return mapped(tree, put) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 
-    return Series(replace(problem, claim=put(problem.claim)), tuple(sides))
+def put(tree: T, values: Mapping[Term, Term]) -> T:
+    """The same with the values of sums or integrals in their places."""
+    if tree in values:
+        return values[tree]  # type: ignore[index, return-value]
+    return mapped(tree, lambda part: put(part, values)) if isinstance(tree, Node) else tree  # type: ignore[return-value]
 
 
 def _as_said(claim: Formula, given: Hypotheses) -> Formula:
