@@ -295,6 +295,12 @@ RULES: dict[str, Forgery] = {
     # nonnegative
     "the sign of a free letter": Forgery(NO_SIGN, proved([">=", "x", 0], above("x"))),
     "a square said to be positive": Forgery(NO_SIGN, proved([">", sq("x"), 0], above(sq("x")))),
+    "the root of what may be zero": Forgery(
+        NO_SIGN, proved([">", ["sqrt", "x"], 0], above(["sqrt", "x"]), [[">=", "x", 0]], at={"x": 1})
+    ),
+    "the root of what may be negative": Forgery(
+        NO_SIGN, proved([">", ["sqrt", "x"], 0], above(["sqrt", "x"]), [["!=", "x", 0]], at={"x": 1})
+    ),
     "a difference of squares": Forgery(
         NO_SIGN, proved([">=", minus(sq("x"), sq("y")), 0], above(minus(sq("x"), sq("y"))))
     ),

@@ -147,6 +147,15 @@ RIGHT: dict[str, JSON] = {
         ["<", f(0), 2], compute(hyp()), [["=", f(0), 1]], witnesses=[{"values": {}, "calls": [[f(0), 1]]}]
     ),
     "nonnegative, an even power": proved([">", sq("x"), 0], above(sq("x")), [["!=", "x", 0]], at={"x": 1}),
+    "nonnegative, a root": proved(
+        [">", ["sqrt", ["/", "x", "y"]], 0],
+        above(["sqrt", ["/", "x", "y"]]),
+        [[">", "x", 0], [">", "y", 0]],
+        at={"x": 1, "y": 1},
+    ),
+    "nonnegative, a root of what is not zero": proved(
+        [">", ["sqrt", "x"], 0], above(["sqrt", "x"]), [[">=", "x", 0], ["!=", "x", 0]], at={"x": 1}
+    ),
     "nonnegative, an exponential": proved([">", ["exp", "x"], 0], above(["exp", "x"])),
     "implies what makes a denominator": proved(
         ["=>", ["!=", "x", 0], ["exists", ["z"], ["=", ["*", "z", "x"], 1]]],

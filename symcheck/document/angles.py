@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from symcheck.document.macros import tokens
+from symcheck.document.rewriting import CLOSING, closed
 from symcheck.document.survey import Link, Seen
 from symcheck.question.prepare import VARIABLES
 from symcheck.reading.parser import ANGLES, OFTEN_ANGLES
@@ -20,7 +21,6 @@ _LETTER = re.compile(
     r"[A-Za-z]|\\(?:ell|alpha|beta|gamma|delta|(?:var)?(?:epsilon|theta|rho|sigma|phi)|zeta|eta|kappa|lambda|mu|nu|xi|"
     r"tau|chi|psi|omega|Omega|Theta|Phi|Psi)"
 )
-_CLOSED = {"(": ")", "[": "]"}
 # behind a letter that is all of an argument
 _ENDING = frozenset(
     {"", "+", "-", "=", "&", r"\\", "}", ")", "]", r"\right", ",", ".", ";", "|", r"\,", r"\pm", r"\mp", r"\cdot"}
@@ -109,8 +109,8 @@ def _places(latex: str) -> Iterator[_Place]:
         end = _scripted(toks, start + 1, "_")
         letter, behind = "".join(toks[start:end]), toks[end] if end < len(toks) else ""
         sized = end + (behind == r"\left")
-        if not bracketed and sized < len(toks) and toks[sized] in _CLOSED:
-            if close := _close(toks, sized):
+        if not bracketed and sized < len(toks) and toks[sized] in CLOSING:
+            if (close := closed(toks, sized)) > sized:
                 yield _Place(toks[k:begin], letter, False, False, toks[end : sized + 1], toks[end:close])
         else:
             ends = behind in _ENDING or (not bracketed and _FUNCTION.fullmatch(behind) is not None)
@@ -125,19 +125,5 @@ def _scripted(toks: Sequence[str], k: int, sign: str) -> int:
         return k
     if toks[k + 1] != "{":
         return k + 2
-    depth = 0
-    for end in range(k + 1, len(toks)):
-        depth += (toks[end] == "{") - (toks[end] == "}")
-        if not depth:
-            return end + 1
-    return len(toks)
-
-
-def _close(toks: Sequence[str], k: int) -> int:
-    """The place behind a bracket that opens at k, beside no other commands than those of `left`; 0 if there is none."""
-    depth, sign = 0, toks[k]
-    for end in range(k, len(toks)):
-        depth += (toks[end] == sign) - (toks[end] == _CLOSED[sign])
-        if not depth:
-            return end + 1
-    return 0
+    end = closed(toks, k + 1)
+    return end if end > k + 1 else len(toks)

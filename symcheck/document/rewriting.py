@@ -20,6 +20,7 @@ BEFORE = frozenset(
     {"=", "+", "-", "<", ">", ",", "(", "[", "&", r"\cdot", r"\times", r"\,"}
 )  # no functions of a bracket
 CLOSING = {"(": ")", "[": "]"}
+_ENDS = CLOSING | {"{": "}"}
 Item: TypeAlias = "str | tuple[Item, ...]"  # a token, or a group in braces
 Found: TypeAlias = dict[str, tuple[Item, ...]]
 
@@ -149,7 +150,7 @@ def _operand(items: Sequence[Item], k: int) -> int:
     if isinstance(first, tuple):
         end = k + 1
     elif first in CLOSING:
-        end = _closed(items, k) if k == 0 or items[k - 1] in BEFORE else k
+        end = closed(items, k) if k == 0 or items[k - 1] in BEFORE else k
     elif first in ARGUMENTS:
         end = k + 1 + ARGUMENTS[first]
     else:
@@ -157,11 +158,11 @@ def _operand(items: Sequence[Item], k: int) -> int:
     return min(end + 2 if k < end < len(items) - 1 and items[end] == "_" else end, len(items))
 
 
-def _closed(items: Sequence[Item], k: int) -> int:
-    """The place behind a bracket that opens at k; k if it is never closed."""
+def closed(items: Sequence[Item], k: int) -> int:
+    """The place behind a bracket or brace that opens at k; k if it is never closed."""
     depth = 0
     for end in range(k, len(items)):
-        depth += (items[end] == items[k]) - (items[end] == CLOSING[str(items[k])])
+        depth += (items[end] == items[k]) - (items[end] == _ENDS[str(items[k])])
         if not depth:
             return end + 1
     return k

@@ -38,6 +38,8 @@ _EVENT = re.compile(
     r"(?:(?P<over>\\(?:bar|overline)) ?\{ ?)?(?P<event>[A-Z](?:_(?:\w|\{\w+\}))?)(?(over) ?\})"
     r"(?P<above> \^ (?:c|C|\\complement|\{ (?:c|C|\\complement) \}))?"
 )
+# the sign of a probability before a bracket
+_PRINTED = re.compile(r"(?<![A-Za-z])(?:P|Pr|Prob)\s*\}?\s*(?:\\[bB]igg?l?|\\left)?\s*\(")
 # what hardly stands in the brackets of another function
 _OF_EVENTS = re.compile(r"\\(?:cup|cap|setminus|mid|bar|overline)(?![A-Za-z])|\||\^\{?(?:c|C|\\complement)\}?\)")
 Event = Callable[[frozenset[str]], bool]  # whether it takes place in a case
@@ -159,7 +161,7 @@ class Found:
 
 def in_cases(asked: Asked) -> Found | None:
     """The question about probabilities as one about numbers of outcomes; None if there are no events."""
-    if not _OF_EVENTS.search(asked.relation):
+    if not (_PRINTED.search(asked.relation) and _OF_EVENTS.search(asked.relation)):
         return None
     with suppress(SymcheckError, StopIteration):
         reading = unlowered(asked)[0]

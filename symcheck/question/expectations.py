@@ -38,8 +38,10 @@ VARIANCES = frozenset({"Var", "var", r"\mathbb{V}"})
 COVARIANCES = frozenset({"Cov", "cov"})
 LETTERS = ("m", "k", "w", "u", "v")
 MOST = 3  # random variables: independent ones have 2^n pairs of values
-# what may be expected, or vary
-_SIGN = re.compile(r"(?<![A-Za-z])E(?![A-Za-z])|(?<![A-Za-z])[VvCc](?:ar|ov)(?![A-Za-z])|\\mathbb\s*\{?V")
+# what may be expected before a bracket, or vary
+_SIGN = re.compile(
+    r"(?<![A-Za-z])E\s*\}?\s*(?:\\[bB]igg?l?|\\left)?\s*[\[(]|(?<![A-Za-z])[VvCc](?:ar|ov)(?![A-Za-z])|\\mathbb\s*\{?V"
+)
 # a capital, as random variables mostly are
 _RANDOM = re.compile(r"[A-Z](?:_(?:\w|\{\w+\}))?")
 Moments = Callable[[Monomial], Tree]

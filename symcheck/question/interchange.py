@@ -93,23 +93,14 @@ def coefficients(problem: Problem) -> Coefficients | None:
 
 def _parts(term: Term, factor: Term) -> Iterator[_Part]:
     """The sums of members of sequences of which a term is made."""
-    match term:
-        case 0:
-            return
-        case Node(tag="+", outside=addends):
-            for addend in addends:
-                yield from _parts(addend, factor)
-        case Node(tag="-", outside=(inner,)):
-            yield from _parts(inner, _times(-1, factor))
-        case Node(tag="*", outside=factors):
-            (inner, rest) = _apart(factors)
-            yield from _parts(inner, _times(rest, factor))
-        case Node(tag="/", outside=(top, bottom)) if not functions(bottom):
-            yield from _parts(top, node("/", factor, bottom))
-        case Binder(tag="sum"):
-            yield from (part._replace(coefficient=_times(factor, part.coefficient)) for part in _of_sum(term))
-        case _:
-            raise _OtherForm
+    for outside, inner in _addends(term, factor):
+        match inner:
+            case 0:
+                continue
+            case Binder(tag="sum"):
+                yield from (part._replace(coefficient=_times(outside, part.coefficient)) for part in _of_sum(inner))
+            case _:
+                raise _OtherForm
 
 
 def _of_sum(total: Binder) -> Iterator[_Part]:
